@@ -24,7 +24,7 @@ from nonsmooth.runtime.checker.exact import (
     product,
     reduced,
 )
-from nonsmooth.runtime.checker.motion import Border
+from nonsmooth.runtime.checker.motion import Border, borders_of
 from nonsmooth.runtime.checker.parameters import number_at
 from nonsmooth.runtime.checker.shape import BRANCH, check_shape
 from nonsmooth.runtime.checker.stability import MULTIPLIERS
@@ -166,10 +166,8 @@ class _Met:
     def __init__(self, tile: CheckedTile) -> None:
         self.tile, self.curve, self.event = tile, tile.curve, tile.event
         self.steps, self.short = self.curve.declared.steps, self.curve.short
-        own = [self.event[name] for name in ("kind", "phase", "boundary", "instant")]
-        told = (own, *self.event["also"])
-        self.turns = any(kind == "fold" for kind, *_ in told)
-        self.borders = [Border(k, place - 1, b, i) for k, place, b, i in told if k != "fold"]
+        self.turns = tile.turns
+        self.borders, self.window = borders_of(self.event)
         self.gone = {b.phase for b in self.borders if b.kind == "vanishing-phase"}
         self.lasting = [k for k in range(len(self.steps)) if k not in self.gone]
         demand(self.lasting and len(self.gone) <= 1, "several phases vanish at once")
@@ -194,6 +192,11 @@ class _Met:
         """The orbit at the event."""
         return self.curve.orbit(self.point)
 
+    def touched_at(self, time: Any) -> bool:
+        """Return whether a time is in the window of the grazing."""
+        assert self.window is not None
+        return bool(time > self.window[0] and time < self.window[1])
+
     def chain(self, place: int) -> list[int]:
         """Return a phase and, if it vanishes at the event, the phase behind it."""
         ahead = (place + 1) % len(self.steps)
@@ -210,18 +213,7 @@ class _Met:
             starts = {**dict([*before.items()][1:]), behind[0]: behind[1]}
             at = starts.get(border.phase)
         demand(at is not None and border.kind != "grazing", "a border is met elsewhere")
-        if border.kind == "condition":
-            return product(border.condition(self.orbit)[0], at)
-        watched = border.watched(self.orbit)
-        rows = {
-            ("simultaneous", "end"): watched.end,
-            ("tangent", "end"): watched.speed,
-            ("tangent", "start"): watched.begins,
-            ("entry", "start"): watched.begins,
-        }
-        row = rows.get((border.kind, border.instant))
-        demand(row is not None, "a border of another kind")
-        return product(row, at)
+        return product(border.row(self.orbit), at)
 
 
 class _CheckedState:
@@ -350,9 +342,7 @@ def _demand_exactly(longer: _Met, shorter: _Met, parts: _Parts) -> None:
     if split:
         demand(shorter.borders[0].phase == y, "another phase is grazed")
         _demand_touch(shorter, junction, facts)
-        low, high = (arb(exact(time)) for time in shorter.event["window"])
-        time = longer.orbit.dwell[x]
-        demand(time > low and time < high, "it is touched at another time")
+        demand(shorter.touched_at(longer.orbit.dwell[x]), "it is touched at another time")
         return
     ends = _CheckedState(shorter, y)
     asked = all(not any(reduced(row, facts)) for row in ends.rows)
@@ -398,9 +388,8 @@ def _demand_free(longer: _Met, shorter: _Met) -> None:
     free = [state[k, 0] for k in shorter.curve.declared.free]
     point = [*free, begins, sum(orbit.dwell, arb(0)), longer.point[-1]]
     demand(_holds(shorter.tile, point), "two orbits")
-    low, high = (arb(exact(time)) for time in shorter.event["window"])
     times = [passed + turn * k for k in range(shorter.curve.declared.closing["turns"])]
-    demand(any(t > low and t < high for t in times), "it is touched at another time")
+    demand(any(map(shorter.touched_at, times)), "it is touched at another time")
 
 
 def _points(longer: _Met, shorter: _Met, parts: _Parts) -> Iterator[list[Any]]:

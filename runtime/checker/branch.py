@@ -11,9 +11,8 @@ from flint import arb, ctx
 
 from nonsmooth.runtime.checker.branch_curve import CheckedCurve, without_entry
 from nonsmooth.runtime.checker.branch_tile import BITS, NO_MOTION, OPEN, SHARP, CheckedTile
-from nonsmooth.runtime.checker.declared import StatedSystem
 from nonsmooth.runtime.checker.exact import Failure, demand, exact
-from nonsmooth.runtime.checker.parameters import independent, values_of
+from nonsmooth.runtime.checker.parameters import independent, stated_system
 from nonsmooth.runtime.core.jets import part_of
 
 __all__ = ["FINISHED", "VANISHED", "check_joint", "checked_tiles", "curve_of", "ending"]
@@ -55,10 +54,8 @@ def curve_of(content: dict[str, Any]) -> CheckedCurve:
     """
     demand(content["declaration"], "claims about no declaration")
     with ctx.workprec(BITS):
-        told = content["declaration"].get("constants", [])
         name = content["parameter"]
-        values, stated, constants = values_of(content["parameters"], [name], told)
-        declared = StatedSystem(content, values, stated)
+        declared, constants = stated_system(content, content["parameters"], [name])
         demand(declared.bound and declared.rational, "the declaration is not exact")
         demand(content["stability"] == declared.stability, "stability of another kind")
         demand(content["unknown_names"] == declared.unknowns, "other unknowns")

@@ -1,23 +1,22 @@
 """The equations along a branch: unknowns and parameter on one footing, roots and derivatives."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from copy import copy
 from typing import Any
 
-from flint import arb, arb_mat, ctx
+from flint import arb, ctx
 
 from nonsmooth.runtime.checker.declared import StatedSystem
 from nonsmooth.runtime.checker.exact import Failure, demand
-from nonsmooth.runtime.checker.orbit import CheckedOrbit
+from nonsmooth.runtime.checker.orbit import CheckedOrbit, krawczyk_step, newton
 from nonsmooth.runtime.checker.parameters import number_at
 from nonsmooth.runtime.checker.short import Short, short_phase
 from nonsmooth.runtime.core.jets import Jet, jet, part_of
-from nonsmooth.runtime.core.taylor_models import matrix, range_of
+from nonsmooth.runtime.core.taylor_models import matrix, range_of, unit_matrix
 
-__all__ = ["CheckedCurve", "solution", "with_entry", "without_entry"]
+__all__ = ["CheckedCurve", "prove_on_parts", "solution", "with_entry", "without_entry"]
 
-_STEPS = 8  # of Newton's method
-_CLOSE, _SETTLED = 0.6, 0.45  # of the bits: half of the box around a root, and the last step to it
+_CLOSE = 0.6  # of the bits: half of the box around a root
 
 
 class CheckedCurve:
@@ -115,20 +114,9 @@ class CheckedCurve:
         """Return the other coordinates of a point near a root, by Newton's method from a guess.
 
         The coordinate at `place` has an exact value. Nothing is proved; `Failure` is raised where
-        the slopes are singular.
+        none is found.
         """
-        point = [x.mid() for x in guess]
-        small = arb(2) ** -int(_SETTLED * ctx.prec)
-        for _ in range(_STEPS):
-            values, square = self.square(place, with_entry(place, value, point))
-            try:
-                step = square.mid().solve(values.mid()).entries()
-            except ZeroDivisionError:
-                raise Failure("the equations are singular at a point of it") from None
-            point = [(x - d).mid() for x, d in zip(point, step, strict=True)]
-            if all(abs(d) < small * (1 + abs(x)) for x, d in zip(point, step, strict=True)):
-                break
-        return point
+        return newton(lambda point: self.square(place, with_entry(place, value, point)), guess)
 
     def located(self, place: int, value: Any, guess: Sequence[Any]) -> list[Any]:
         """Return sharp enclosures of all coordinates of the one root near a guess.
@@ -182,11 +170,7 @@ class CheckedCurve:
         except ZeroDivisionError:
             return None
         _, over = self.square(place, with_entry(place, value, box), middle)
-        size = self.last
-        unit = arb_mat([[int(i == j) for j in range(size)] for i in range(size)])
-        moved = (unit - y * over) * arb_mat([[arb(0, r)] for r in radii]) - y * values
-        entries: list[Any] = moved.entries()
-        return entries
+        return krawczyk_step(values, y, over, [arb(0, r) for r in radii])
 
     def jets(self, place: int, point: Sequence[Any], order: int) -> list[Any]:
         """Return all coordinates as jets: their derivatives by one of them, at enclosed roots."""
@@ -211,6 +195,28 @@ class CheckedCurve:
         return found
 
 
+def prove_on_parts(
+    prove: Callable[[Sequence[Any]], None],
+    point: Sequence[Any],
+    deepest: int,
+    sharper: Callable[[list[Any]], Sequence[Any]] = list,
+) -> None:
+    """Call `prove` on models of one variable or, where that fails, on halves again and again.
+
+    They are halved `deepest` times at most; `sharper` gives narrower enclosures on a part.
+    """
+    try:
+        prove(point)
+        return
+    except Failure:
+        if not deepest:
+            raise
+    space = point[-1].space
+    for side in (-1, 1):
+        e = space.variable(0, arb(side) / 2, arb(1) / 2)
+        prove_on_parts(prove, sharper([x.at([e]) for x in point]), deepest - 1, sharper)
+
+
 def solution(square: Any, y: Any, right: Any) -> list[Any]:
     """Return enclosures of the solution (n) of a linear system with an approximate inverse.
 
@@ -219,7 +225,7 @@ def solution(square: Any, y: Any, right: Any) -> list[Any]:
     raised if the matrix may be singular.
     """
     size = square.nrows()
-    unit = arb_mat([[int(i == j) for j in range(size)] for i in range(size)])
+    unit = unit_matrix(size)
     guess = (y * right).mid()
     missed, rest = range_of(y * (right - square * guess)), range_of(unit - y * square)
     scales = [abs(range_of(x)).upper() for x in guess.entries()]

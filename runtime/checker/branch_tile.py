@@ -12,9 +12,14 @@ from typing import Any, NamedTuple
 
 from flint import arb, ctx
 
-from nonsmooth.runtime.checker.branch_curve import CheckedCurve, with_entry, without_entry
+from nonsmooth.runtime.checker.branch_curve import (
+    CheckedCurve,
+    prove_on_parts,
+    with_entry,
+    without_entry,
+)
 from nonsmooth.runtime.checker.exact import Failure, demand, exact, inside
-from nonsmooth.runtime.checker.motion import Border, admissibility, time_of_touch
+from nonsmooth.runtime.checker.motion import Border, admissibility, borders_of, time_of_touch
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.stability import (
     MULTIPLIERS,
@@ -175,20 +180,9 @@ class CheckedTile:
         (verdict,) = verdicts
         return TileClaims(verdict, verdict, {})
 
-    def parts(
-        self, prove: Callable[[Sequence[Any]], None], point: Any = None, depth: int = 0
-    ) -> None:
+    def parts(self, prove: Callable[[Sequence[Any]], None]) -> None:
         """Call `prove` on the whole tile or, where that fails, on its halves again and again."""
-        point = self.point if point is None else point
-        try:
-            prove(point)
-            return
-        except Failure:
-            if depth == self.deepest:
-                raise
-        for side in (-1, 1):
-            e = self.space.variable(0, arb(side) / 2, arb(1) / 2)
-            self.parts(prove, self._sharper([x.at([e]) for x in point]), depth + 1)
+        prove_on_parts(prove, self.point, self.deepest, self._sharper)
 
     def _sharper(self, point: Sequence[Any]) -> list[Any]:
         """Return narrower enclosures of the orbits on a part, by repeated Krawczyk steps."""
@@ -258,17 +252,8 @@ class _CheckedEvent:
 
     def __init__(self, tile: CheckedTile) -> None:
         self.tile, self.curve, self.event = tile, tile.curve, tile.event
-        own = [self.event[name] for name in ("kind", "phase", "boundary", "instant")]
-        self.borders = [
-            Border(kind, place - 1, boundary, instant)
-            for kind, place, boundary, instant in (own, *self.event["also"])
-            if kind not in MULTIPLIERS
-        ]
+        self.borders, self.window = borders_of(self.event)
         self.low, self.high = exact(self.event["lower"]), exact(self.event["upper"])
-        window = [arb(exact(x)) for x in self.event["window"]]
-        grazes = any(border.kind == "grazing" for border in self.borders)
-        demand(len(window) == 2 * grazes, "a window of no grazing")
-        self.window = (window[0], window[1]) if window else None
 
     def claims(self) -> TileClaims:
         """Prove that there is this event in the tile, and no other."""

@@ -6,10 +6,10 @@ the unstable sides of N lie beyond opposite unstable sides of M (Zgliczynski and
 its parts are shown to take them.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 from flint import arb, ctx, fmpq
 
@@ -19,7 +19,16 @@ from nonsmooth.runtime.checker.section_maps import Box, Parallelepiped, SectionM
 from nonsmooth.runtime.checker.sets import StateSet, TooWide
 from nonsmooth.runtime.checker.shape import CHAOS, check_bits, check_shape
 
-__all__ = ["Covered", "SetMap", "StretchedSets", "check_chaos", "check_entropy"]
+__all__ = [
+    "Covered",
+    "SetMap",
+    "StretchedSets",
+    "check_chaos",
+    "check_entropy",
+    "radius_above",
+]
+
+_Vertex = TypeVar("_Vertex", bound=Hashable)
 
 _BITS = 80
 _FINEST = fmpq(1, 2**22)  # of a set: narrower parts are not tried
@@ -201,7 +210,7 @@ def check_entropy(content: Mapping[str, Any], sets: StretchedSets) -> dict[str, 
     targets = {name: [m for n, m in pairs if n == name] for name in sets.sets}
     told = Fraction(content["growth"])
     demand(told > 1, "a graph that does not grow")
-    demand(told <= _radius(targets), "the graph grows less than stated")
+    demand(told <= radius_above(targets), "the graph grows less than stated")
     entropy = exact(content["entropy"])
     demand(entropy > 0, "no positive entropy")
     growth = arb(fmpq(told.numerator, told.denominator)).log() / content["iterates"]
@@ -209,14 +218,15 @@ def check_entropy(content: Mapping[str, Any], sets: StretchedSets) -> dict[str, 
     return targets
 
 
-def _radius(targets: dict[str, list[str]]) -> Fraction:
-    """Return a lower bound of the spectral radius of a strongly connected graph.
+def radius_above(targets: Mapping[_Vertex, list[_Vertex]]) -> Fraction:
+    """Return a lower bound of the spectral radius of a strongly connected graph, by its edges.
 
-    It comes from a power of 1 + A, with A the adjacency matrix.
+    For a matrix A of integers that are not negative, irreducible, and positive v it is the least
+    (A v)_i / v_i (L. Collatz, 1942; H. Wielandt, 1950). Here v is a power of 1 + A times 1.
     """
     sources = {name: [n for n, others in targets.items() if name in others] for name in targets}
     for ahead in (targets, sources):
-        reached, left = set[str](), [*targets][:1]
+        reached, left = set[_Vertex](), [*targets][:1]
         while left:
             reached.add(name := left.pop())
             left += {*ahead[name]} - reached

@@ -10,10 +10,9 @@ from typing import Any
 
 from flint import acb, acb_poly, arb, arb_mat, fmpq
 
-from nonsmooth.runtime.checker.declared import StatedSystem
 from nonsmooth.runtime.checker.exact import Failure, demand, exact
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
-from nonsmooth.runtime.checker.parameters import independent, number_at, number_in, values_of
+from nonsmooth.runtime.checker.parameters import independent, number_at, number_in, stated_system
 from nonsmooth.runtime.checker.stability import characteristic
 from nonsmooth.runtime.core.jets import jet, part_of
 
@@ -38,9 +37,7 @@ def rates_along(
     demand(name not in parameters or rates.get(name) == 1, f"{name} moves something else")
     demand(rates.keys() <= parameters.keys(), "what moves is no parameter")
     still = {other: text for other, text in parameters.items() if other not in rates}
-    constants = content["declaration"].get("constants", [])
-    values, told, known = values_of(still, [*rates], constants)
-    declared = StatedSystem(content, values, told)
+    declared, known = stated_system(content, still, [*rates])
     exactly = declared.bound and declared.rational
     demand(exactly, "the declaration takes a root or a sine of its parameters")
     declared.closes()

@@ -13,8 +13,8 @@ from typing import Any, NamedTuple
 from flint import arb, fmpq
 
 from nonsmooth.runtime.checker.branch_curve import solution
-from nonsmooth.runtime.checker.exact import demand, exact
-from nonsmooth.runtime.checker.motion import Border, admissibility, time_of_touch
+from nonsmooth.runtime.checker.exact import demand
+from nonsmooth.runtime.checker.motion import Border, admissibility, borders_of, time_of_touch
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.parameters import number_at
 from nonsmooth.runtime.checker.stability import (
@@ -135,7 +135,6 @@ class Division:
         self.borders, self.window = curve.borders, curve.window
         if self.borders:
             told = admissible == "undecided" and self.stable in _VERDICTS
-            demand(not {b.kind for b in self.borders} & {*MULTIPLIERS}, "a multiplier at a border")
             demand(self.borders[0].kind == curve.kind, "a border of another kind")
             demand(len({*self.borders}) == len(self.borders), "a border twice")
         else:
@@ -155,19 +154,13 @@ class Division:
         """Return what a file states of a tile, whose step and level along each axis are `place`."""
         demand(event["kind"] != "fold" and event["fold"] is None, "at a fold the orbit ends")
         band = Band.stated(event, names, place)
-        own = [event[name] for name in ("kind", "phase", "boundary", "instant")]
-        window = [arb(exact(x)) for x in event["window"]]
-        demand(len(window) in (0, 2), "a window of no grazing")
-        borders: tuple[Border, ...] = ()
         if event["kind"] in MULTIPLIERS:
-            named = [own[1], event["configuration"], *own[2:]]
-            demand(named == [None, "", "", ""] and not event["also"], "a phase")
-        else:
-            rows = [own, *event["also"]]
-            demand(all(isinstance(place, int) for _, place, *_ in rows), "a border of no phase")
-            borders = tuple(Border(kind, place - 1, *rest) for kind, place, *rest in rows)
-        times = (window[0], window[1]) if window else None
-        curve = DividingCurve(event["kind"], borders, times, band.axis, band.centre)
+            own = [event[name] for name in ("phase", "configuration", "boundary", "instant")]
+            demand(own == [None, "", "", ""] and not event["also"], "a phase")
+        own = [event["kind"], *(kind for kind, *_ in event["also"])]
+        demand(len(own) == 1 or not {*own} & {*MULTIPLIERS}, "a multiplier at a border")
+        borders, times = borders_of(event)
+        curve = DividingCurve(event["kind"], tuple(borders), times, band.axis, band.centre)
         return Division(curve, claims, band, (event["below"], event["above"]))
 
     def judge(

@@ -11,17 +11,22 @@ at zero is the flip. By implicit differentiation in the square of a the paramete
 direction only, so that no multiplier is 1 beside the flip.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 from flint import arb, arb_mat, ctx
 
 from nonsmooth.runtime.checker.branch import checked_tiles, curve_of
-from nonsmooth.runtime.checker.branch_curve import CheckedCurve, solution, without_entry
+from nonsmooth.runtime.checker.branch_curve import (
+    CheckedCurve,
+    prove_on_parts,
+    solution,
+    without_entry,
+)
 from nonsmooth.runtime.checker.branch_tile import CheckedTile
 from nonsmooth.runtime.checker.exact import Failure, check_sum, demand, exact, inside
 from nonsmooth.runtime.checker.motion import admissibility
-from nonsmooth.runtime.checker.orbit import CheckedOrbit, flows_over
+from nonsmooth.runtime.checker.orbit import CheckedOrbit, flows_over, krawczyk_step, newton
 from nonsmooth.runtime.checker.parameters import number_at
 from nonsmooth.runtime.checker.shape import DOUBLING, check_shape
 from nonsmooth.runtime.checker.stability import CORNER, characteristic, passing, stability
@@ -49,7 +54,6 @@ __all__ = [
 
 _BITS, _SHARP = 64, 192
 ORDER = 5  # of the models: that of the polynomials
-_STEPS = 8  # of Newton's method
 _DEEPEST = 5  # halvings of a tube whose claims take smaller ones
 _ALIKE = ("parameters", "parameter", "stability")
 
@@ -241,7 +245,7 @@ class JudgedDoubling:
         with ctx.workprec(_BITS):
             first, second = self.equations.halves(self.a, self.found)
             dwell = second[self.equations.size - len(self.curve.declared.steps) :]
-            self._parts(self._decided, [*first, *dwell, self.found[-1]])
+            prove_on_parts(self._decided, [*first, *dwell, self.found[-1]], _DEEPEST)
 
     def verdict(self, orbit: Sequence[Any]) -> str:
         """Return "stable" or "unstable", as one orbit of the tube is, or "undecided"."""
@@ -266,20 +270,6 @@ class JudgedDoubling:
             value = range_of(passing(polynomial, kind))
             demand(value > 0 or value < 0, f"there may be another event: {kind}")
 
-    def _parts(
-        self, prove: Callable[[Sequence[Any]], None], point: Sequence[Any], depth: int = 0
-    ) -> None:
-        """Call `prove` on all orbits or, where that fails, on halves of them again and again."""
-        try:
-            prove(point)
-            return
-        except Failure:
-            if depth == _DEEPEST:
-                raise
-        for side in (-1, 1):
-            e = self.space.variable(0, arb(side) / 2, arb(1) / 2)
-            self._parts(prove, [x.at([e]) for x in point], depth + 1)
-
 
 class DoubledEquations:
     """The equations of doubled orbits over the amplitude a; n unknowns become 2 n.
@@ -293,14 +283,8 @@ class DoubledEquations:
 
     def flip_near(self, guess: Sequence[Any]) -> list[Any]:
         """Return the enclosed solution at amplitude zero near a guess, by Newton's method."""
-        zero, point = arb(0), [x.mid() for x in guess]
-        for _ in range(_STEPS):
-            values, slopes = self.at(zero, point)
-            try:
-                step = slopes.mid().solve(values.mid())
-            except ZeroDivisionError:
-                raise Failure("the equations are singular at the flip") from None
-            point = [(x - d).mid() for x, d in zip(point, step.entries(), strict=True)]
+        zero = arb(0)
+        point = newton(lambda point: self.at(zero, point), guess)
         unit = arb(2) ** -int(0.6 * ctx.prec)
         found = self.krawczyk(zero, point, [(unit * (1 + abs(x))).upper() for x in point])
         demand(found is not None, "there is no flip at the amplitude zero")
@@ -319,10 +303,7 @@ class DoubledEquations:
             return None
         box = [x + arb(0, r) for x, r in zip(centre, radii, strict=True)]
         _, over = self.at(a, box)
-        count = len(radii)
-        unit = arb_mat([[int(i == j) for j in range(count)] for i in range(count)])
-        moved = (unit - y * over) * arb_mat([[arb(0, r)] for r in radii]) - y * values
-        found = moved.entries()
+        found = krawczyk_step(values, y, over, [arb(0, r) for r in radii])
         if not all(abs(d) < r for d, r in zip(found, radii, strict=True)):
             return None
         return [x + d for x, d in zip(centre, found, strict=True)]

@@ -14,7 +14,6 @@ from typing import Any
 
 from flint import arb, arb_mat, ctx
 
-from nonsmooth.runtime.checker.declared import StatedSystem
 from nonsmooth.runtime.checker.exact import (
     Failure,
     check_sum,
@@ -22,8 +21,9 @@ from nonsmooth.runtime.checker.exact import (
     exact,
     inside,
 )
-from nonsmooth.runtime.checker.orbit import CheckedOrbit
-from nonsmooth.runtime.checker.parameters import number_at, values_of
+from nonsmooth.runtime.checker.motion import Border
+from nonsmooth.runtime.checker.orbit import CheckedOrbit, krawczyk_step, newton
+from nonsmooth.runtime.checker.parameters import number_at, stated_system
 from nonsmooth.runtime.checker.shape import EVENTS, check_bits, check_shape, check_sharp
 from nonsmooth.runtime.checker.stability import (
     characteristic,
@@ -34,6 +34,7 @@ from nonsmooth.runtime.core.taylor_models import middle_of, space_of
 
 __all__ = ["JudgedEvent", "check_events"]
 
+_SMALL = 2.0**-10  # unknowns that are smaller have a unit of their own
 _GUARD = 96  # bits beyond those of the enclosures
 _MULTIPLIERS = {"flip": -1, "fold": 1, "neimark-sacker": 0}
 _INSTANTS = {**dict.fromkeys([*_MULTIPLIERS, "vanishing-phase"], ""),
@@ -51,19 +52,31 @@ class JudgedEvent:
     def __init__(self, proposal: dict[str, Any]) -> None:
         self.proposal, self.bits = proposal, proposal["bits"]
         with ctx.workprec(self.bits + _GUARD):
-            told = proposal["declaration"].get("constants", [])
             by = proposal["parameter"]
-            values, numbers, self.constants = values_of(proposal["parameters"], [by], told)
-            self.declared = declared = StatedSystem(proposal, values, numbers)
+            found = stated_system(proposal, proposal["parameters"], [by])
+            self.declared, self.constants = found
+            declared = self.declared
             demand(declared.bound and declared.rational, "the declaration is not exact")
             self.energies = declared.closes()
         self.place = len(declared.unknowns)  # of the parameter among the unknowns
         time = ["time"] if proposal["kind"] == "grazing" else []
         self.names = [*declared.unknowns, by, *time]
 
-    def equations(self, middles: Sequence[Any], radii: Sequence[Any]) -> list[Any]:
-        """Return the left-hand sides over a box, as Taylor models of first order in its place."""
-        return self._along(middles, radii)[1]
+    def near(self, guess: Sequence[Any]) -> list[Any]:
+        """Return unknowns near an event, by Newton's method; nothing is proved of them.
+
+        `Failure` is raised where it finds none.
+        """
+
+        def at(point: Sequence[Any]) -> tuple[Any, Any]:
+            unit = arb(2) ** -(ctx.prec // 2)
+            radii = [unit * (abs(x).mid() if abs(x) > _SMALL else 1) for x in point]
+            _, found, _ = self._along(point, radii)
+            slopes = [[(part or 0) / r for part, r in zip(value.parts[1:], radii, strict=True)]
+                      for value in found]  # fmt: skip
+            return arb_mat([[value.parts[0]] for value in found]), arb_mat(slopes)
+
+        return newton(at, guess)
 
     def located(self, box: Sequence[dict[str, str]]) -> dict[str, Any]:
         """Return enclosures by name of all roots in a box, which is proved to have one.
@@ -153,9 +166,8 @@ def _image(values: Sequence[Any]) -> list[Any]:
         y = slopes.mid().inv().mid()
     except ZeroDivisionError:
         raise Failure("the equations are singular in the middle of the box") from None
-    unit = arb_mat([[int(i == j) for j in range(size)] for i in range(size)])
-    within = (unit - y * slopes) * arb_mat([[arb(0, 1)]] * size)
-    return list((within - y * arb_mat([[value.parts[0]] for value in values])).entries())
+    missed = arb_mat([[value.parts[0]] for value in values])
+    return krawczyk_step(missed, y, slopes, [arb(0, 1)] * size)
 
 
 def _event(orbit: CheckedOrbit, event: dict[str, Any], more: Sequence[Any]) -> list[Any]:
@@ -168,36 +180,24 @@ def _event(orbit: CheckedOrbit, event: dict[str, Any], more: Sequence[Any]) -> l
     demand(type(place) is int and 1 <= place <= len(declared.steps), "there is no such phase")
     place -= 1
     demand([event["configuration"]] == [declared.steps[place].name], "another configuration")
-    phase, end = declared.phases([])[place], orbit.now.ends[place].entries()
-    if kind in ("vanishing-phase", "condition"):
+    border = Border(kind, place, event["boundary"], event["instant"])
+    if kind == "condition":
         demand(event["boundary"] == event["itinerary"][place][1], "the phase ends otherwise")
-        if kind == "vanishing-phase":
-            return [orbit.dwell[place]]
+        phase, end = declared.phases([])[place], orbit.now.ends[place].entries()
         ways = [way for ways in phase.orders for way in ways]
         alone = phase.lawful or sum(way.alike for way in ways) == 1
         demand(alone, "another transition leads where the itinerary's does")
         rows = [row for way in ways for row, _ in way.conditions if row is not None]
         demand(rows, "the transition has no condition")
         return [orbit.value(row, end) for row in rows]
-    watched = next((w for w in phase.watched if w.name == event["boundary"]), None)
-    if watched is None:
-        raise Failure("there is no such boundary")
-    begin, b = orbit.now.starts[place], orbit.chain.fields[place]
     if kind == "grazing":
         (time,) = more
-        n, y = orbit.numbers([watched.row]), (b * time).exp() * begin
+        b, n = orbit.chain.fields[place], orbit.numbers([border.watched(orbit).row])
+        rate = b * ((b * time).exp() * orbit.now.starts[place])
         demand(time > 0 and orbit.dwell[place] - time > 0, "it is not inside the phase")
-        demand((n * (b * (b * y)))[0, 0] < 0, "the boundary is not touched from inside")
-        return [(n * y)[0, 0], (n * (b * y))[0, 0]]
-    means = {
-        ("simultaneous", "end"): (not watched.ends_it, watched.end, end),
-        ("tangent", "end"): (watched.ends_it, watched.speed, end),
-        ("tangent", "start"): (watched.order > 0, watched.begins, begin.entries()),
-        ("entry", "start"): (watched.order == 0, watched.begins, begin.entries()),
-    }
-    fits, row, state = means.get((kind, event["instant"]), (False, None, end))
-    demand(fits and row is not None and any(row), "this is no such event")
-    return [orbit.value(row, state)]
+        demand((n * (b * rate))[0, 0] < 0, "the boundary is not touched from inside")
+        return [border.number(orbit, time), (n * rate)[0, 0]]
+    return [border.number(orbit)]
 
 
 def _multiplier(orbit: CheckedOrbit, kind: str) -> Any:

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-from flint import arb, fmpq, fmpz
+from flint import arb, fmpq, fmpq_mat, fmpz
 
 from nonsmooth.runtime.core.rational_functions import RationalFunction
 
@@ -192,9 +192,12 @@ class Elimination:
     def echelon(self, rows: Any) -> list[Any]:
         """Return reduced independent rows that span what the rows span.
 
-        Divisors are appended to `divisors`.
+        Divisors that are functions are appended to `divisors`.
         """
         left, found = [list(row) for row in rows], list[list[Any]]()
+        if left and all(isinstance(x, fmpq | int) for row in left for x in row):
+            whole, rank = fmpq_mat(left).rref()
+            return [tuple(row) for row in whole.tolist()[:rank]]
         for column in range(len(left[0]) if left else 0):
             place = next((k for k, row in enumerate(left) if row[column]), None)
             if place is None:

@@ -16,15 +16,14 @@ from flint import arb, fmpq
 from nonsmooth.runtime.checker.branch_curve import CheckedCurve, with_entry, without_entry
 from nonsmooth.runtime.checker.declared import StatedSystem
 from nonsmooth.runtime.checker.divided import Band, curve_at, fraction
-from nonsmooth.runtime.checker.exact import Failure, demand
+from nonsmooth.runtime.checker.exact import demand
 from nonsmooth.runtime.checker.motion import admissibility
-from nonsmooth.runtime.checker.orbit import CheckedOrbit
+from nonsmooth.runtime.checker.orbit import CheckedOrbit, Cut, followed
 from nonsmooth.runtime.checker.parameters import number_at
 from nonsmooth.runtime.checker.stability import demand_alone, stability
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import (
     TaylorModel,
-    matrix,
     middle_of,
     range_of,
     space_of,
@@ -134,22 +133,16 @@ class FoldedTile:
 
     def _locate(self, beside: Any, value: Any) -> None:
         """Prove one root for each place in the tube, next to polynomials of Newton's method."""
-        others: list[Any] = list(self.guess)
-        cuts: list[Callable[[Any], Any]] = [middle_of] * _NEWTON
-        cuts += [_cut(k) for k in (1, 3, _ORDER)]
-        for cut in cuts:
-            curve, others = self._curve(cut, beside), [cut(x) for x in others]
-            values, slopes = curve.slopes(with_entry(self.place, cut(value), others))
-            square = matrix([without_entry(self.place, row) for row in slopes])
-            try:
-                step = (square.mid().inv().mid() * matrix([[v] for v in values])).entries()
-            except ZeroDivisionError:
-                raise Failure("the equations are singular in the middle of the tube") from None
-            others = [(x - d).mid() for x, d in zip(others, step, strict=True)]
+
+        def at(cut: Cut, others: Sequence[Any], slopes: bool) -> tuple[Any, Any]:
+            point = with_entry(self.place, cut(value), others)
+            return self._curve(cut, beside).square(self.place, point)
+
+        cuts = [*[middle_of] * _NEWTON, *map(_cut, (1, 3, _ORDER))]
+        others, inverse = followed(at, self.guess, cuts)
         curve = self._curve(lambda x: x, beside)
-        values, slopes = curve.slopes(with_entry(self.place, value, others))
-        square = matrix([without_entry(self.place, row) for row in slopes])
-        missed = (square.mid().inv().mid() * matrix([[v] for v in values])).entries()
+        values, _ = curve.square(self.place, with_entry(self.place, value, others))
+        missed = (inverse * values).entries()
         sizes = [abs(range_of(d)) + arb(2) ** -50 for d in missed]
         image = None
         for times in _TRIES:
@@ -160,8 +153,9 @@ class FoldedTile:
         demand(image is not None, "existence is not proved: Krawczyk's test fails")
         assert image is not None
         self.polynomials, self.root = others, image
-        at = [range_of(x.at([arb(0), arb(0)])) for x in image]
-        near = all(abs(x - g) < _NEAR * (1 + abs(g)) for x, g in zip(at, self.guess, strict=True))
+        middle = [range_of(x.at([arb(0), arb(0)])) for x in image]
+        pairs = zip(middle, self.guess, strict=True)
+        near = all(abs(x - g) < _NEAR * (1 + abs(g)) for x, g in pairs)
         demand(near, "the orbits are not near the numbers that are stated")
 
     def _leaves(self, slope: Any, bend: Any) -> None:
@@ -224,10 +218,7 @@ class FoldedTile:
         rest = [x.at([near, other]).mid() for x in self.root[:-1]]
         start = curve_at(self.sheets.middle, other) + near * arb(self.half)
         orbit = CheckedOrbit(self.declared, number_at([*values, *self.constants]))
-        cuts = (middle_of,) * _NEWTON
-        guess = with_entry(self.place, start.mid(), rest)
-        centre, inverse = orbit.follow(guess, cuts, lambda x: x.mid())
-        unique, _ = orbit.locate(centre, inverse=inverse)
+        unique, _ = orbit.locate(orbit.near(with_entry(self.place, start.mid(), rest)))
         demand(unique, "existence at a point is not proved: Krawczyk's test fails")
         demand(self.holds(point, orbit.root), "an orbit at a point is not in the tube")
         return list(orbit.root)

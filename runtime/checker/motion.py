@@ -12,12 +12,13 @@ from typing import Any, NamedTuple
 from flint import arb, ctx, fmpq
 
 from nonsmooth.runtime.checker.declared import StatedBoundary, StatedPhase, Way
-from nonsmooth.runtime.checker.exact import Verdict, demand, product
+from nonsmooth.runtime.checker.exact import Verdict, demand, exact, product
 from nonsmooth.runtime.checker.orbit import CheckedOrbit, lower
+from nonsmooth.runtime.checker.stability import MULTIPLIERS
 from nonsmooth.runtime.checker.vanishing import vanishing
 from nonsmooth.runtime.core.taylor_models import matrix, range_of
 
-__all__ = ["Border", "Margin", "admissibility", "time_of_touch"]
+__all__ = ["Border", "Margin", "admissibility", "borders_of", "time_of_touch"]
 
 _DEEPEST = 60  # halvings of a window of time
 _MOST = 10_000  # windows
@@ -46,24 +47,36 @@ class Border(NamedTuple):
         if self.kind == "vanishing-phase":
             demand(self[2:] == ("+".join(step["boundaries"]), ""), "the phase ends otherwise")
             return -orbit.dwell[place]
-        if self.kind == "condition":
-            return self._condition(orbit)
-        watched = self.watched(orbit)
-        begin, end = orbit.now.starts[place], orbit.now.ends[place].entries()
+        begin, end = orbit.now.starts[place], orbit.now.ends[place]
         if self.kind == "grazing":
+            watched = self.watched(orbit)
             demand(self.instant == "inside" and not watched.still, "this is no such event")
-            return (
-                orbit.numbers([watched.row]) * ((orbit.chain.fields[place] * time).exp() * begin)
-            )[0, 0]
+            state = (orbit.chain.fields[place] * time).exp() * begin
+            return (orbit.numbers([watched.row]) * state)[0, 0]
+        state = begin if self.instant == "start" else end
+        value = orbit.value(self.row(orbit), state.entries())
+        falls = (self.kind, self.instant) == ("tangent", "end")
+        if self.kind == "condition":
+            falls = self.condition(orbit)[1]
+        return -value if falls else value
+
+    def row(self, orbit: CheckedOrbit) -> Any:
+        """Return the row of the function that is zero at the border, where a phase begins or ends.
+
+        `Failure` is raised if the orbit has no such border.
+        """
+        if self.kind == "condition":
+            return self.condition(orbit)[0]
+        watched = self.watched(orbit)
         means = {
-            ("simultaneous", "end"): (not watched.ends_it, 1, watched.end, end),
-            ("tangent", "end"): (watched.ends_it, -1, watched.speed, end),
-            ("tangent", "start"): (watched.order > 0, 1, watched.begins, begin.entries()),
-            ("entry", "start"): (watched.order == 0, 1, watched.begins, begin.entries()),
+            ("simultaneous", "end"): (not watched.ends_it, watched.end),
+            ("tangent", "end"): (watched.ends_it, watched.speed),
+            ("tangent", "start"): (watched.order > 0, watched.begins),
+            ("entry", "start"): (watched.order == 0, watched.begins),
         }
-        fits, sign, row, state = means.get((self.kind, self.instant), (False, 1, None, end))
+        fits, row = means.get((self.kind, self.instant), (False, None))
         demand(fits and row is not None and any(row), "this is no such event")
-        return sign * orbit.value(row, state)
+        return row
 
     @property
     def listed(self) -> tuple[int, int]:
@@ -72,12 +85,6 @@ class Border(NamedTuple):
         demand(fits, "there is no such condition")
         transition, place = self.boundary.split(".")
         return int(transition) - 1, int(place) - 1
-
-    def _condition(self, orbit: CheckedOrbit) -> Any:
-        """Return a number that is negative where a condition is as the itinerary asks."""
-        row, falls = self.condition(orbit)
-        value = orbit.value(row, orbit.now.ends[self.phase].entries())
-        return -value if falls else value
 
     def condition(self, orbit: CheckedOrbit) -> tuple[Any, bool]:
         """Return a condition's row, and whether it is positive where the inequality holds.
@@ -102,6 +109,21 @@ class Border(NamedTuple):
         demand(found is not None, "there is no such boundary")
         assert found is not None
         return found
+
+
+def borders_of(event: dict[str, Any]) -> tuple[list[Border], tuple[Any, Any] | None]:
+    """Return the borders that are met at an event of a file, and the window of a grazing.
+
+    `Failure` is raised if a window is stated of no grazing, or none of one.
+    """
+    own = [event[name] for name in ("kind", "phase", "boundary", "instant")]
+    told = [entry for entry in (own, *event["also"]) if entry[0] not in MULTIPLIERS]
+    demand(all(isinstance(place, int) for _, place, *_ in told), "a border of no phase")
+    borders = [Border(kind, place - 1, *rest) for kind, place, *rest in told]
+    window = [arb(exact(time)) for time in event["window"]]
+    grazes = any(border.kind == "grazing" for border in borders)
+    demand(len(window) == 2 * grazes, "a window of no grazing")
+    return borders, (window[0], window[1]) if window else None
 
 
 def time_of_touch(orbit: CheckedOrbit, border: Border, window: tuple[Any, Any] | None) -> Any:

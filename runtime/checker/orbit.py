@@ -10,19 +10,39 @@ from collections.abc import Callable, Sequence
 from functools import cached_property, partial
 from typing import Any, NamedTuple
 
-from flint import arb, arb_mat
+from flint import arb, arb_mat, ctx
 
 from nonsmooth.runtime.checker.declared import StatedSystem, gauge_of
 from nonsmooth.runtime.checker.exact import Failure, demand
 from nonsmooth.runtime.checker.short import Short, quotient, quotients
 from nonsmooth.runtime.core.matrix_chains import along_chain, framed_phases
-from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, middle_of, range_of, space_of
+from nonsmooth.runtime.core.taylor_models import (
+    TaylorModel,
+    matrix,
+    middle_of,
+    range_of,
+    space_of,
+    unit_matrix,
+)
 
-__all__ = ["CheckedOrbit", "Cut", "Passage", "PhaseNumbers", "flows_over", "lower", "trace_of"]
+__all__ = [
+    "CheckedOrbit",
+    "Cut",
+    "Passage",
+    "PhaseNumbers",
+    "flows_over",
+    "followed",
+    "krawczyk_step",
+    "lower",
+    "newton",
+    "trace_of",
+]
 
 Cut = Callable[[Any], Any]
 _LOW = 2  # order of what need not be sharp
 _TRIES = 4  # sizes of Krawczyk's box, where none is given
+_STEPS, _SETTLED = 8, 0.45  # of Newton's method, at most; share of the bits of the last one
+_FARTHEST = 1e6  # that a step may lead away
 
 
 class PhaseNumbers(NamedTuple):
@@ -151,21 +171,29 @@ class CheckedOrbit:
             found.append(flow if time.is_zero() else (range_of(b) * time).exp() * flow)
         return found
 
-    def follow(self, guess: Sequence[Any], cuts: Sequence[Cut], full: Cut) -> tuple[list[Any], Any]:
-        """Return polynomials near the orbit and about the inverse (n, n) of the slopes there.
+    def follow(self, guess: Sequence[Any], cuts: Sequence[Cut]) -> tuple[list[Any], Any]:
+        """Return polynomials near the orbit, as `followed` finds them."""
 
-        Newton's method is taken from the guess, with numbers cut to rising orders by `cuts`,
-        last by `full`. Nothing is proved of the result: Krawczyk's test judges it.
-        """
-        unknowns, inverse = list(guess), None
-        for cut in (*cuts, full):
-            chain, unknowns = self.chain.each(cut), list(map(cut, unknowns))
+        def at(cut: Cut, unknowns: Sequence[Any], slopes: bool) -> tuple[Any, Any]:
+            chain = self.chain.each(cut)
             flows = _exponentials(chain, unknowns[self.first :])
-            now = self.passage(chain, unknowns, flows, slopes=cut is not full)
-            inverse = full(inverse) if cut is full else _inverse(now.slopes)
-            step = (inverse * now.values).entries()
-            unknowns = [(x - d).mid() for x, d in zip(unknowns, step, strict=True)]
-        return unknowns, inverse
+            now = self.passage(chain, unknowns, flows, slopes)
+            return now.values, now.slopes
+
+        return followed(at, guess, cuts)
+
+    def near(self, guess: Sequence[Any]) -> list[Any]:
+        """Return unknowns near a root, by Newton's method; nothing is proved of them.
+
+        `Failure` is raised where it finds none.
+        """
+
+        def at(point: Sequence[Any]) -> tuple[Any, Any]:
+            flows = _exponentials(self.chain, point[self.first :])
+            now = self.passage(self.chain, point, flows)
+            return now.values, now.slopes
+
+        return newton(at, guess)
 
     def locate(
         self, centre: Sequence[Any], radii: Sequence[Any] | None = None, inverse: Any = None
@@ -180,7 +208,7 @@ class CheckedOrbit:
         times = [t.mid() for t in centre[self.first :]]
         near = _exponentials(self.chain, times)
         low, near_low = self.chain.each(lower), list(map(lower, near))
-        unit = arb_mat([[int(i == j) for j in range(self.count)] for i in range(self.count)])
+        unit = unit_matrix(self.count)
 
         def at(point: Sequence[Any], slopes: bool = False) -> Passage:
             away = [x - t for x, t in zip(point[self.first :], times, strict=True)]
@@ -346,6 +374,62 @@ def flows_over(fields: Sequence[Any], times: Sequence[Any]) -> list[Any]:
 
 def _exponentials(chain: PhaseNumbers, times: Sequence[Any]) -> list[Any]:
     return [(b * t).exp() for b, t in zip(chain.fields, times, strict=True)]
+
+
+def followed(
+    equations: Callable[[Cut, Sequence[Any], bool], tuple[Any, Any]],
+    guess: Sequence[Any],
+    cuts: Sequence[Cut],
+) -> tuple[list[Any], Any]:
+    """Return polynomials near roots, and about the inverse (n, n) of the slopes there.
+
+    Newton's method is taken from the guess, with numbers cut to rising orders by `cuts`; the last
+    step takes the slopes of the one before. `equations` gives values (n, 1) and, if asked, slopes
+    (n, n) in cut numbers. Nothing is proved of the result: Krawczyk's test judges it.
+    """
+    unknowns, inverse = list(guess), None
+    for cut in cuts:
+        last = cut is cuts[-1]
+        unknowns = list(map(cut, unknowns))
+        values, slopes = equations(cut, unknowns, not last)
+        inverse = cut(inverse) if last else _inverse(slopes)
+        step = (inverse * values).entries()
+        unknowns = [(x - d).mid() for x, d in zip(unknowns, step, strict=True)]
+    return unknowns, inverse
+
+
+def newton(
+    equations: Callable[[Sequence[Any]], tuple[Any, Any]], guess: Sequence[Any]
+) -> list[Any]:
+    """Return a point near a root, by Newton's method; nothing is proved of it.
+
+    `equations` gives their values (n, 1) and derivatives (n, n) at a point. `Failure` is raised
+    where these are singular, or the method leaves the guess.
+    """
+    point = [x.mid() for x in guess]
+    small = arb(2) ** -int(_SETTLED * ctx.prec)
+    for _ in range(_STEPS):
+        values, slopes = equations(point)
+        try:
+            step = slopes.mid().solve(values.mid()).entries()
+        except ZeroDivisionError:
+            raise Failure("the equations are singular at a point of it") from None
+        lengths = list(map(abs, step))
+        demand(all(d < _FARTHEST for d in lengths), "Newton's method finds no orbit")
+        point = [(x - d).mid() for x, d in zip(point, step, strict=True)]
+        if all(d < small * (1 + abs(x)) for x, d in zip(point, lengths, strict=True)):
+            break
+    return point
+
+
+def krawczyk_step(values: Any, inverse: Any, slopes: Any, offsets: Sequence[Any]) -> list[Any]:
+    """Return K - x (n) for K = x - Y F(x) + (I - Y F'(X)) (X - x), which holds all roots of X.
+
+    `values` (n, 1) are F(x), `inverse` is Y, any matrix near the inverse of the `slopes` F'(X), and
+    `offsets` are X - x. If K is inside X there is exactly one root (Krawczyk 1969).
+    """
+    inside = (unit_matrix(len(offsets)) - inverse * slopes) * arb_mat([[d] for d in offsets])
+    return list((inside - inverse * values).entries())
 
 
 def _inverse(slopes: Any) -> Any:

@@ -12,7 +12,7 @@ from nonsmooth.runtime.checker.declared import StatedSystem
 from nonsmooth.runtime.checker.exact import NUMBER, Failure, demand, exact
 from nonsmooth.runtime.core.irrational_numbers import irrationals
 
-__all__ = ["independent", "number_at", "number_in", "values_of"]
+__all__ = ["independent", "number_at", "number_in", "stated_system", "values_of"]
 
 _OPERATORS = {
     ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul,
@@ -119,6 +119,18 @@ def values_of(
     values |= {name: known[text] for name, text in parameters.items()}
     constants = [arb(number_in(text)) for text in found.generators]
     return values, [known[text] for text in stated], constants
+
+
+def stated_system(
+    content: dict[str, Any], parameters: Mapping[str, str], varying: Sequence[str] = ()
+) -> tuple[StatedSystem, list[Any]]:
+    """Return the system that a file states, and the irrational constants of its functions.
+
+    `parameters` holds the values of all but those that vary.
+    """
+    told = content["declaration"].get("constants", [])
+    values, stated, constants = values_of(parameters, varying, told)
+    return StatedSystem(content, values, stated), constants
 
 
 def number_at(values: Sequence[Any]) -> Callable[[Any], Any]:

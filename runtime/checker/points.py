@@ -6,7 +6,6 @@ from typing import Any
 
 from flint import arb, ctx
 
-from nonsmooth.runtime.checker.declared import StatedSystem
 from nonsmooth.runtime.checker.derivatives import rates_along, sharper
 from nonsmooth.runtime.checker.exact import (
     Failure,
@@ -19,7 +18,7 @@ from nonsmooth.runtime.checker.exact import (
 )
 from nonsmooth.runtime.checker.motion import Margin, admissibility
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
-from nonsmooth.runtime.checker.parameters import independent, number_at, values_of
+from nonsmooth.runtime.checker.parameters import independent, number_at, stated_system
 from nonsmooth.runtime.checker.shape import CERTIFICATE, check_bits, check_shape, check_sharp
 from nonsmooth.runtime.checker.stability import (
     CORNER,
@@ -44,7 +43,8 @@ class JudgedOrbit:
     A proposal has the entries of a certificate's file that state the system, the way in which the
     cycle closes, the values of the parameters, the box of unknowns, the bits and, where derivatives
     are asked for, how parameters move. Nothing of it is taken on trust, and nothing else is read.
-    What follows for an orbit that is proved to exist is computed where it is asked for.
+    Boxes may be tried one after another, by `locate`. What follows for an orbit that is proved to
+    exist is computed where it is asked for.
     """
 
     def __init__(self, proposal: dict[str, Any]) -> None:
@@ -53,7 +53,20 @@ class JudgedOrbit:
         self.parameters = {**proposal["parameters"], **self.period}
         self.kind = "stable"  # what is claimed of the multipliers, else "neutral"
         self.enclosures: dict[str, Any] = {}
-        self.existence = self._judged(self._located)
+        self.existence = self._stated = self._judged(self._set_up)
+        if "box" in proposal:
+            self.locate(proposal["box"])
+
+    def locate(self, box: Sequence[dict[str, str]]) -> Verdict:
+        """Judge whether a box of unknowns holds one orbit; it becomes the proposal's box."""
+        self.proposal = {**self.proposal, "box": box}
+        if not self._stated.reason:
+            self.existence = self._judged(self._located)
+        return self.existence
+
+    def equations(self) -> CheckedOrbit:
+        """Return the orbit's equations at the working precision, with no unknowns set."""
+        return CheckedOrbit(self.declared, number_at(self.constants))
 
     def _judged(self, step: Callable[[], Verdict]) -> Verdict:
         """Return the verdict of a step; it is undecided where something cannot be shown."""
@@ -65,21 +78,24 @@ class JudgedOrbit:
         except (ArithmeticError, ValueError) as problem:
             return Verdict("undecided", f"its numbers cannot be enclosed: {problem}")
 
-    def _located(self) -> Verdict:
-        """Prove that the box holds one orbit, and enclose it, its period and its trace."""
+    def _set_up(self) -> Verdict:
+        """Read what is declared, and prove what makes the cycle close in what is no equation."""
         proposal, own = self.proposal, self.proposal["parameters"]
         demand(not self.period.keys() & own.keys(), "two periods are given")
-        told = proposal["declaration"].get("constants", [])
-        values, stated, self.constants = values_of(self.parameters, (), told)
-        self.declared = declared = StatedSystem(proposal, values, stated)
+        self.declared, self.constants = stated_system(proposal, self.parameters)
+        declared = self.declared
         timed = proposal["closing"]["kind"] == "period"
         demand(bool(self.period) == timed, "no period is given")
         demand(not timed or proposal["closing"]["period"] in self.period, "another period is given")
         self.kind = declared.stability
-        energies = declared.closes()
+        self.energies = declared.closes()
         independent(declared, self.constants)
-        self.orbit = orbit = CheckedOrbit(declared, number_at(self.constants))
-        box = proposal["box"]
+        self.orbit = self.equations()
+        return Verdict("undecided")
+
+    def _located(self) -> Verdict:
+        """Prove that the box holds one orbit, and enclose it, its period and its trace."""
+        orbit, declared, box = self.orbit, self.declared, self.proposal["box"]
         named = [side["name"] for side in box] == declared.unknowns
         demand(named, "the box is not that of the unknowns")
         centre, radii = ([arb(exact(side[k])) for side in box] for k in ("mid", "rad"))
@@ -88,7 +104,7 @@ class JudgedOrbit:
             return Verdict("refuted", "no orbit is near the given numbers")
         # with a forcing one of the equations is a choice: how often that turns
         demand(unique, _SINGULAR)
-        orbit.returns(energies)
+        orbit.returns(self.energies)
         found = orbit.enclosures()
         independent(declared, self.constants)  # of all that it was divided by since
         self.enclosures = {name: x for name, x in found.items() if x.is_finite()}

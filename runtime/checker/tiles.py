@@ -24,7 +24,7 @@ from nonsmooth.runtime.checker.exact import (
 from nonsmooth.runtime.checker.folded import BEYOND, FoldedTile, Sheets, beyond_folds
 from nonsmooth.runtime.checker.motion import admissibility
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
-from nonsmooth.runtime.checker.parameters import independent, number_at, values_of
+from nonsmooth.runtime.checker.parameters import independent, number_at, stated_system
 from nonsmooth.runtime.checker.shape import MAP, check_shape
 from nonsmooth.runtime.checker.stability import judged_stability, stability
 from nonsmooth.runtime.core.taylor_models import Space, TaylorModel, middle_of, range_of, space_of
@@ -109,10 +109,9 @@ class CheckedBox:
 
     def __init__(self, content: dict[str, Any]) -> None:
         self.names, self.ends = [*content["box"]], _ends_of(content)
-        told = content["declaration"].get("constants", [])
         with ctx.workprec(_BITS):
-            values, stated, self.constants = values_of(content["parameters"], self.names, told)
-            self.declared = StatedSystem(content, values, stated)
+            found = stated_system(content, content["parameters"], self.names)
+            self.declared, self.constants = found
             demand(self.declared.bound and self.declared.rational, "the declaration is not exact")
             demand(content["stability"] == self.declared.stability, "stability of another kind")
             self.energies = self.declared.closes()
@@ -126,7 +125,17 @@ class CheckedBox:
                 found.check(where)
             except Failure as failure:
                 raise Failure(f"{_in_tile(where)}: {failure}") from None
+            self.check_divisors()
         return found
+
+    def near(self, point: Sequence[Any], guess: Sequence[Any]) -> list[Any]:
+        """Return unknowns near an orbit at values of the parameters; nothing is proved of them.
+
+        `Failure` is raised where Newton's method finds none near the guess.
+        """
+        with ctx.workprec(_BITS):
+            number = number_at([*map(arb, point), *self.constants])
+            return CheckedOrbit(self.declared, number).near(guess)
 
     def judged(
         self, place: Sequence[Any], guess: Sequence[float], order: int = 0
@@ -138,13 +147,16 @@ class CheckedBox:
         """
         with ctx.workprec(_BITS):
             found = self._tile(place, guess)
-            return found, found.judge(self.where(place), order or _ORDERS.get(len(place), 2))
+            orbit = found.judge(self.where(place), order or _ORDERS.get(len(place), 2))
+            self.check_divisors()
+        return found, orbit
 
     def folded(self, place: Sequence[Any], sheets: Sheets) -> "MapTile":
         """Return a tile with a fold, as it is proposed; `Failure` is raised if it is not proved."""
         with ctx.workprec(_BITS):
             found = self._tile(place, sheets.guess)
             found.bend(self.where(place), sheets)
+            self.check_divisors()
         return found
 
     def _tile(self, place: Sequence[Any], guess: Sequence[float]) -> "MapTile":
@@ -287,10 +299,7 @@ class MapTile:
             for x, (low, high) in zip(point, self.where, strict=True)
         ]
         orbit = CheckedOrbit(self.declared, number_at([*values, *self.constants]))
-        near = [_at(x, point) for x in self.centre]
-        cuts = (middle_of,) * _NEWTON
-        centre, inverse = orbit.follow([x.mid() for x in near], cuts, lambda x: x.mid())
-        unique, _ = orbit.locate(centre, inverse=inverse)
+        unique, _ = orbit.locate(orbit.near([_at(x, point) for x in self.centre]))
         demand(unique, "existence at a point is not proved: Krawczyk's test fails")
         demand(self._holds(point, orbit.root), "another orbit is found at a point of it")
         return orbit
@@ -349,8 +358,8 @@ class MapTile:
         space = self.space
         orbit = CheckedOrbit(self.declared, _numbers(where, self.constants, space))
         demand(len(guess) == orbit.count, "the guess is of another size")
-        cuts = [*(middle_of,) * _NEWTON, *(_cut(space_of(len(where), k)) for k in (1, 2))]
-        centre, inverse = orbit.follow(guess, cuts, _cut(space))
+        orders = (_cut(space_of(len(where), k)) for k in (1, 2))
+        centre, inverse = orbit.follow(guess, [*(middle_of,) * _NEWTON, *orders, _cut(space)])
         unique, _ = orbit.locate(centre, inverse=inverse)
         demand(unique, "existence is not proved: Krawczyk's test fails")
         orbit.returns(self.energies)

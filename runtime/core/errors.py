@@ -97,6 +97,15 @@ def chosen_names(kind: str, chosen: Any, known: Iterable[str]) -> tuple[str, ...
     return names
 
 
+def check_integer(name: str, number: object, least: int, most: int | None = None) -> None:
+    """Refuse what is no integer from `least` to `most`, or from `least` on; True is none."""
+    whole = number if isinstance(number, int) and not isinstance(number, bool) else least - 1
+    if whole < least or (most is not None and whole > most):
+        known = f"an integer from {least} {'on' if most is None else f'to {most}'}"
+        known = "a positive integer" if (least, most) == (1, None) else known
+        raise InputError(f"{name} = {number!r} is not {known}")
+
+
 def one_line(text: str, most: int = LONGEST_LINE) -> str:
     r"""Text in one line of printable characters, cut to about `most` of them.
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import fields, replace
 from decimal import ROUND_DOWN, Context
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.model.naming import shown_name
@@ -61,7 +62,7 @@ def _of_orbit(proof: Any) -> Rows:
 
 
 def _rounded(number: str) -> str:
-    return f"{float(number):.3g}"
+    return f"{float(Fraction(number)):.3g}"
 
 
 def _certificate(proof: Certificate) -> Told:
@@ -96,7 +97,8 @@ def _orbit(proof: Certificate) -> list[tuple[str, str, str]]:
         rows.append((f"multiplier {number}", f"{re}{imaginary}", ""))
     if proof.enclosures:
         others = proof.other_multipliers
-        bound = f"at most {float(others):g} in absolute value" if others else "not enclosed"
+        size = f"{float(Fraction(others)):g}" if others else ""
+        bound = f"at most {size} in absolute value" if size else "not enclosed"
         rows.append(("other multipliers", bound, ""))
     return rows
 

@@ -22,6 +22,7 @@ from nonsmooth.runtime.core.json_codec import (
     stated,
 )
 from nonsmooth.runtime.core.registry import Certified
+from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.core.values import LARGEST_EXPONENT, Value, flint_precision
 from nonsmooth.runtime.model.saved_system import KeptOrbitName
 from nonsmooth.runtime.proof.motion.motion_proof import Enclosure
@@ -41,6 +42,7 @@ __all__ = [
     "KeptBall",
     "Stability",
     "Stated",
+    "StatedOrbits",
     "Unknown",
     "ball_of",
     "file_json",
@@ -177,7 +179,46 @@ Margin = Annotated[Mapping[str, Any], by(MarginEntries, lambda told: MarginEntri
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class Certificate(Certified):
+class StatedOrbits(Certified):
+    """A record of orbits of one itinerary, with all that their equations are made from.
+
+    Attributes
+    ----------
+    orbit, system : str
+    parameters : dict of str to Value
+        All that is given, exactly.
+    chosen : tuple of str
+        Those that the orbit leaves open and that were chosen.
+    itinerary : tuple of (configuration, boundary)
+    declaration, closing : dict
+        The system, as functions of its parameters, and the way in which the cycle closes, as
+        in the file; empty where nothing is claimed.
+    """
+
+    orbit: KeptOrbitName
+    system: str
+    parameters: Mapping[str, Value]
+    chosen: tuple[str, ...]
+    itinerary: tuple[tuple[str, str], ...]
+    declaration: Declaration = field(repr=False)
+    closing: Declaration = field(repr=False)
+
+    def check_same(self, known: StatedOrbits, *names: str) -> None:
+        """Refuse to go on with a state of other orbits, or over another range.
+
+        `names` are those of attributes that say which range it is.
+        """
+        told = ("orbit", "itinerary", *names, "chosen", *self.parameters, "declaration", "closing")
+        # a file calls the system by its data, and holds it
+        asked, found = (
+            {**vars(each), **each.parameters, "orbit": each.orbit.removeprefix(each.system)}
+            for each in (self, known)
+        )
+        check_same_question("state", {name: asked[name] for name in told}, found)
+
+
+@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
+class Certificate(StatedOrbits):
     """What ball arithmetic proves of one orbit at one parameter point.
 
     Attributes
@@ -226,11 +267,6 @@ class Certificate(Certified):
         By which of those that were asked for there is no derivative, and why.
     """
 
-    orbit: KeptOrbitName
-    system: str
-    parameters: Mapping[str, Value]
-    chosen: tuple[str, ...]
-    itinerary: tuple[tuple[str, str], ...]
     claims: Claims
     stability: Stability
     reasons: Mapping[str, str]
@@ -241,8 +277,6 @@ class Certificate(Certified):
     box: tuple[Unknown, ...]
     bits: int
     given_period: BlankValue
-    declaration: Declaration = field(repr=False)
-    closing: Declaration = field(repr=False)
     derivatives: Mapping[str, Enclosures] = field(default_factory=dict)
     directions: Mapping[str, Mapping[str, Fraction]] = field(default_factory=dict)
     no_derivatives: Mapping[str, str] = field(default_factory=dict)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.checker.motion import Margin
 from nonsmooth.runtime.checker.points import JudgedOrbit
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.errors import check_integer
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
 from nonsmooth.runtime.proof.boxes.orbit_over_box import region_at
@@ -89,8 +89,7 @@ def certify(
     >>> round(float(rates["trace"]["eta"]), 12)
     0.027461473206
     """
-    if isinstance(bits, bool) or not isinstance(bits, int) or not FEWEST_BITS <= bits <= MOST_BITS:
-        raise InputError(f"bits = {bits!r} is not an integer from {FEWEST_BITS} to {MOST_BITS}")
+    check_integer("bits", bits, FEWEST_BITS, MOST_BITS)
     check_converged(orbit, "certified")
     by = asked_parameters(orbit, derivatives)
     undecided = _undecided(orbit, bits, by)
@@ -101,12 +100,11 @@ def certify(
             region = region_at(subject, bits + GUARD)
             proposal, missing = proposed(region, bits, directions(orbit, subject.chosen, by))
             begin("existence")
-            for box in boxes(region, bits):
-                proposal["box"] = [asdict(side) for side in box]
-                found = JudgedOrbit(proposal)
-                if found.existence.claim != "undecided":
+            found = JudgedOrbit(proposal)
+            for box in () if found.existence.reason else boxes(found, region.guess):
+                if found.locate([asdict(side) for side in box]).claim != "undecided":
                     break
-            else:
+            if found.existence.claim == "undecided":
                 return _because(undecided, found.existence.reason)
             if region.tables.exact and not found.declared.alone:
                 begin("admissibility")

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
+from nonsmooth.runtime.checker.parameters import number_at
 from nonsmooth.runtime.core.arithmetic import Balls
 from nonsmooth.runtime.core.irrational_numbers import Irrationals, irrationals
 from nonsmooth.runtime.core.rational_functions import RationalFunction
-from nonsmooth.runtime.core.taylor_models import matrix, middle_of
 from nonsmooth.runtime.core.values import Value, parse
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.saved_system import saved_of
@@ -24,13 +24,11 @@ if TYPE_CHECKING:
 __all__ = [
     "Matrix",
     "NotRational",
-    "Number",
     "Tables",
     "constants_over",
     "declared_constants",
     "exact_tables",
     "irrational_texts",
-    "numbers",
     "rational_of",
     "rational_tables",
     "tables_of",
@@ -40,7 +38,6 @@ __all__ = [
 _SHARP = 256  # bits that tell what irrational numbers make zero
 
 Matrix = tuple[Row, ...]  # acts on (y, 1)
-Number = Callable[[Any], Any]  # from an exact entry to a ball or a model
 
 
 class NotRational(Exception):
@@ -62,30 +59,12 @@ class Tables:
     # irrational numbers that do not vary: the last variables of the entries' functions
     constants: tuple[Value, ...] = ()
 
-    def number_at(self, values: Sequence[Any] = ()) -> Number:
-        """Return the map from exact entries to numbers, at `values` of the parameters that vary.
-
-        Numbers are balls of the working precision, or Taylor models where the values are.
-        """
-        from flint import arb, ctx
-
-        point = [*values, *(value.ball(ctx.prec) for value in self.constants)]
-        found: dict[RationalFunction, Any] = {}
-
-        def number(entry: Any) -> Any:
-            if isinstance(entry, Value):
-                return entry.ball(ctx.prec)
-            if not isinstance(entry, RationalFunction):
-                return arb(entry)
-            if entry not in found:
-                found[entry] = entry(point)
-            return found[entry]
-
-        return number
-
     def near(self, entry: Any, values: Sequence[Any] = ()) -> float:
         """Return the middle of an entry's ball, at values of the parameters that vary."""
-        return float(middle_of(self.number_at(values)(entry)))
+        from flint import ctx
+
+        known = [value.ball(ctx.prec) for value in self.constants]
+        return float(number_at([*values, *known])(entry).mid())
 
 
 class _Rationals:
@@ -213,8 +192,3 @@ def _tables(kernels: SystemKernels, point: Sequence[Any], lib: Any, *, exact: bo
         return tuple((*stacked[i : i + size], below) for i in range(0, len(stacked), size))
 
     return Tables(cut(fields, 0), tuple(rows), cut(resets, 1), exact)
-
-
-def numbers(rows: Sequence[Sequence[Any]], number: Number) -> Any:
-    """Return a matrix of balls, or of Taylor models, by applying `number` to all exact entries."""
-    return matrix([list(map(number, row)) for row in rows])

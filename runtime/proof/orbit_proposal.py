@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from nonsmooth.runtime.checker.exact import Failure
+from nonsmooth.runtime.checker.orbit import CheckedOrbit
+from nonsmooth.runtime.checker.points import JudgedOrbit
 from nonsmooth.runtime.core.errors import chosen_names
 from nonsmooth.runtime.core.values import Value, flint_precision
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
 from nonsmooth.runtime.proof.certificate import Unknown
-from nonsmooth.runtime.proof.exact_closure import ClosureConditions
+from nonsmooth.runtime.proof.exact_closure import ClosureConditions, closing_of
 from nonsmooth.runtime.proof.exact_tables import (
     NotRational,
     constants_over,
@@ -21,22 +24,29 @@ from nonsmooth.runtime.proof.exact_tables import (
     rational_of,
     tables_over,
 )
-from nonsmooth.runtime.proof.krawczyk import newton
 from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row
-from nonsmooth.runtime.proof.orbit_equations import Equations
-from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, closing_of, unknown_names
+from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 from nonsmooth.runtime.proof.parametric_declaration import PERIOD, system_declaration
 from nonsmooth.runtime.proof.statement import closing_json, decimals
 
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["Direction", "asked_parameters", "boxes", "directions", "nearly_vanishing", "proposed"]
+__all__ = [
+    "Direction",
+    "asked_parameters",
+    "boxes",
+    "directions",
+    "nearly_vanishing",
+    "proposed",
+    "refined",
+]
 
 Direction = Mapping[str, Fraction]  # how parameters of the system, or the period, move
 
 _NEAR = 1e-5  # how far from the given numbers an orbit is still theirs, in units of the states
 _ROUGH = 53  # bits that do for what nothing depends on
+_DOUBLE = 40  # bits that a root in double precision has at least, as a rule
 _SHARES = (0.5, 0.7, 0.85)  # of the bits: radii of the boxes that are tried
 _SMALL = 1e-8  # of a function that may vanish
 _LARGEST_DENOMINATOR = 1000  # of its factors
@@ -134,7 +144,7 @@ def _moving(region: Region, names: tuple[str, ...]) -> tuple[ClosureConditions, 
         tables = tables_over(kernels, [entry(*pair) for pair in values.items()], known)
         own: dict[str, Any] = {**values, PERIOD: subject.period}
         at = [own[name].ball(_ROUGH) for name in names]
-        closing = closing_of(subject, tables, [float(x) for x in subject.start], at)
+        closing = closing_of(subject, tables, at)
     except (NotRational, ArithmeticError) as problem:
         raise NotCovered(str(problem)) from None
     if closing.dropped != region.closing.dropped:
@@ -142,24 +152,24 @@ def _moving(region: Region, names: tuple[str, ...]) -> tuple[ClosureConditions, 
     return closing, [*names, *(value.text for value in tables.constants)]
 
 
-def boxes(region: Region, bits: int) -> Iterator[tuple[Unknown, ...]]:
+def boxes(judge: JudgedOrbit, guess: Sequence[arb]) -> Iterator[tuple[Unknown, ...]]:
     """Yield boxes in which the orbit may be alone, sharper ones first.
 
-    If Newton's method does not find it near the given numbers, a box around these is the only one,
-    and behind it `NotCovered` is raised.
+    If Newton's method does not find it near the guess, a box around that is the only one, and
+    behind it `NotCovered` is raised.
     """
     from flint import arb
 
-    guess, number_at = region.guess, region.tables.number_at
+    bits, names = judge.bits, judge.declared.unknowns
     with flint_precision(_ROUGH):
-        sizes = _sizes(region.equations(number_at()), guess)
-    names = unknown_names(region.subject, region.closing)
-    # the boxes are much wider than this point is exact, and Krawczyk's map finds the rest
-    enough = bits // 2 + 16
-    point = newton(lambda: region.equations(number_at()), guess, enough)
-    if point is None or not all(
-        abs(x - g) < _NEAR * size for x, g, size in zip(point, guess, sizes, strict=True)
-    ):
+        sizes = _sizes(judge.equations(), guess)
+    try:
+        # the boxes are much wider than this point is exact, and Krawczyk's map finds the rest
+        point = refined(lambda point: judge.equations().near(point), guess, bits // 2 + 16)
+        near = all(abs(x - g) < _NEAR * s for x, g, s in zip(point, guess, sizes, strict=True))
+    except Failure:
+        near = False
+    if not near:
         yield _box(names, guess, [_NEAR * size for size in sizes], bits)
         raise NotCovered("Newton's method leaves the given numbers")
     for share in _SHARES:
@@ -167,25 +177,39 @@ def boxes(region: Region, bits: int) -> Iterator[tuple[Unknown, ...]]:
         yield _box(names, point, [unit * size for size in sizes], bits)
 
 
-def _sizes(equations: Equations, point: Sequence[arb]) -> list[arb]:
+def refined(
+    step: Callable[[Sequence[arb]], Sequence[arb]], guess: Sequence[arb], bits: int
+) -> Sequence[arb]:
+    """Return a point near a root, by Newton's method at rising precisions up to `bits`.
+
+    `step` gives such a point at the working precision, from one nearby.
+    """
+    precisions = [bits]
+    while precisions[-1] > 2 * _DOUBLE:
+        precisions.append(precisions[-1] // 2 + 8)
+    for precision in reversed(precisions):
+        with flint_precision(precision + 16):
+            guess = step(guess)
+    return guess
+
+
+def _sizes(orbit: CheckedOrbit, point: Sequence[arb]) -> list[arb]:
     """Return units of the unknowns: the largest values of states and dwell times along the cycle.
 
     The changes of a state along the phases count too.
     """
     from flint import arb
 
-    now = equations.linearised(point, equations.near(point)).shooting
-    dwell = [abs(t).mid() for t in equations.dwell(point)]
+    orbit.along(point)
+    dwell, now = [abs(t).mid() for t in orbit.dwell], orbit.now
+    rates = [b * y for b, y in zip(orbit.chain.fields, now.ends, strict=True)]
     sizes = []
-    for k in equations.free:
+    for k in orbit.declared.free:
         seen = [abs(y[k, 0]) for y in (*now.starts, *now.ends)]
-        seen += [abs(f[k, 0] * t) for f, t in zip(now.velocities, dwell, strict=True)]
+        seen += [abs(f[k, 0] * t) for f, t in zip(rates, dwell, strict=True)]
         size = max((x.mid() for x in seen), key=float)
         sizes.append(size if size > 0 else arb(1))
-    longest = max(dwell, key=float)
-    if equations.closing.pairs:
-        sizes.append(longest)
-    return [*sizes, *(longest for _ in dwell)]
+    return [*sizes, *(max(dwell, key=float) for _ in range(orbit.count - len(sizes)))]
 
 
 def _box(

@@ -3,28 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.kernels import SystemKernels
-from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.proof.exact_closure import (
-    ClosureConditions,
-    exact_translations,
-    forcing_speeds,
-)
 from nonsmooth.runtime.proof.exact_tables import Tables
-from nonsmooth.runtime.proof.motion.exact_rows import Row
-from nonsmooth.runtime.proof.symplectic_form import symplectic_form
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, itinerary_shape
-from nonsmooth.runtime.shooting.translations import translations_of
 
 if TYPE_CHECKING:
     from flint import arb
@@ -32,15 +22,12 @@ if TYPE_CHECKING:
 __all__ = [
     "NotCovered",
     "Subject",
-    "closing_of",
     "guess_of",
     "subject_near",
     "system_of",
-    "unknown_names",
 ]
 
 _MOST_TURNS = 1000
-_NEARLY = 1 - 1e-9  # of the largest: as large
 
 
 class NotCovered(Exception):
@@ -61,6 +48,17 @@ class Subject:
     dwell: list[arb]  # exact numbers of which nothing is proved
     start_names: tuple[str, ...]
     dwell_names: tuple[str, ...]
+
+    @property
+    def forced(self) -> tuple[int, ...]:
+        """The cosine and sine states of all forcings."""
+        return tuple(state for pair in self.cycle.structure.forcing for state in pair)
+
+    @property
+    def unknown_names(self) -> tuple[str, ...]:
+        """Names of the equations' unknowns: free states, the forcing's time, dwell times."""
+        free = [name for k, name in enumerate(self.start_names) if k not in self.forced]
+        return (*free, *(["forcing time"] if self.forced else []), *self.dwell_names)
 
 
 def system_of(orbit: Orbit) -> str:
@@ -100,93 +98,20 @@ def subject_near(orbit: Orbit) -> Subject:
     )
 
 
-def _translations_in(subject: Subject, tables: Tables) -> tuple[Row, ...]:
-    """Return the exact directions along which the subject's system does not change.
-
-    There are none if one of them cannot be shown by the tables.
-    """
-    near = translations_of(piecewise(subject.kernels, subject.values)).tolist()
-    return exact_translations(tables, subject.cycle.structure, near)
-
-
-def closing_of(
-    subject: Subject,
-    tables: Tables,
-    centre: Any,
-    at: Sequence[Any] = (),
-) -> ClosureConditions:
-    """Return how the subject's cycle closes: by the forcing, by the state, or by period and energy.
-
-    `centre` (N) is about where the cycle starts: it chooses the coordinate whose closure follows
-    from the energy. `at` holds the values at the orbit of what the tables are functions of.
-    `NotCovered` is raised if the cycle closes in another way, or if its numbers are not rational
-    where they have to be.
-    """
-    cycle, near = subject.cycle, partial(tables.near, values=at)
-    shifts = _translations_in(subject, tables)
-    if cycle.structure.forcing:
-        if not tables.exact:
-            raise NotCovered(
-                "the parameters of a forced system have to be rational, and the cosines and sines"
-                " of its phases"
-            )
-        speeds = forcing_speeds(tables, cycle)
-        if isinstance(speeds, str):
-            raise NotCovered(speeds)
-        if not near(speeds[0]) > 0:
-            raise NotCovered("the first forcing does not turn forwards")
-        total = float(sum(float(t) for t in subject.dwell))
-        turns = max(1, round(near(speeds[0]) * total / (2 * math.pi)))
-        for speed in speeds[1:]:
-            ratio = speed * turns / speeds[0]
-            if ratio != round(near(ratio)):
-                raise NotCovered("the forcings have no common period that is the orbit's")
-        return ClosureConditions(
-            "forcing",
-            speeds=speeds,
-            turns=turns,
-            pairs=cycle.structure.forcing,
-            translations=shifts,
-        )
-    if shifts and subject.period is not None:
-        raise NotCovered("it is periodic up to a shift, and of a family that a period singles out")
-    if subject.period is None:
-        return ClosureConditions("state", translations=shifts)
-    if not tables.exact:
-        raise NotCovered("the parameters of a conservative system have to be rational")
-    form = symplectic_form(tables, cycle)
-    if form is None:
-        raise NotCovered("no energy was found that the cycle keeps, so its period cannot be given")
-    energy = form.energies[cycle.configurations[0]]
-    size = len(centre)
-    slopes = [
-        sum(near(energy[i][j]) * centre[j] for j in range(size)) + near(energy[i][size])
-        for i in range(size)
-    ]
-    if not all(map(math.isfinite, slopes)):
-        raise NotCovered("the slopes of its energy are not finite where it starts")
-    # the first of those that are as large but for rounding, in whatever arithmetic it is
-    least = _NEARLY * max(abs(slope) for slope in slopes)
-    largest = next(i for i, slope in enumerate(slopes) if abs(slope) >= least)
-    return ClosureConditions(
-        "period", period=subject.period, dropped=largest, form=form, translations=shifts
-    )
-
-
-def guess_of(
-    subject: Subject, closing: ClosureConditions, near: Callable[[Any], float]
-) -> list[arb]:
+def guess_of(subject: Subject, tables: Tables, at: Sequence[Any] = ()) -> list[arb]:
     """Return the unknowns of the equations, about: free states, the forcing's time, dwell times.
 
-    `near` gives an exact entry as a float.
+    `at` holds the values at the orbit of what the tables are functions of.
     """
-    if closing.kind != "forcing":
+    pairs = subject.cycle.structure.forcing
+    if not pairs:
         return [*subject.start, *subject.dwell]
     from flint import arb
 
     start = [float(x) for x in subject.start]
-    speeds = [near(speed) for speed in closing.speeds]
-    angles = [math.atan2(start[s], start[c]) for c, s in closing.pairs]
+    field = tables.fields[subject.cycle.configurations[0]]
+    speeds = [tables.near(field[s][c], at) for c, s in pairs]
+    angles = [math.atan2(start[s], start[c]) for c, s in pairs]
 
     def missed(time: float) -> float:
         return sum(
@@ -195,11 +120,5 @@ def guess_of(
 
     times = [(angles[0] + 2 * math.pi * k) / speeds[0] for k in range(_MOST_TURNS)]
     time = times[0] if len(speeds) == 1 else min(times, key=missed)
-    free = [x for k, x in enumerate(subject.start) if k not in closing.forced]
+    free = [x for k, x in enumerate(subject.start) if k not in subject.forced]
     return [*free, arb(time), *subject.dwell]
-
-
-def unknown_names(subject: Subject, closing: ClosureConditions) -> list[str]:
-    """Return the unknowns' names: free states at the start, the forcing's time, dwell times."""
-    free = [name for k, name in enumerate(subject.start_names) if k not in closing.forced]
-    return [*free, *(["forcing time"] if closing.pairs else []), *subject.dwell_names]

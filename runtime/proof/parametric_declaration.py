@@ -6,12 +6,12 @@ the file evaluates them at its values.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 from typing import Any
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.values import parse
+from nonsmooth.runtime.core.values import Value, parse
 from nonsmooth.runtime.model.completion import follow
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
 from nonsmooth.runtime.proof.exact_tables import (
@@ -25,7 +25,7 @@ from nonsmooth.runtime.proof.exact_tables import (
 from nonsmooth.runtime.proof.statement import declaration_json
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 
-__all__ = ["PERIOD", "orbit_declaration", "system_declaration"]
+__all__ = ["PERIOD", "orbit_declaration", "system_declaration", "tables_of_orbit"]
 
 PERIOD = "period"  # its name among the parameters at one point
 
@@ -64,13 +64,27 @@ def orbit_declaration(
 ) -> dict[str, Any]:
     """Return the declaration over parameters of an orbit, as `declaration_json` gives it.
 
-    `orbit` holds the orbit's functions where its parameters are not the system's, which follow from
-    them. `names` are the parameters that the entries are functions of, and `texts` the irrational
-    numbers of the declaration and of the parameters. `NotRational` is raised if the declaration
-    takes a root or a sine of its parameters.
+    `orbit`, `names` and `texts` are as for `tables_of_orbit`.
     """
-    tables = _tables(kernels, orbit, tuple(names), tuple(texts))
+    tables = tables_of_orbit(kernels, orbit, names, texts)
     return declaration_json(tables, cycle, names, start, dwell)
+
+
+def tables_of_orbit(
+    kernels: SystemKernels,
+    orbit: OrbitKernels | None,
+    names: Iterable[str],
+    texts: Iterable[str],
+    fixed: Mapping[str, Value] | None = None,
+) -> Tables:
+    """Return exact tables of a system as functions of parameters of an orbit.
+
+    `orbit` holds the orbit's functions where its parameters are not the system's, which follow from
+    them. `names` are the parameters that the entries are functions of, `fixed` has the values of
+    others, and `texts` are the irrational numbers of the declaration and of all parameters.
+    `NotRational` is raised if the declaration takes a root or a sine of its parameters.
+    """
+    return _tables(kernels, orbit, tuple(names), tuple(texts), tuple((fixed or {}).items()))
 
 
 @lru_cache(maxsize=64)
@@ -79,16 +93,17 @@ def _tables(
     orbit: OrbitKernels | None,
     names: tuple[str, ...],
     texts: tuple[str, ...],
+    fixed: tuple[tuple[str, Value], ...] = (),
 ) -> Tables:
     required = {} if orbit is None else {n: parse(text) for n, text in orbit.required.items()}
     own = [value.text for value in required.values() if value.exact is None]
     known = constants_over(names, [*texts, *own])
-    found: dict[str, Any] = dict(zip(names, known.variables, strict=True))
+    found: dict[str, Any] = {
+        name: known.numbers[v.text] if v.exact is None else rational_of(v.exact)
+        for name, v in (*required.items(), *fixed)
+    }
+    found |= zip(names, known.variables, strict=True)
     if orbit is not None:
-        found = {
-            name: known.numbers[v.text] if v.exact is None else rational_of(v.exact)
-            for name, v in required.items()
-        } | found
         found |= follow(orbit, found, rational_of)
         if missing := [table.name for table in kernels.parameters if table.name not in found]:
             raise InputError(f"{orbit.name}: {', '.join(missing)} left open")

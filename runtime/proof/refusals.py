@@ -3,26 +3,39 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from typing import Any
 
 from nonsmooth.runtime.checker.exact import Failure
 from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 
-__all__ = ["as_read", "refusal"]
+__all__ = ["as_read", "asking", "refusal"]
 
 _BITS = 64  # the precision of the process in which a file is checked
+
+
+@contextmanager
+def asking() -> Iterator[None]:
+    """Raise what the checker refuses, or cannot enclose, as `NotCovered` with the reason."""
+    try:
+        with flint_precision(_BITS):
+            yield
+    except Failure as failure:
+        raise NotCovered(f"the checker refuses it: {failure}") from None
+    except (ArithmeticError, ValueError) as problem:  # numbers beyond what can be enclosed
+        told = f"{type(problem).__name__}: {problem}"
+        raise NotCovered(f"the checker refuses it: {told}") from None
 
 
 def refusal(check: Callable[[], object]) -> str:
     """Return the reason why a check by the checker fails, or an empty text if it succeeds."""
     try:
-        with flint_precision(_BITS):
+        with asking():
             check()
-    except Failure as failure:
-        return f"the checker refuses it: {failure}"
-    except (ArithmeticError, ValueError) as problem:  # numbers beyond what can be enclosed
-        return f"the checker refuses it: {type(problem).__name__}: {problem}"
+    except NotCovered as reason:
+        return str(reason)
     return ""
 
 

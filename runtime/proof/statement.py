@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.rational_functions import RationalFunction
-from nonsmooth.runtime.proof.contact_statement import law_json, steps_json
+from nonsmooth.runtime.model.contacts.law import Law
+from nonsmooth.runtime.model.contacts.stages import Path, Stage
+from nonsmooth.runtime.model.contacts.unfolding import Route, unfolded
+from nonsmooth.runtime.model.kernels import SystemKernels
+from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.proof.exact_closure import ClosureConditions
 from nonsmooth.runtime.proof.exact_tables import Tables
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
@@ -14,7 +19,7 @@ from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 if TYPE_CHECKING:
     from flint import arb, fmpz
 
-__all__ = ["closing_json", "decimals", "declaration_json"]
+__all__ = ["closing_json", "decimals", "declaration_json", "kernels_with"]
 
 _RADIUS = 3  # digits that a radius needs
 
@@ -78,7 +83,7 @@ def declaration_json(
             if other.order:
                 entry["order"] = other.order
             if other.path is not None and structure.law is not None:
-                entry["steps"] = steps_json(structure.law, other.path)
+                entry["steps"] = _steps_json(structure.law, other.path)
             needed |= {along for _, along, _ in other.conditions}
             if entry not in transitions:
                 transitions.append(entry)
@@ -87,7 +92,7 @@ def declaration_json(
         phases.append((configuration, own))
     law: dict[str, Any] = {}
     if structure.law is not None and any("steps" in entry for entry in transitions):
-        law["law"] = law_json(structure.law, cycle, lambda row: _row(tables.rows[row]))
+        law["law"] = _law_json(structure.law, cycle, lambda row: _row(tables.rows[row]))
     constants = [value.text for value in tables.constants]
     return {
         "parameters": list(parameters),
@@ -135,8 +140,6 @@ def closing_json(
         told["turns"] = closing.turns
     if closing.translations:
         told["translations"] = [_row(row) for row in closing.translations]
-    if closing.vanishing:
-        told["vanishing"] = [_row(row) for row in closing.vanishing]
     if closing.form is not None:
         places, count = [parameters.index(name) for name in variables], len(parameters)
         names, form = cycle.structure.configurations, closing.form
@@ -184,3 +187,83 @@ def _entry(number: Any) -> Any:
         return (fmpq(mantissa) * fmpq(2) ** exponent).str()
     middle, radius = decimals(number, max(64, number.rel_accuracy_bits() + 32))
     return {"mid": middle, "rad": radius}
+
+
+def _steps_json(law: Law, path: Path) -> list[dict[str, Any]]:
+    """Return for each stage of a path the contacts at their "kinetic" limit and all "regimes"."""
+    return [
+        {
+            "kinetic": [law.contacts[i].name for i in sorted(stage.reached)],
+            "regimes": list(stage.regimes),
+        }
+        for stage in path
+    ]
+
+
+def _law_json(law: Law, cycle: ItineraryShape, row: Callable[[int], list[Any]]) -> dict[str, Any]:
+    """Return the contact law as JSON, as far as an itinerary concerns it.
+
+    It holds contacts, coupling, arrivals, limits, configurations and the rows of free contacts;
+    `row` writes the row of a number as a list.
+    """
+    places = sorted(set(cycle.configurations))
+    others = dict.fromkeys(law.others[c] for c in places)
+    return {
+        "contacts": [
+            {
+                "name": contact.name,
+                "friction": contact.friction,
+                "static": row(contact.static),
+                "kinetic": row(contact.kinetic),
+                "slipping": row(contact.slipping),
+                "overshooting": row(contact.overshooting),
+            }
+            for contact in law.contacts
+        ],
+        "coupling": [[row(entry)[-1] for entry in each] for each in law.coupling],
+        "arrivals": dict(law.arrivals),
+        "limits": dict(law.limits),
+        "configurations": {
+            law.configurations[c]: {
+                "regimes": list(law.regimes[c]),
+                "others": law.others[c],
+                "idle": list(law.idle[c]),
+            }
+            for c in places
+        },
+        "free": {name: [row(each) for each in law.free[name]] for name in others},
+    }
+
+
+def kernels_with(kernels: SystemKernels, declaration: Mapping[str, Any]) -> SystemKernels:
+    """Return kernels that list the routes in a certificate's declaration.
+
+    Without a law of contacts the kernels are returned unchanged. A declaration without steps of a
+    contact law is refused.
+    """
+    law = structure_of(kernels).law
+    if law is None:
+        return kernels
+    try:
+        routes = [
+            Route(
+                entry["source"],
+                tuple(entry["boundaries"]),
+                entry["target"],
+                tuple(_stage(law, step) for step in entry["steps"]),
+            )
+            for entry in declaration["transitions"]
+            if "steps" in entry
+        ]
+        return unfolded(kernels, routes)
+    except (KeyError, TypeError, ValueError):
+        raise InputError("the declaration holds no steps of a contact law") from None
+
+
+def _stage(law: Law, step: Mapping[str, Sequence[str]]) -> Stage:
+    names = [contact.name for contact in law.contacts]
+    reached = frozenset(names.index(name) for name in step["kinetic"])
+    regimes = tuple(step["regimes"])
+    if not all(map(set.__contains__, map(set, zip(*law.regimes, strict=True)), regimes)):
+        raise ValueError(regimes)
+    return Stage(reached, regimes)

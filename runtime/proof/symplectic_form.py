@@ -12,8 +12,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from nonsmooth.runtime.checker.exact import Elimination, product
 from nonsmooth.runtime.proof.exact_tables import Matrix, Tables
-from nonsmooth.runtime.proof.motion.exact_rows import Row, left_kernel, product
+from nonsmooth.runtime.proof.motion.exact_rows import Row
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 
 __all__ = ["SymplecticForm", "symplectic_form"]
@@ -40,12 +41,12 @@ def symplectic_form(tables: Tables, cycle: ItineraryShape) -> SymplecticForm | N
     for place in range(count):
         values = [fmpq(int(k == place)) for k in range(count)]
         columns.append(_missed(tables, cycle, _form(tables, visited, pairs, values)))
-    kernel = left_kernel(columns)
+    kernel = Elimination().left_kernel(columns)
     values = [
         sum((fmpq(k + 1) * row[j] for k, row in enumerate(kernel)), fmpq(0)) for j in range(count)
     ]
     form = _form(tables, visited, pairs, values)
-    return None if left_kernel(form.omega) else form
+    return None if Elimination().left_kernel(form.omega) else form
 
 
 def _form(
@@ -79,13 +80,13 @@ def _missed(tables: Tables, cycle: ItineraryShape, form: SymplecticForm) -> list
         after = cycle.configurations[(place + 1) % count]
         row = tables.rows[cycle.rows[place]]
         reset = tables.resets[transition.reset]
-        on = left_kernel([[entry] for entry in row])
+        on = Elimination().left_kernel([[entry] for entry in row])
         missed += _difference(
             _seen(_seen(form.energies[after], _transposed(reset)), on),
             _seen(form.energies[before], on),
         )
         linear = tuple(r[:-1] for r in reset[:-1])
-        along = left_kernel([[entry] for entry in row[:-1]])
+        along = Elimination().left_kernel([[entry] for entry in row[:-1]])
         missed += _difference(
             _seen(_seen(form.omega, _transposed(linear)), along), _seen(form.omega, along)
         )

@@ -26,6 +26,7 @@ import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.runtime.cli.tables import show_result
 from nonsmooth.runtime.explore.continuation.branch import Branch
+from nonsmooth.runtime.present.files.kept import save_result
 from nonsmooth.runtime.proof.counting.census import Census
 from tests.certified import (
     LOOP,
@@ -53,8 +54,6 @@ def _events(*branches: Branch) -> Any:
 
     class Several:
         def save(self, path: Path) -> None:
-            from nonsmooth.runtime.present.files.kept import save_result
-
             save_result(found, path)
 
     return Several()
@@ -289,13 +288,24 @@ def sampled(content: Any, drawn: random.Random, count: int) -> list[Mutation]:
     return [drawn.choice(group) for group in drawn.sample(list(groups.values()), count)]
 
 
-@pytest.mark.parametrize(
-    "name",
-    [
-        pytest.param(name, marks=pytest.mark.slow) if name == "branch-vanishing" else name
-        for name in FILES
-    ],
-)
+KINDS = [
+    pytest.param(name, marks=pytest.mark.slow) if name == "branch-vanishing" else name
+    for name in FILES
+]
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_files_come_back_and_are_covered_by_their_checksum(name: str, tmp_path: Path) -> None:
+    first, again = tmp_path / "file.json", tmp_path / "again.json"
+    first.write_text(written(name))
+    loaded = ns.load(first)
+    save_result(list(loaded) if isinstance(loaded, tuple) else loaded, again)
+    assert again.read_text() == written(name)
+    first.write_text(written(name).replace('"package": "', '"package": "1', 1))
+    assert "checksum" in str(ns.certify.check(first).difference)
+
+
+@pytest.mark.parametrize("name", KINDS)
 def test_no_change_of_a_file_is_shown_as_proved(name: str, tmp_path: Path) -> None:
     drawn = random.Random(name)
     content = json.loads(written(name))

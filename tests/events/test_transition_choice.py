@@ -14,13 +14,14 @@ from flint import arb, fmpq
 from mpmath import mp, mpf
 
 from nonsmooth.derive import RigidStop, System, oscillator
+from nonsmooth.runtime.checker.exact import product
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.events.transition_choice import Decider, choose, first_following
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import TransitionShape, mode_shapes
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
-from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row, product
+from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row
 from nonsmooth.runtime.proof.motion.validate import BallJudge
 from nonsmooth.runtime.simulation.simulate import follow
 from tests.certified import struck

@@ -21,10 +21,7 @@ from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.explore.finding.outcomes import PERIODIC, Outcome, settled
 from nonsmooth.runtime.model.kernels import kernels_of, load_orbit, load_system
 from nonsmooth.runtime.model.piecewise import piecewise, piecewise_in
-from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.solve import points_of
-from nonsmooth.runtime.proof.exact_closure import exact_translations
-from nonsmooth.runtime.proof.exact_tables import exact_tables
 from nonsmooth.runtime.shooting.translations import projection_along, translations_of
 from tests.places import GALLERY
 from tests.shifting_systems import CAPSULE, GEARED, GROUND, SHAKEN, TURNED, box, settled_orbit
@@ -84,10 +81,6 @@ def test_the_direction_is_the_same_in_every_arithmetic(ratio):
     with lib.working(40):
         (precise,) = translations_of(piecewise_in(kernels, point, lib))
         assert abs(precise[1] * sp.Rational(ratio).p - sp.Rational(ratio).q) < 1e-38
-    values = tuple(piecewise(kernels, point).parameters.values())
-    tables = exact_tables(kernels, values, 128)
-    (exact,) = exact_translations(tables, structure_of(kernels), [floats.tolist()])
-    assert [str(x) for x in exact] == ["1", str(1 / sp.Rational(ratio)), *"0000"]
 
 
 def test_a_projection_moves_along_the_directions_alone():

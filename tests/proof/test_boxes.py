@@ -232,9 +232,10 @@ def test_what_was_stopped_goes_on_from_its_file(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_states_are_kept_on_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
-    from nonsmooth.runtime.proof.boxes import certify_box as certify
+    from nonsmooth.runtime.proof import kept_state
 
-    monkeypatch.setattr(certify, "_EVERY", 0.0)
+    monkeypatch.setattr(kept_state, "_EVERY", 0.0)
+    monkeypatch.setattr(kept_state, "_LONGER", 0.0)
     kept: list[BoxCertificate] = []
     box = {"V": ("0.6", "1.3")}
     ns.certify.box(ns.solve(SYMMETRIC), box, tiles=5, keep=kept.append)

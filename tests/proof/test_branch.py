@@ -27,8 +27,14 @@ from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of, with_open_on
 from nonsmooth.runtime.proof.branch import tiles
 from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
 from nonsmooth.runtime.proof.branch.march import _short_phase
-from nonsmooth.runtime.proof.branch.stating import checked_curve, stated_branch
-from nonsmooth.runtime.proof.branch.tiles import REFUSED, JudgedTile, judged_tile, proposed_tile
+from nonsmooth.runtime.proof.branch.tiles import (
+    REFUSED,
+    JudgedTile,
+    checked_curve,
+    judged_tile,
+    proposed_tile,
+    stated_branch,
+)
 from nonsmooth.runtime.proof.refusals import as_read
 from tests.certified import PAD, accepted, edited, prove_branch
 from tests.explore import test_continuation_forced as impacts

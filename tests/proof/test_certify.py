@@ -7,22 +7,22 @@ from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
-from flint import arb, arb_mat, fmpq
+from flint import arb, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import nonsmooth as ns
 from nonsmooth import InputError
+from nonsmooth.runtime.checker.points import JudgedOrbit
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.proof.certificate import Certificate
-from nonsmooth.runtime.proof.krawczyk import joined, krawczyk
+from nonsmooth.runtime.proof.certificate import Certificate, file_json
+from nonsmooth.runtime.proof.refusals import as_read
 from tests.certified import FORCED, forced, loop
 from tests.explore import test_continuation_forced as impacts
 from tests.friction_sets import DATA
@@ -237,33 +237,19 @@ def test_an_orbit_that_goes_back_in_time_is_refuted() -> None:
     assert "its dwell time is negative" in certificate.reasons["admissibility"]
 
 
-class CircleAndLine:
-    """x^2 + y^2 = 2 and x + y = 1: two roots, the same but for the order of x and y."""
-
-    def near(self, point: Any) -> None: ...
-
-    def linearised(self, unknowns: Any, flows: None) -> Any:
-        x, y = unknowns
-        return SimpleNamespace(
-            residual=arb_mat([[x * x + y * y - 2], [x + y - 1]]),
-            jacobian=arb_mat([[2 * x, 2 * y], [1, 1]]),
-        )
-
-
-def test_boxes_with_no_root_with_one_and_with_two() -> None:
-    equations: Any = CircleAndLine()
-    with flint_precision(128):
-        root = [((1 + sign * arb(3).sqrt()) / 2).mid() for sign in (1, -1)]
-        near, wide = [[arb(2) ** k] * 2 for k in (-30, 1)]
-        one = krawczyk(equations, root, near)
-        assert (one.unique, one.empty) == (True, False)
-        none = krawczyk(equations, [x + arb(2) ** -20 for x in root], near)
-        assert (none.unique, none.empty) == (False, True)
-        both = krawczyk(equations, root, wide)
-        assert (both.unique, both.empty) == (False, False)
-        # roots that are one for sure, and roots that are two
-        assert joined(equations, root, [x + arb(0, 2.0**-30) for x in root])
-        assert not joined(equations, root, root[::-1])
+def test_boxes_with_no_orbit_with_one_and_too_large_ones() -> None:
+    content = as_read(file_json(certified(ns.solve(STICK))))
+    own = content.pop("box")
+    judge = JudgedOrbit(content)
+    for moved, radius, claim in (
+        (Fraction(0), None, "proved"), (Fraction(1, 10**6), None, "refuted"),
+        (Fraction(0), "1", "undecided"), (Fraction(0), None, "proved"),
+    ):  # fmt: skip
+        box = [
+            {**side, "mid": str(Fraction(side["mid"]) + moved), "rad": radius or side["rad"]}
+            for side in own
+        ]
+        assert judge.locate(box).claim == claim
 
 
 def test_margins_are_true() -> None:

@@ -68,7 +68,7 @@ def test_a_claim_of_an_orbit_that_cannot_be_judged(
 ) -> None:
     """It alone is undecided, with its reason, and all that follows from it."""
     step = {
-        "existence": "StatedSystem", "stability": "judged_stability", "derivatives": "rates_along",
+        "existence": "stated_system", "stability": "judged_stability", "derivatives": "rates_along",
     }.get(claim, claim)  # fmt: skip
 
     def planted(*_: Any, **__: Any) -> Any:

@@ -16,9 +16,9 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, NonsmoothError
-from nonsmooth.runtime.explore.finding.basins import start_box
 from nonsmooth.runtime.explore.finding.find import find_orbits
 from nonsmooth.runtime.explore.finding.primitive import add_orbit, primitive_orbit
+from nonsmooth.runtime.explore.finding.start_box import start_box
 from nonsmooth.runtime.explore.finding.steady import responses
 from nonsmooth.runtime.explore.fitting.fit_record import Fit
 from nonsmooth.runtime.explore.fitting.measurements import Measured
@@ -31,8 +31,7 @@ from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives, followed
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.simulation.last_cycle import itinerary_of
-from nonsmooth.runtime.simulation.recurrence import Candidate, Itinerary, canonical
+from nonsmooth.runtime.simulation.recurrence import Candidate, Itinerary, canonical, itinerary_of
 from nonsmooth.runtime.simulation.simulate import simulate_one
 from nonsmooth.runtime.simulation.starting import on_circles
 

@@ -14,8 +14,8 @@ from nonsmooth.runtime.model.naming import cycle_label, dwell_names, start_names
 from nonsmooth.runtime.model.saved_system import SavedSystem, system_in
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.table_solve import whole_names
-from nonsmooth.runtime.proof.contact_statement import kernels_with
 from nonsmooth.runtime.proof.parametric_declaration import PERIOD
+from nonsmooth.runtime.proof.statement import kernels_with
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, itinerary_shape
 
 __all__ = ["NamedOrbit", "named_in", "phases_called"]

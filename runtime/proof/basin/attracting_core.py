@@ -18,7 +18,7 @@ from nonsmooth.runtime.checker.exact import Failure
 from nonsmooth.runtime.core.float_sets import Floats
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
-from nonsmooth.runtime.proof.chaos.h_sets import HSet, decimal_set
+from nonsmooth.runtime.proof.chaos.h_sets import HSet, decimal_set, grid_in_cube
 
 __all__ = ["AttractingCore", "attracting_core"]
 
@@ -89,8 +89,8 @@ def _promising(floats: FloatSection, power: int, h_set: HSet) -> bool:
     """Whether samples of a set are mapped into it by derivatives with row sums below 1."""
     centre, sides = h_set.near
     size = len(centre)
-    axes = np.meshgrid(*[np.linspace(-1, 1, round(_SAMPLES ** (1 / size)))] * size)
-    points = centre + np.stack(axes, axis=-1).reshape(-1, size) @ sides.T
+    count = round(_SAMPLES ** (1 / size))
+    points = centre + grid_in_cube(size, count, count) @ sides.T
     images, slopes = _images(floats, power, points, np.abs(sides).sum(axis=1))
     inward = np.linalg.inv(sides)
     seen = np.abs((images - centre) @ inward.T)

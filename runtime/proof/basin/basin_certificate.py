@@ -11,13 +11,13 @@ from numpy.typing import NDArray
 
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.json_codec import IN_FILES, Exact, Several, Told
-from nonsmooth.runtime.core.registry import Certified, registered
-from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.model.saved_system import KeptOrbitName
-from nonsmooth.runtime.proof.certificate import Decided, Declaration
+from nonsmooth.runtime.proof.certificate import Decided
 from nonsmooth.runtime.proof.chaos.h_sets import HSet
 from nonsmooth.runtime.proof.sets.runs import Flags, Numbers
+from nonsmooth.runtime.proof.sets.section_record import StatedSection
 
 __all__ = ["BasinCertificate"]
 
@@ -38,7 +38,7 @@ def _flags(found: VerdictEntries) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class BasinCertificate(Certified):
+class BasinCertificate(StatedSection):
     """Starts from which every motion tends to one periodic orbit, the one through the core.
 
     P is the map from a section to itself. It contracts the core, so that there is one orbit
@@ -95,14 +95,8 @@ class BasinCertificate(Certified):
 
     system: str
     orbit: KeptOrbitName
-    parameters: Mapping[str, Value]
     claim: Decided
     reason: str
-    configuration: str
-    phase: tuple[Exact, ...]
-    source: str
-    boundary: str
-    coordinates: tuple[str, ...]
     core: HSet | None
     iterates: int
     itinerary: tuple[tuple[str, str, str], ...]
@@ -119,7 +113,6 @@ class BasinCertificate(Certified):
     widest: float
     most: int
     bits: int
-    declaration: Declaration = field(repr=False)
 
     @property
     def proved(self) -> bool:

@@ -9,13 +9,14 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.float_sets import Floats
-from nonsmooth.runtime.model.boundary_sets import members_of
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
 from nonsmooth.runtime.proof.sets.sections import (
     MapSection,
+    angle_of,
     forcing_section,
     phases,
     sections_behind,
+    ways_of,
 )
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
@@ -52,10 +53,8 @@ def _forced(system: EnclosedSystem, motion: Trajectory, period: float) -> MetSec
     first = np.arctan2(motion.states[0, s], motion.states[0, c])
     found = []
     for phase in phases(_PHASES):
-        cosine, sine = (float(x.p) / float(x.q) for x in phase)
-        angle = np.arctan2(sine, cosine)
         # by rounding a turn may be longer than the motion
-        time = np.array([min(((angle - first) / speed) % turn, motion.end)])
+        time = np.array([min(((angle_of(phase) - first) / speed) % turn, motion.end)])
         state, name = motion(time)[0], str(motion.configuration(time)[0])
         configuration = structure.configuration(name)
         rows = motion.system.rows[[b.row for b in structure.boundaries[configuration]]]
@@ -67,15 +66,7 @@ def _forced(system: EnclosedSystem, motion: Trajectory, period: float) -> MetSec
 
 
 def _passed(system: EnclosedSystem, motion: Trajectory) -> Iterator[MetSection]:
-    run, count = motion.run, len(motion.run.times) - 1
-    ways = [
-        (
-            int(run.configurations[k]),
-            frozenset(members_of(int(run.sets[k + 1]))),
-            int(run.configurations[k + 1]),
-        )
-        for k in range(count)
-    ]
+    ways = ways_of(motion.run)
     sections = sections_behind(system, ways)
     for k, way in enumerate(ways):
         if section := sections.get(way):

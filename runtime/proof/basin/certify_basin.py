@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import closing
 from dataclasses import replace
 from typing import Any
@@ -13,14 +12,13 @@ from numpy.typing import NDArray
 
 from nonsmooth.runtime.checker.basin import AttractedTiles, attracted_boxes, contraction
 from nonsmooth.runtime.core.box_grid import BoxGrid
-from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.core.errors import InputError, check_integer
 from nonsmooth.runtime.core.float_sets import Floats
 from nonsmooth.runtime.core.parallel import check_workers, in_processes
 from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.explore.finding.start_box import start_box
-from nonsmooth.runtime.model.boundary_sets import members_of
 from nonsmooth.runtime.model.kernels import known_system
 from nonsmooth.runtime.model.saved_system import check_same_system
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
@@ -29,17 +27,16 @@ from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.basin.basin_section import MetSection, section_of
 from nonsmooth.runtime.proof.basin.starting_tiles import next_tiles
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
+from nonsmooth.runtime.proof.kept_state import KeptState
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
+from nonsmooth.runtime.proof.sets.section_record import named_way, stated_section
 from nonsmooth.runtime.proof.sets.visited_declaration import (
     listed_declaration,
     refused_as_input,
-    section_entries,
 )
 
 __all__ = ["certify_basin"]
 
-_EVERY = 10.0  # seconds between states that are kept, at least
-_KEEPING = 20  # times as long as it takes to keep one
 _BATCH = 8192  # tiles, or boxes of the section, at once
 _ALONG, _OF_LENGTH = 8192, 128  # boxes along a section, and in the core
 _AROUND, _OF_AREA = 256, 8  # the same along each of two coordinates
@@ -132,12 +129,7 @@ def certify_basin(
         ("most", most, 1, 100_000),
         ("bits", bits, 64, 4096),
     ):
-        if (
-            isinstance(number, bool)
-            or not isinstance(number, int)
-            or not least <= number <= largest
-        ):
-            raise InputError(f"{name} = {number!r} is not an integer from {least} to {largest}")
+        check_integer(name, number, least, largest)
     for name, length in (("side", side), ("widest", widest)):
         if length is not None and not (np.isfinite(length) and length > 0):
             raise InputError(f"{name} = {length!r} is not a positive number")
@@ -240,7 +232,7 @@ class _BasinQuestion:
             known,
             core=core.h_set,
             iterates=core.iterates,
-            itinerary=self._told(core.way),
+            itinerary=named_way(self.system, core.way),
             contraction=str(core.contraction),
         )
 
@@ -294,42 +286,27 @@ class _BasinQuestion:
         def state() -> BasinCertificate:
             return replace(known, looked=looked.copy(), attracted=attracted.copy())
 
-        done, due = 0, time.monotonic() + _EVERY
-        try:
-            with (
-                refused_as_input(),
-                closing(in_processes(_begin_tiles, _entries(known), batches(), workers)) as found,
-            ):
-                for numbers, good in found:
-                    looked[numbers], attracted[numbers] = True, good
-                    done += len(numbers)
-                    self.progress(done / goal, int(attracted.sum()))
-                    if keep is not None and time.monotonic() > due:
-                        begun = time.monotonic()
-                        keep(state())
-                        ended = time.monotonic()
-                        due = ended + max(_EVERY, _KEEPING * (ended - begun))
-        except KeyboardInterrupt:
-            raise Interrupted(state()) from None
+        done = 0
+        with (
+            KeptState(state, keep) as kept,
+            refused_as_input(),
+            closing(in_processes(_begin_tiles, _entries(known), batches(), workers)) as found,
+        ):
+            for numbers, good in found:
+                looked[numbers], attracted[numbers] = True, good
+                done += len(numbers)
+                self.progress(done / goal, int(attracted.sum()))
+                kept.step()
         return state()
 
     def undecided(self, met: MetSection, reason: str) -> BasinCertificate:
         """The certificate that nothing is proved, for a reason."""
-        structure, section = self.system.structure, met.section
-        names = structure.configurations
         none = np.zeros(0, dtype=bool)
-        shapes = structure.boundaries[section.source] if section.phase is None else ()
         return BasinCertificate(
-            system=structure.name,
+            **stated_section(self.system, met.section),
             orbit=self.orbit.name,
-            parameters=self.system.values,
             claim="undecided",
             reason=reason,
-            configuration=names[section.configuration],
-            phase=() if section.phase is None else tuple(map(str, section.phase)),
-            source="" if section.phase is not None else names[section.source],
-            boundary="+".join(sorted(shapes[b].name for b in section.boundaries)),
-            coordinates=tuple(structure.states[k] for k in section.free),
             core=None,
             iterates=0,
             itinerary=(),
@@ -362,19 +339,6 @@ class _BasinQuestion:
         )
         check_same_question("basin", {name: {**asked, **own}[name] for name in names}, found)
 
-    def _told(self, way: Iterable[tuple[int, int, int]]) -> tuple[tuple[str, str, str], ...]:
-        """Transitions by names: source, boundaries and target of each."""
-        structure = self.system.structure
-        names = structure.configurations
-        return tuple(
-            (
-                names[source],
-                "+".join(structure.boundaries[source][b].name for b in members_of(mask)),
-                names[target],
-            )
-            for source, mask, target in way
-        )
-
 
 def _entries(found: BasinCertificate) -> dict[str, Any]:
     """What is proved on the section, and the tiles, as the entries of a file that state it."""
@@ -384,7 +348,7 @@ def _entries(found: BasinCertificate) -> dict[str, Any]:
     more = ("iterates", "itinerary", "contraction", "widest", "most", "bits")
     core = found.core and {"centre": found.core.centre, "sides": found.core.sides}
     ranks = [(int(rank), 1) for rank in found.ranks]
-    told = {**section_entries(found, *more), "coordinates": list(found.coordinates)}
+    told = {**found.entries(*more), "coordinates": list(found.coordinates)}
     return {**told, "core": core, "ranks": ranks, **grids}
 
 

@@ -13,9 +13,8 @@ from nonsmooth.runtime.checker.exact import exact
 from nonsmooth.runtime.checker.folded import BEYOND, beyond_folds
 from nonsmooth.runtime.core.errors import InputError, one_line
 from nonsmooth.runtime.core.json_codec import Follows, Told, by, encode
-from nonsmooth.runtime.core.registry import Certified, registered
-from nonsmooth.runtime.core.values import Value, as_value, by_name, flint_precision
-from nonsmooth.runtime.model.saved_system import KeptOrbitName
+from nonsmooth.runtime.core.registry import registered
+from nonsmooth.runtime.core.values import as_value, by_name, flint_precision
 from nonsmooth.runtime.proof.boxes.regions import (
     EventCurve,
     OpenBox,
@@ -30,9 +29,9 @@ from nonsmooth.runtime.proof.certificate import (
     CLAIMS,
     NO_ORBIT,
     Claims,
-    Declaration,
     Stability,
     Stated,
+    StatedOrbits,
     ball_of,
 )
 
@@ -93,7 +92,7 @@ class Tile:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class BoxCertificate(Certified):
+class BoxCertificate(StatedOrbits):
     """What ball arithmetic proves of an orbit for all parameters of a box.
 
     The box is the union of its tiles. On each the claims hold for every parameter: there is
@@ -120,16 +119,9 @@ class BoxCertificate(Certified):
         As in a `Certificate`, over the box's parameters and those that were given.
     """
 
-    orbit: KeptOrbitName
-    system: str
-    parameters: Mapping[str, Value]
-    chosen: tuple[str, ...]
-    itinerary: tuple[tuple[str, str], ...]
     box: Mapping[str, Interval]
     stability: Stability
     tiles: tuple[Tile, ...] = field(repr=False)
-    declaration: Declaration = field(repr=False)
-    closing: Declaration = field(repr=False)
 
     @Follows
     def claims(self) -> Claims:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import heapq
-import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -15,16 +14,15 @@ from nonsmooth.runtime.checker.edges import neighbours
 from nonsmooth.runtime.checker.exact import Failure
 from nonsmooth.runtime.checker.folded import BEYOND
 from nonsmooth.runtime.checker.tiles import SHARES, MapTile
-from nonsmooth.runtime.core.errors import InputError, Interrupted
-from nonsmooth.runtime.core.result_files import check_same_question
+from nonsmooth.runtime.core.errors import InputError, check_integer
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.box_certificate import BITS, DIGITS, BoxCertificate, Tile
 from nonsmooth.runtime.proof.boxes.orbit_over_box import (
     Region,
     checked_box,
-    given_of,
     region_of,
+    stated_orbits,
     with_open_ones,
 )
 from nonsmooth.runtime.proof.boxes.refusals import BoxRefusals, unproved, whole_map
@@ -34,7 +32,9 @@ from nonsmooth.runtime.proof.boxes.tile_fold import FoldSearch
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
 from nonsmooth.runtime.proof.certificate import CLAIMS, Stated
 from nonsmooth.runtime.proof.exact_tables import rational_of
-from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, system_of
+from nonsmooth.runtime.proof.kept_state import KeptState
+from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
+from nonsmooth.runtime.proof.refusals import asking
 
 if TYPE_CHECKING:
     from flint import arb
@@ -45,7 +45,6 @@ MOST_TILES = 4000
 _PLANE = 2  # parameters of a box in which events are curves
 _DEEPEST = 12  # halvings along each axis
 _SEEN = 30  # bits to which the ends of an enclosure are stated
-_EVERY = 10.0  # seconds between states that are kept
 _NOT_TRIED = "not looked at yet"
 _MEET = "two orbits meet there"
 
@@ -99,8 +98,7 @@ def certify_box(
     >>> found.proved, found.enclosures["trace"].upper < -0.9
     (True, True)
     """
-    if isinstance(tiles, bool) or not isinstance(tiles, int) or tiles < 1:
-        raise InputError(f"tiles = {tiles!r} is not a positive integer")
+    check_integer("tiles", tiles, 1)
     ends = checked_box(orbit, box)
     if not isinstance(resume, BoxCertificate | None):
         raise InputError(f"{resume!r} is no state to resume: `load` reads one")
@@ -118,23 +116,18 @@ def certify_box(
     except NotCovered as reason:
         nothing = record(None, [unproved(whole, str(reason), looked_at=True)])
         if resume is not None:
-            _check_same(nothing, resume)
+            nothing.check_same(resume, "box")
         return nothing
     if resume is not None:
-        _check_same(empty, resume)
+        empty.check_same(resume, "box")
     work = _Work(region, resume or empty, refusals)
-    kept = time.monotonic()
-    try:
+    with KeptState(lambda: whole_map(record(region, work.stated())), keep) as state:
         for looked_at in range(_looked_at(work.state) + 1, tiles + 1):
             if not work.look():
                 break
             progress(work.decided, looked_at)
-            if keep is not None and time.monotonic() - kept > _EVERY:
-                keep(whole_map(record(region, work.stated())))
-                kept = time.monotonic()
+            state.step()
         stated = work.stated(whole=True)
-    except KeyboardInterrupt:
-        raise Interrupted(whole_map(record(region, work.stated()))) from None
     return whole_map(record(region, stated))
 
 
@@ -291,8 +284,10 @@ class _Work:
         point = [rational_of(x) for x in anchor.point]
         search = FoldSearch(self.refusals.box, place.steps, point, anchor.numbers)
         with flint_precision(BITS), suppress(Failure, NotCovered):
-            found = self.refusals.folded(place, search.proposal())
-            if is_same(self.region, found, anchor):
+            sheets = search.proposal()
+            with asking():
+                found = self.refusals.box.folded(place.steps, sheets)
+            if is_same(self.refusals, found, anchor):
                 tile = _tile_with(found, place)
                 self.tubes[place] = found
                 self.refusals.take(tile, found)
@@ -330,7 +325,8 @@ class _Work:
             if not tile.guess:
                 return None
             try:
-                self.tubes[tile.place] = self.refusals.stated(tile)
+                with asking():
+                    self.tubes[tile.place] = self.refusals.proved(tile)
             except NotCovered:
                 return None
         return self.tubes[tile.place]
@@ -410,12 +406,6 @@ def _wider(ball: arb) -> arb:
     return found
 
 
-def _point(values: Sequence[Fraction]) -> list[arb]:
-    from flint import arb
-
-    return [arb(rational_of(x)) for x in values]
-
-
 def _balls(guess: Sequence[float]) -> list[arb]:
     from flint import arb
 
@@ -429,27 +419,9 @@ def _record(
     region: Region | None,
     tiles: Sequence[Tile],
 ) -> BoxCertificate:
-    declaration, closing = ({}, {}) if region is None else region.statement(orbit)
     return BoxCertificate(
-        orbit=orbit.name,
-        system=system_of(orbit),
-        parameters={n: value for n, value in given_of(orbit).items() if n not in box},
-        chosen=chosen,
-        itinerary=() if region is None else region.cycle.itinerary,
+        **stated_orbits(orbit, box, chosen, region),
         box=dict(box),
         stability="stable" if region is None else region.closing.stability,
         tiles=tuple(tiles),
-        declaration=declaration,
-        closing=closing,
     )
-
-
-def _check_same(wanted: BoxCertificate, found: BoxCertificate) -> None:
-    """Refuse to go on with a map of another orbit, box or system."""
-    names = ("orbit", "itinerary", "box", "chosen", *wanted.parameters, "declaration", "closing")
-    # a file calls the system by its data, and holds it
-    asked, known = (
-        {**vars(box), **box.parameters, "orbit": box.orbit.removeprefix(box.system)}
-        for box in (wanted, found)
-    )
-    check_same_question("state", {name: asked[name] for name in names}, known)

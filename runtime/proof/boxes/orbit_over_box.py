@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import partial
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
@@ -14,41 +13,38 @@ from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.orbits.kernel_problem import chosen_parameters
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
 from nonsmooth.runtime.orbits.solve import solve
-from nonsmooth.runtime.proof.boxes.dependence import PERIOD, entries_over
 from nonsmooth.runtime.proof.boxes.tile_places import Interval
-from nonsmooth.runtime.proof.exact_closure import ClosureConditions
+from nonsmooth.runtime.proof.exact_closure import ClosureConditions, closing_of
 from nonsmooth.runtime.proof.exact_tables import (
     NotRational,
-    Number,
     Tables,
     exact_tables,
     irrational_texts,
     rational_of,
-    tables_over,
-)
-from nonsmooth.runtime.proof.orbit_equations import (
-    Equations,
-    equations_in,
-    phases_of,
 )
 from nonsmooth.runtime.proof.orbit_to_prove import (
     NotCovered,
     Subject,
-    closing_of,
     guess_of,
     subject_near,
+    system_of,
 )
-from nonsmooth.runtime.proof.parametric_declaration import orbit_declaration
+from nonsmooth.runtime.proof.parametric_declaration import orbit_declaration, tables_of_orbit
 from nonsmooth.runtime.proof.statement import closing_json
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
-from nonsmooth.runtime.shooting.variational import Phase
 
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["Region", "checked_box", "given_of", "region_at", "region_of", "with_open_ones"]
-
-_LONG = 6  # phases of a cycle beyond which rounding errors grow too much for that
+__all__ = [
+    "Region",
+    "checked_box",
+    "given_of",
+    "region_at",
+    "region_of",
+    "stated_orbits",
+    "with_open_ones",
+]
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +55,7 @@ class Region:
     names: tuple[str, ...]  # of the box's parameters
     box: tuple[Interval, ...]  # lower and upper end of each parameter
     tables: Tables  # irrational parameters follow the box's in the rational functions
-    closing: ClosureConditions  # its period is a Value, a fmpq or a RationalFunction
+    closing: ClosureConditions
     at: tuple[Fraction, ...]  # the subject's point in the box
     guess: Sequence[arb]  # approximate unknowns of the equations there
 
@@ -67,21 +63,6 @@ class Region:
     def cycle(self) -> ItineraryShape:
         """The orbit's cycle."""
         return self.subject.cycle
-
-    def phases(self, number: Number) -> tuple[Phase, ...]:
-        """The cycle's phases in numbers: matrices (N + 1, N + 1) and rows (1, N + 1).
-
-        `number` maps exact entries to balls or Taylor models.
-        """
-        return phases_of(self.tables, self.cycle, number, self.closing.translations)
-
-    def equations(self, number: Number) -> Equations:
-        """The orbit's equations in its unknowns: start, forcing time and dwell times.
-
-        `number` maps exact entries to balls or Taylor models.
-        """
-        period = None if self.closing.period is None else number(self.closing.period)
-        return equations_in(self.phases(number), self.closing, number, period)
 
     def statement(self, orbit: Orbit) -> tuple[dict[str, Any], dict[str, Any]]:
         """Declaration and closing of an orbit as a file states them, each ready for JSON.
@@ -108,6 +89,25 @@ class Region:
 def given_of(orbit: Orbit) -> dict[str, Value]:
     """All parameters given for an orbit, and those that it leaves open."""
     return {**orbit.given, **orbit.opened}
+
+
+def stated_orbits(
+    orbit: Orbit, names: Collection[str], chosen: tuple[str, ...], region: Region | None
+) -> dict[str, Any]:
+    """The entries of `StatedOrbits` for orbits like one, over parameters that have no one value.
+
+    `region` is None where these orbits are not covered.
+    """
+    declaration, closing = ({}, {}) if region is None else region.statement(orbit)
+    return {
+        "orbit": orbit.name,
+        "system": system_of(orbit),
+        "parameters": {n: value for n, value in given_of(orbit).items() if n not in names},
+        "chosen": chosen,
+        "itinerary": () if region is None else region.cycle.itinerary,
+        "declaration": declaration,
+        "closing": closing,
+    }
 
 
 def checked_box(orbit: Orbit, box: Mapping[str, tuple[object, object]]) -> dict[str, Interval]:
@@ -159,12 +159,10 @@ def with_open_ones(orbit: Orbit, box: Mapping[str, Interval]) -> tuple[Orbit, tu
         near = [point for point in found if point.converged]
         chosen = chosen_parameters(orbit, near=near)
         orbit = replace(orbit, opened={**orbit.opened, **chosen})
-    numbers, _ = _numbers(orbit, subject_near(orbit), tuple(box))
-    try:
-        for corner in corners:
-            numbers({name: as_value(x) for name, x in corner.items()})
-    except NotCovered as problem:
-        raise InputError(str(problem)) from None
+    subject_near(orbit)
+    for corner in corners:
+        values = {name: as_value(x) for name, x in corner.items()}
+        orbit.problem.system_values({**given_of(orbit), **chosen_parameters(orbit), **values})
     return orbit, tuple(chosen)
 
 
@@ -175,21 +173,23 @@ def region_of(orbit: Orbit, box: Mapping[str, Interval]) -> Region:
     `subject_near` and `closing_of`.
     """
     subject = subject_near(orbit)
-    numbers, at = _numbers(orbit, subject, tuple(box))
+    given = {**given_of(orbit), **chosen_parameters(orbit)}
+    at = [given[name].exact for name in box]
+    if None in at:
+        raise NotCovered("the orbit's own point of the box is irrational")
     try:
-        known, entries = entries_over(
-            box, numbers, irrational_texts(subject.kernels, given_of(orbit).values())
+        tables = tables_of_orbit(
+            subject.kernels,
+            orbit.problem.kernels,
+            box,
+            irrational_texts(subject.kernels, given.values()),
+            {name: value for name, value in given.items() if name not in box},
         )
-        period = entries.pop(PERIOD, None)
-        tables = tables_over(subject.kernels, list(entries.values()), known)
-        region = _region(subject, box, tables, at)
-        if region.closing.kind == "period":
-            region = replace(region, closing=replace(region.closing, period=period))
     except NotRational:
         raise NotCovered("the declaration takes a root or a sine of its parameters") from None
     except ArithmeticError as problem:
         raise NotCovered(str(problem)) from None
-    return region
+    return _region(subject, box, tables, [x for x in at if x is not None])
 
 
 def region_at(subject: Subject, bits: int) -> Region:
@@ -208,29 +208,5 @@ def _region(
     from flint import arb
 
     point = [arb(rational_of(x)) for x in at]
-    closing = closing_of(subject, tables, [float(x) for x in subject.start], point)
-    guess = guess_of(subject, closing, partial(tables.near, values=point))
+    closing, guess = closing_of(subject, tables, point), guess_of(subject, tables, point)
     return Region(subject, tuple(box), tuple(box.values()), tables, closing, tuple(at), guess)
-
-
-def _numbers(
-    orbit: Orbit, subject: Subject, names: Sequence[str]
-) -> tuple[Callable[[Mapping[str, Value]], dict[str, Value]], list[Fraction]]:
-    """A function from a point to the system's parameters and period, and the orbit's own point."""
-    given, problem = given_of(orbit), orbit.problem
-    fixed = {**given, **chosen_parameters(orbit)}
-
-    def numbers(point: Mapping[str, Value]) -> dict[str, Value]:
-        told = {**fixed, **point}
-        try:
-            values = problem.system_values(told)
-        except InputError as reason:
-            raise NotCovered(str(reason)) from None
-        if subject.period is None:
-            return values
-        return {**values, PERIOD: told[str(problem.period_name)]}
-
-    at = [given[name].exact for name in names]
-    if None in at:
-        raise NotCovered("the orbit's own point of the box is irrational")
-    return numbers, [x for x in at if x is not None]

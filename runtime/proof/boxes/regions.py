@@ -8,11 +8,13 @@ both; a curve is made of tiles which one event divides, and whose common edge it
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from fractions import Fraction
-from itertools import pairwise, product
-from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
+from itertools import combinations, pairwise, product
+from typing import TYPE_CHECKING, Annotated, NamedTuple, TypeVar
+
+import numpy as np
 
 from nonsmooth.runtime.checker.divided import Band
 from nonsmooth.runtime.checker.edges import neighbours
@@ -29,6 +31,7 @@ _PARTS = 64  # of a tile, for the area of a side
 _DRAWN = 16  # points of a curve in each tile
 _ON = 1e-9  # how near to an edge a curve ends there, in shares of the box
 Cell = tuple[int, str]
+_Thing = TypeVar("_Thing", bound=Hashable)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -108,15 +111,15 @@ def regions_of(found: BoxCertificate) -> tuple[ProvedRegion, ...]:
         for k, tile in enumerate(tiles)
         for side, v in _verdicts(tile, found.verdicts[k])
     }
-    groups = _Groups(verdicts)
+    pairs: list[tuple[Cell, Cell]] = []
     for edge in _joined_edges(found):
         first, second = tiles[edge.first], tiles[edge.second]
         for point in _samples(edge):
             own, its = (edge.first, _side(first, point)), (edge.second, _side(second, point))
             if own in verdicts and its in verdicts:
-                groups.unite(own, its)
+                pairs.append((own, its))
     told = []
-    for cells in groups.all():
+    for cells in _groups(verdicts, pairs):
         verdict = verdicts[cells[0]]
         share = sum((_share(tiles[number], side) for number, side in cells), 0.0)
         name = found.stability if verdict == "proved" else verdict
@@ -141,24 +144,22 @@ def curves_of(found: BoxCertificate) -> tuple[EventCurve, ...]:
             if passed or any(a is None and b is None for a, b in zip(*told, strict=True)):
                 beside[pair[0]].append(pair[1])
                 beside[pair[1]].append(pair[0])
-    groups = _Groups(events)
-    for k, others in beside.items():
-        for other in others:
-            groups.unite(k, other)
-    chains = [_walk(cells, beside) for cells in groups.all()]
+    pairs = ((k, other) for k, others in beside.items() for other in others)
+    chains = [_walk(cells, beside) for cells in _groups(events, pairs)]
     return tuple(_curve(found, chain, beside) for chain in sorted(chains, key=len, reverse=True))
 
 
 def open_boxes_of(found: BoxCertificate) -> tuple[OpenBox, ...]:
     """The undecided parts of a map of any number of parameters, the largest first."""
     undecided = [k for k, verdict in enumerate(found.verdicts) if verdict == "undecided"]
-    groups = _Groups(undecided)
-    for place, k in enumerate(undecided):
-        for other in undecided[:place]:
-            if found.tiles[k].place.touches(found.tiles[other].place):
-                groups.unite(k, other)
+    places = [found.tiles[k].place for k in undecided]
+    pairs = (
+        (undecided[k], undecided[other])
+        for k, other in combinations(range(len(places)), 2)
+        if places[k].touches(places[other])
+    )
     told = []
-    for cells in groups.all():
+    for cells in _groups(undecided, pairs):
         own = [found.tiles[k] for k in cells]
         places = [tile.place for tile in own]
         ends = tuple(found.box.values())
@@ -196,28 +197,22 @@ def _joined_edges(found: BoxCertificate) -> Iterator[Edge]:
     return (edge for edge in edges if decided[edge.first] and decided[edge.second])
 
 
-class _Groups:
-    """Things that are united step by step: a disjoint-set forest (B. Galler, M. Fisher, 1964)."""
+def _groups(
+    things: Collection[_Thing], pairs: Iterable[tuple[_Thing, _Thing]]
+) -> list[list[_Thing]]:
+    """The groups of things that pairs connect, each in the order of the things."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
 
-    def __init__(self, things: Iterable[Any]) -> None:
-        self.parents: dict[Any, Any] = {thing: thing for thing in things}
-
-    def _first(self, thing: Hashable) -> Any:
-        while self.parents[thing] != thing:
-            self.parents[thing] = self.parents[self.parents[thing]]
-            thing = self.parents[thing]
-        return thing
-
-    def unite(self, one: Hashable, other: Hashable) -> None:
-        """Unite the groups of two things."""
-        self.parents[self._first(one)] = self._first(other)
-
-    def all(self) -> list[list[Any]]:
-        """All groups, each as a list of its things."""
-        found: dict[Any, list[Any]] = defaultdict(list)
-        for thing in self.parents:
-            found[self._first(thing)].append(thing)
-        return list(found.values())
+    number = {thing: k for k, thing in enumerate(things)}
+    joined = np.array([(number[one], number[other]) for one, other in pairs], dtype=int)
+    one, other = joined.reshape(-1, 2).T
+    links = coo_array((np.ones(len(one)), (one, other)), (len(number), len(number)))
+    _, labels = connected_components(links, directed=False)
+    found: dict[int, list[_Thing]] = defaultdict(list)
+    for thing, label in zip(things, labels.tolist(), strict=True):
+        found[label].append(thing)
+    return list(found.values())
 
 
 def _event_text(event: TileEvent) -> str:

@@ -19,16 +19,15 @@ from nonsmooth.runtime.proof.boxes.refusals import BoxRefusals
 from nonsmooth.runtime.proof.boxes.tile_event import TileEvent, event_on
 from nonsmooth.runtime.proof.boxes.tile_places import Place
 from nonsmooth.runtime.proof.exact_tables import rational_of
-from nonsmooth.runtime.proof.krawczyk import joined, newton
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
+from nonsmooth.runtime.proof.refusals import asking
 
 if TYPE_CHECKING:
-    from flint import arb
+    from flint import arb, fmpq
 
 __all__ = ["Anchor", "TileProof", "is_same", "prove"]
 
 _LOWEST, _SHARP = 2, 6
-_ROUGH = 50  # bits of the orbit in the middle of a tile
 
 
 class Anchor(NamedTuple):
@@ -75,15 +74,14 @@ def prove(
     """
     order = _LOWEST if rough else _SHARP if sharp else 0
     with flint_precision(BITS):
-        middle = region.equations(region.tables.number_at(_balls(place.middle(region.box))))
-        point = newton(lambda: middle, anchor.numbers, _ROUGH)
-        if point is None:
-            return TileProof("Newton's method finds no orbit in the middle")
+        middle = _exactly(place.middle(region.box))
         try:
-            found, orbit = judge.judged(place, [float(x) for x in point], order)
+            with asking():
+                point = judge.box.near(middle, anchor.numbers)
+                found, orbit = judge.box.judged(place.steps, [float(x) for x in point], order)
         except NotCovered as reason:
             return TileProof(str(reason))
-        if not is_same(region, found, anchor):
+        if not is_same(judge, found, anchor):
             return TileProof("another orbit may have been found")
         proof = TileProof("", found, rough=rough)
         if sharp and not proof.decided:
@@ -91,17 +89,15 @@ def prove(
         return proof
 
 
-def is_same(region: Region, found: MapTile, anchor: Anchor) -> bool:
-    """Whether a tile's orbit is proved to be the one that is known at a point of it.
+def is_same(judge: BoxRefusals, found: MapTile, anchor: Anchor) -> bool:
+    """Whether a tile has the orbit that is known at a point of it, about.
 
-    `Failure` if the tile has no orbit there.
+    `NotCovered` if Newton's method finds no orbit there.
     """
-    number = region.tables.number_at(_balls(anchor.point))
-    own = found.at(found.inside([rational_of(x) for x in anchor.point]))
-    return joined(region.equations(number), own, anchor.numbers)
+    point = _exactly(anchor.point)
+    with asking():
+        return found.holds(found.inside(point), judge.box.near(point, anchor.numbers))
 
 
-def _balls(point: Sequence[Fraction]) -> list[arb]:
-    from flint import arb
-
-    return [arb(rational_of(x)) for x in point]
+def _exactly(point: Sequence[Fraction]) -> list[fmpq]:
+    return [rational_of(x) for x in point]

@@ -14,7 +14,7 @@ import numpy as np
 from flint import arb
 
 from nonsmooth.runtime.checker.divided import Band, DividingCurve
-from nonsmooth.runtime.checker.exact import Failure
+from nonsmooth.runtime.checker.exact import Failure, demand
 from nonsmooth.runtime.checker.folded import BEYOND
 from nonsmooth.runtime.checker.motion import Border, time_of_touch
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
@@ -22,19 +22,29 @@ from nonsmooth.runtime.checker.stability import MULTIPLIERS, characteristic, pas
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import FromOne, Ordinal, Several, one_of
 from nonsmooth.runtime.core.taylor_models import TaylorModel, middle_of, range_of
+from nonsmooth.runtime.proof.exact_tables import rational_of
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
+from nonsmooth.runtime.proof.refusals import asking
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.checker.tiles import MapTile
     from nonsmooth.runtime.proof.boxes.refusals import BoxRefusals
 
-__all__ = ["BEYOND", "Events", "Fold", "Instant", "Side", "TileEvent", "event_on"]
+__all__ = [
+    "BEYOND",
+    "Events",
+    "Fold",
+    "Instant",
+    "Side",
+    "TileEvent",
+    "event_on",
+    "touching_window",
+]
 
 _PLANE = 2  # parameters of a box with curves, and the fewest coefficients of one
 _FARTHEST = 3.0  # of a curve from the middle of its tile; half of the tile is 1
 _STEPS = 12
-_TIMES = 128  # of a phase, at which a function is looked at
-_SHARE = 0.5  # of the time from a maximum to where the function is not concave
+_TIMES = 256  # of a phase, at which a function is looked at
 
 
 _OTHERS = ("proved", "unstable", "not admissible")
@@ -116,10 +126,13 @@ def event_on(judge: BoxRefusals, tile: MapTile, orbit: CheckedOrbit) -> TileEven
     `orbit` is the tile's, in Taylor models.
     """
     try:
-        curve = _proposed(tile, orbit)
-        if curve is None:
+        proposed = _proposed(tile, orbit)
+        if proposed is None:
             return None
-        found = judge.divided(tile, orbit, curve)
+        curve, window = proposed
+        with asking():
+            found = tile.divide(orbit, curve)
+            judge.box.check_divisors()
     except (Failure, NotCovered):
         return None
     assert found.band is not None
@@ -130,7 +143,7 @@ def event_on(judge: BoxRefusals, tile: MapTile, orbit: CheckedOrbit) -> TileEven
         configuration=found.phases(orbit),
         boundary=first.boundary if first else "",
         instant=first.instant if first else "",
-        window=tuple(Fraction(float(x)) for x in curve.window or ()),
+        window=window,
         also=tuple((b.kind, b.phase, b.boundary, b.instant) for b in curve.borders[1:]),
         band=found.band,
         below=found.beside[0],
@@ -139,14 +152,18 @@ def event_on(judge: BoxRefusals, tile: MapTile, orbit: CheckedOrbit) -> TileEven
     )
 
 
-def _proposed(tile: MapTile, orbit: CheckedOrbit) -> DividingCurve | None:
-    """The event that its verdicts leave open, and its curve, about; None if there is no such one.
+def _proposed(
+    tile: MapTile, orbit: CheckedOrbit
+) -> tuple[DividingCurve, tuple[Fraction, ...]] | None:
+    """The event that its verdicts leave open, its curve, about, and the window of a grazing.
 
+    None if there is no such one.
     `Failure` as from what the checker knows of the orbit.
     """
     admissible, stable = (tile.verdicts[name] for name in ("admissibility", "stability"))
     borders: tuple[Border, ...] = ()
-    window: tuple[Any, Any] | None = None
+    window: tuple[Fraction, ...] = ()
+    times: Any = None
     if (admissible.claim, stable.claim) == ("proved", "undecided"):
         kind = _open_kind(orbit)
         number = passing(characteristic(orbit.section), kind) if kind else None
@@ -155,9 +172,10 @@ def _proposed(tile: MapTile, orbit: CheckedOrbit) -> DividingCurve | None:
         borders = tuple(sorted(admissible.found, key=lambda b: b.kind != "vanishing-phase"))
         for border in borders:
             if border.kind == "grazing":
-                window = _window(orbit, border)
+                window = touching_window(orbit, border)
         kind = borders[0].kind
-        time = time_of_touch(orbit, borders[0], window) if kind == "grazing" else None
+        times = tuple(arb(rational_of(x)) for x in window) or None
+        time = time_of_touch(orbit, borders[0], times) if kind == "grazing" else None
         number = borders[0].number(orbit, time)
     else:
         return None
@@ -166,7 +184,9 @@ def _proposed(tile: MapTile, orbit: CheckedOrbit) -> DividingCurve | None:
     rates = [abs(_coefficient(number, axis)) for axis in (0, 1)]
     axis = int(rates[1] > rates[0])
     centre = _curve(number, axis)
-    return None if centre is None else DividingCurve(kind, borders, window, axis, centre)
+    if centre is None:
+        return None
+    return DividingCurve(kind, borders, times, axis, centre), window
 
 
 def _open_kind(orbit: CheckedOrbit) -> str:
@@ -180,32 +200,31 @@ def _open_kind(orbit: CheckedOrbit) -> str:
     return left[0] if len(left) == 1 and left != ["fold"] else ""
 
 
-def _window(orbit: CheckedOrbit, border: Border) -> tuple[Any, Any] | None:
-    """Two times about the largest maximum of a boundary function inside a phase, if there is one.
+def touching_window(orbit: CheckedOrbit, border: Border) -> tuple[Fraction, Fraction]:
+    """Return times about the highest maximum of a boundary function inside its phase.
 
-    In the middle of the parameters the function is concave between them.
+    Each is half as far from it as the times at which the function ceases to be concave, in the
+    middle of the parameters. `Failure` is raised if there is no maximum.
     """
-    field, state, length = (
-        middle_of(x[border.phase]) for x in (orbit.chain.fields, orbit.now.starts, orbit.dwell)
-    )
+    field, state = (middle_of(x[border.phase]) for x in (orbit.chain.fields, orbit.now.starts))
+    time = middle_of(orbit.dwell[border.phase]) / _TIMES
     row = middle_of(orbit.numbers([border.watched(orbit).row]))
-    step = (field * (length / _TIMES)).exp()
+    step, rates = (field * time).exp().mid(), (row * field * field).mid()
     values, bends = [], []
     for _ in range(_TIMES + 1):
-        values.append(float((row * state)[0, 0]))
-        bends.append(float((row * (field * (field * state)))[0, 0]))
+        values.append(float((row * state)[0, 0].mid()))
+        bends.append(float((rates * state)[0, 0].mid()))
         state = (step * state).mid()
-    peaks = [k for k in range(1, _TIMES) if values[k - 1] < values[k] >= values[k + 1]]
-    if not peaks:
-        return None
-    peak = max(peaks, key=values.__getitem__)
-    ends = []
-    for way in (-1, 1):
-        end = peak
-        while 0 <= end + way <= _TIMES and bends[end + way] < 0:
-            end += way
-        ends.append(arb(float(length) * (peak + _SHARE * (end - peak)) / _TIMES))
-    return ends[0], ends[1]
+    inside = range(1, _TIMES)
+    tops = [k for k in inside if bends[k] < 0 and values[k] == max(values[k - 1 : k + 2])]
+    demand(tops, "no maximum inside of the phase is found")
+    top = first = last = max(tops, key=lambda k: values[k])
+    while first > 0 and bends[first] < 0:
+        first -= 1
+    while last < _TIMES and bends[last] < 0:
+        last += 1
+    begin, end = (Fraction(f"{float(time) * (top + k) / 2:.6g}") for k in (first, last))
+    return begin, end
 
 
 def _coefficient(number: TaylorModel, axis: int) -> float:

@@ -33,12 +33,14 @@ from nonsmooth.runtime.explore.continuation.next_itineraries import (
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, region_of
 from nonsmooth.runtime.proof.branch.certified_branch import BranchTile, OrbitBeyond
-from nonsmooth.runtime.proof.branch.stating import checked_curve, checked_tile, stated_branch
 from nonsmooth.runtime.proof.branch.tiles import (
     REFUSED,
+    checked_curve,
+    checked_tile,
     judged_tile,
     precision_of,
     proposed_tile,
+    stated_branch,
 )
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 

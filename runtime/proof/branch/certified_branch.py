@@ -9,10 +9,14 @@ from typing import Annotated, Any, ClassVar
 
 from nonsmooth.runtime.core.json_codec import Follows, FromOne, Told, named_as, one_of
 from nonsmooth.runtime.core.registry import Certified, registered
-from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.model.saved_system import KeptOrbitName
 from nonsmooth.runtime.proof.boxes.tile_event import Events, Instant, Side
-from nonsmooth.runtime.proof.certificate import Decided, Declaration, Stability, Stated, ball_of
+from nonsmooth.runtime.proof.certificate import (
+    Decided,
+    Stability,
+    Stated,
+    StatedOrbits,
+    ball_of,
+)
 
 __all__ = [
     "FINISHED",
@@ -220,7 +224,7 @@ class DrawnOverParameter(Certified):
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class CertifiedBranch(DrawnOverParameter):
+class CertifiedBranch(DrawnOverParameter, StatedOrbits):
     """What ball arithmetic proves of a branch over an interval of its parameter.
 
     The branch is the union of its tiles. In each there is exactly one orbit of the itinerary's
@@ -256,11 +260,6 @@ class CertifiedBranch(DrawnOverParameter):
 
     _drawn_by = "draw_certified_branch"
 
-    orbit: KeptOrbitName
-    system: str
-    parameters: Mapping[str, Value]
-    chosen: tuple[str, ...]
-    itinerary: tuple[tuple[str, str], ...]
     parameter: str
     interval: tuple[Fraction, Fraction]
     stability: Stability
@@ -268,8 +267,6 @@ class CertifiedBranch(DrawnOverParameter):
     tiles: tuple[BranchTile, ...] = field(repr=False)
     start: int
     ends: tuple[str, str]
-    declaration: Declaration = field(repr=False)
-    closing: Declaration = field(repr=False)
 
     @Told
     def events(self) -> tuple[BranchEvent, ...]:

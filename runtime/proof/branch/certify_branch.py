@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
 
@@ -12,8 +12,7 @@ from nonsmooth.runtime.checker.branch import check_joint, ending
 from nonsmooth.runtime.checker.branch_curve import CheckedCurve
 from nonsmooth.runtime.checker.branch_tile import BITS, SHARP, CheckedTile
 from nonsmooth.runtime.checker.parameters import independent
-from nonsmooth.runtime.core.errors import InputError, Interrupted
-from nonsmooth.runtime.core.result_files import check_same_question
+from nonsmooth.runtime.core.errors import InputError, check_integer
 from nonsmooth.runtime.core.values import as_value, flint_precision
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.orbits.orbit import Orbit
@@ -26,15 +25,14 @@ from nonsmooth.runtime.proof.boxes.orbit_over_box import (
 from nonsmooth.runtime.proof.branch.beyond_border import BordersOfBranch
 from nonsmooth.runtime.proof.branch.certified_branch import BranchTile, CertifiedBranch
 from nonsmooth.runtime.proof.branch.march import BranchStep, MarchPlace, march, place_behind
-from nonsmooth.runtime.proof.branch.stating import checked_curve, checked_tile, stated_branch
-from nonsmooth.runtime.proof.branch.tiles import REFUSED
+from nonsmooth.runtime.proof.branch.tiles import REFUSED, checked_curve, checked_tile, stated_branch
 from nonsmooth.runtime.proof.exact_tables import rational_of
+from nonsmooth.runtime.proof.kept_state import KeptState
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 
 __all__ = ["MOST_TILES", "certify_branch"]
 
 MOST_TILES = 2000
-_EVERY = 10.0  # seconds between states that are kept
 _NO_STATE = "the state to resume is not one of this branch"
 _NEAR = 1e-5  # how far the orbit may be from the numbers that were given, in their own size
 
@@ -102,8 +100,7 @@ def certify_branch(
     """
     if not isinstance(branch, Branch):
         raise InputError(f"{branch!r} is no branch, such as continue_orbit gives")
-    if isinstance(tiles, bool) or not isinstance(tiles, int) or tiles < 1:
-        raise InputError(f"tiles = {tiles!r} is not a positive integer")
+    check_integer("tiles", tiles, 1)
     if not seconds > 0:
         raise InputError(f"seconds = {seconds!r} is not a positive number")
     if not isinstance(resume, CertifiedBranch | None):
@@ -123,27 +120,23 @@ def certify_branch(
         found = stated_branch(orbit, box, (), None)
         found = replace(found, ends=(str(reason),) * 2)
         if resume is not None:
-            _check_same(found, resume)
+            found.check_same(resume, "parameter", "interval")
         return found
     if resume is not None:
-        _check_same(empty, resume)
+        empty.check_same(resume, "parameter", "interval")
     work = _Following(curve, begin, resume or empty, branch)
-    kept = begun = time.monotonic()
-    try:
+    until = time.monotonic() + seconds
+    with KeptState(lambda: work.state, keep) as state:
         steps = work.steps()
         while len(work.state.tiles) < tiles and next(steps, None) is not None:
             progress(work.share, len(work.state.tiles))
-            if keep is not None and time.monotonic() - kept > _EVERY:
-                keep(work.state)
-                kept = time.monotonic()
-            if time.monotonic() - begun > seconds:
+            state.step()
+            if time.monotonic() > until:
                 break
         if beyond:
             borders = BordersOfBranch(content, curve, branch, orbit)
             for place, tile in enumerate(work.state.tiles):
                 work.put(place, borders.with_beyond(tile))
-    except KeyboardInterrupt:
-        raise Interrupted(work.state) from None
     return work.state
 
 
@@ -260,16 +253,3 @@ def _begin(curve: CheckedCurve, region: Region) -> MarchPlace:
             raise NotCovered("Newton's method leaves the orbit that was given")
     slopes = [0.0] * curve.last + [1.0]
     return MarchPlace(curve.last, region.at[0], True, found, slopes)
-
-
-def _check_same(wanted: CertifiedBranch, found: CertifiedBranch) -> None:
-    """Refuse to go on with another orbit's branch, or over another interval."""
-    names: Sequence[str] = (
-        "orbit", "itinerary", "parameter", "interval", "chosen", *wanted.parameters,
-        "declaration", "closing",
-    )  # fmt: skip
-    asked, known = (
-        {**vars(each), **each.parameters, "orbit": each.orbit.removeprefix(each.system)}
-        for each in (wanted, found)
-    )
-    check_same_question("state", {name: asked[name] for name in names}, known)

@@ -9,34 +9,50 @@ along the tile that happens.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from nonsmooth.runtime.checker.branch import curve_of
 from nonsmooth.runtime.checker.branch_curve import CheckedCurve, with_entry
 from nonsmooth.runtime.checker.branch_tile import BITS, ORDER, SHARP, CheckedTile
 from nonsmooth.runtime.checker.exact import Failure, Verdict, demand
 from nonsmooth.runtime.checker.motion import Border, admissibility
-from nonsmooth.runtime.checker.orbit import CheckedOrbit
+from nonsmooth.runtime.checker.orbit import CheckedOrbit, followed
 from nonsmooth.runtime.checker.stability import demand_alone
 from nonsmooth.runtime.core.json_codec import encode
-from nonsmooth.runtime.core.taylor_models import TaylorModel, middle_of, range_of, space_of
+from nonsmooth.runtime.core.taylor_models import TaylorModel, range_of, space_of
 from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, stated_orbits
+from nonsmooth.runtime.proof.boxes.tile_event import touching_window
+from nonsmooth.runtime.proof.boxes.tile_places import Interval
 from nonsmooth.runtime.proof.branch.certified_branch import (
     STATED,
     UNDECIDED,
     BranchEvent,
     BranchTile,
+    CertifiedBranch,
 )
-from nonsmooth.runtime.proof.certificate import Stated
+from nonsmooth.runtime.proof.certificate import Stated, file_json
 from nonsmooth.runtime.proof.exact_tables import rational_of
-from nonsmooth.runtime.proof.refusals import as_read
+from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
+from nonsmooth.runtime.proof.refusals import as_read, refusal
 
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["REFUSED", "JudgedTile", "judged_tile", "precision_of", "proposed_tile"]
+__all__ = [
+    "REFUSED",
+    "JudgedTile",
+    "checked_curve",
+    "checked_tile",
+    "judged_tile",
+    "precision_of",
+    "proposed_tile",
+    "stated_branch",
+]
 
 # what the checker raises where something is not proved, or beyond what can be enclosed
 REFUSED = (Failure, ArithmeticError, ValueError)
@@ -48,7 +64,6 @@ _LEAST = 2.0**-50  # radius of a tube
 _CLOSE, _STEPS = 120, 16  # bits of a tile to which an event is found, in so many steps
 _DIGITS = 33  # of the bounds of an event, in the size of its tile
 _DEEPEST = 0  # halvings of a tile for its claims: smaller tiles cost less
-_SAMPLES = 256  # times of a phase at which its boundary functions are looked at
 
 
 class JudgedTile(NamedTuple):
@@ -115,28 +130,20 @@ def _tube(
 
     lower, upper = ends
     middle, half = (arb(rational_of(x)) for x in ((lower + upper) / 2, (upper - lower) / 2))
-    found: list[Any] = curve.near(place, middle.mid(), guess)
-    demand(all(x.is_finite() for x in found), "Newton's method finds no orbit in the middle")
-    inverse: Any = None
-    least = arb(_LEAST)
-    for order in (*_ORDERS, ORDER):
+    value = space_of(1, ORDER).variable(0, middle, half)
+
+    def cut_to(order: int) -> Callable[[Any], Any]:
         space = space_of(1, order)
-        value = space.variable(0, middle, half)
-        found = [x.cast(space) if isinstance(x, TaylorModel) else space.constant(x) for x in found]
-        point = with_entry(place, value, found)
-        if order == ORDER:
-            values = curve.orbit(point).now.values
-            inverse = inverse.cast(space)
-        else:
-            values, square = curve.square(place, point)
-            try:
-                inverse = square.mid().inv().mid()
-            except ZeroDivisionError:
-                raise Failure("the equations are singular in the middle") from None
-        step = (inverse * values).entries()
-        found = [(x - d).mid() for x, d in zip(found, step, strict=True)]
-    missed = (inverse * curve.orbit(with_entry(place, value, found)).now.values).entries()
-    radii = [float((2 * abs(range_of(d)) + least).upper()) for d in missed]
+        return lambda x: x.cast(space) if isinstance(x, TaylorModel) else space.constant(x)
+
+    def at(cut: Callable[[Any], Any], others: Sequence[Any], slopes: bool) -> tuple[Any, Any]:
+        point = with_entry(place, cut(value), others)
+        return curve.square(place, point) if slopes else (curve.orbit(point).now.values, None)
+
+    near = curve.near(place, middle.mid(), guess)
+    found, inverse = followed(at, near, [cut_to(order) for order in (*_ORDERS, ORDER)])
+    values = curve.orbit(with_entry(place, value, found)).now.values
+    radii = [float((2 * abs(range_of(d)) + _LEAST).upper()) for d in (inverse * values).entries()]
     demand(all(map(math.isfinite, radii)), "Newton's method finds no orbits")
     rows = tuple(tuple(0.0 if p is None else float(p) for p in x.parts) for x in found)
     return rows, tuple(radii)
@@ -226,7 +233,7 @@ def _border(tile: CheckedTile, orbit: CheckedOrbit, told: Verdict, *, turns: boo
         opened += more
         grazing = [border for border in opened if border.kind == "grazing"]
         demand(len(grazing) <= 1, "several maxima touch a boundary at once")
-        window = _window(orbit, grazing[0]) if grazing else ()
+        window = touching_window(orbit, grazing[0]) if grazing else ()
         told = admissibility(orbit, opened, _balls(window))
     demand(told.claim == "proved", told.reason)
     # a phase that vanishes ends where the one before it does; of a boundary that is reached
@@ -319,28 +326,39 @@ def _fraction(number: arb) -> Fraction:
     return Fraction(mantissa) * Fraction(2) ** exponent
 
 
-def _window(orbit: CheckedOrbit, border: Border) -> tuple[Fraction, Fraction]:
-    """Return times about the highest maximum of a boundary function inside its phase.
+def stated_branch(
+    orbit: Orbit, box: Mapping[str, Interval], chosen: tuple[str, ...], region: Region | None
+) -> CertifiedBranch:
+    """Return a branch of which nothing is proved yet.
 
-    Each is half as far from it as the times at which the function ceases to be concave, in the
-    middle of the tile.
+    `box` has the ends of its one parameter, `chosen` the parameters that were chosen because the
+    orbit leaves them open. `region` is None where the branch's orbits are not covered.
     """
-    field, state = (middle_of(x[border.phase]) for x in (orbit.chain.fields, orbit.now.starts))
-    time = middle_of(orbit.dwell[border.phase]) / _SAMPLES
-    row = middle_of(orbit.numbers([border.watched(orbit).row]))
-    step, rates = (field * time).exp().mid(), (row * field * field).mid()
-    values, bends = [], []
-    for _ in range(_SAMPLES + 1):
-        values.append(float((row * state)[0, 0].mid()))
-        bends.append(float((rates * state)[0, 0].mid()))
-        state = (step * state).mid()
-    inside = range(1, _SAMPLES)
-    tops = [k for k in inside if bends[k] < 0 and values[k] == max(values[k - 1 : k + 2])]
-    demand(tops, "no maximum inside of the phase is found")
-    top = first = last = max(tops, key=lambda k: values[k])
-    while first > 0 and bends[first] < 0:
-        first -= 1
-    while last < _SAMPLES and bends[last] < 0:
-        last += 1
-    begin, end = (Fraction(f"{float(time) * (top + k) / 2:.6g}") for k in (first, last))
-    return begin, end
+    ((parameter, interval),) = box.items()
+    return CertifiedBranch(
+        **stated_orbits(orbit, box, chosen, region),
+        parameter=parameter,
+        interval=interval,
+        stability="stable" if region is None else region.closing.stability,
+        unknown_names=() if region is None else region.subject.unknown_names,
+        tiles=(),
+        start=0,
+        ends=("", ""),
+    )
+
+
+def checked_curve(branch: CertifiedBranch) -> tuple[dict[str, Any], CheckedCurve]:
+    """Return a branch's entries without its tiles, as the checker reads them, and its equations.
+
+    `NotCovered` if the checker refuses them.
+    """
+    content = as_read(file_json(replace(branch, tiles=())))
+    found: list[CheckedCurve] = []
+    if reason := refusal(lambda: found.append(curve_of(content))):
+        raise NotCovered(reason)
+    return content, found[0]
+
+
+def checked_tile(curve: CheckedCurve, tile: BranchTile) -> CheckedTile:
+    """Return a tile that is stated as the checker knows it."""
+    return CheckedTile(curve, as_read(encode(tile)))

@@ -8,7 +8,7 @@ from typing import Any
 
 from nonsmooth.runtime.checker.chaos import StretchedSets, check_entropy
 from nonsmooth.runtime.checker.exact import Failure
-from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.core.errors import InputError, Interrupted, check_integer
 from nonsmooth.runtime.core.json_codec import encode
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.boundary_sets import members_of
@@ -22,11 +22,11 @@ from nonsmooth.runtime.proof.chaos.h_sets import HSet, outline
 from nonsmooth.runtime.proof.chaos.search import Horseshoe, candidates, orbits_on
 from nonsmooth.runtime.proof.chaos.section_choice import sampled_sections
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
+from nonsmooth.runtime.proof.sets.section_record import named_way, stated_section
 from nonsmooth.runtime.proof.sets.sections import MapSection
 from nonsmooth.runtime.proof.sets.visited_declaration import (
     PassedTransition,
     refused_as_failure,
-    section_entries,
     visited_declaration,
 )
 from nonsmooth.runtime.simulation.simulate import simulate_one
@@ -119,8 +119,7 @@ def certify_chaos(
         ("parts", parts, 16, 1_000_000),
         ("bits", bits, _FEWEST_BITS, _MOST_BITS),
     ):
-        if isinstance(number, bool) or not isinstance(number, int) or not least <= number <= most:
-            raise InputError(f"{name} = {number!r} is not an integer from {least} to {most}")
+        check_integer(name, number, least, most)
     kernels = kernels_of(system)
     at = enclosed_system(kernels, parameters)
     motion = simulate_one(kernels, parameters, start, configuration, transitions=1)
@@ -211,7 +210,7 @@ class _ChaosQuestion:
             edges = [(i, j) for i, j in edges if i != k or names[j] in found.targets]
             if growth(len(names), edges)[0] <= 1:
                 raise Failure(f"{name}: {next(iter(found.reasons.values()), 'no set is covered')}")
-        bound, kept, _ = growth(len(names), edges)
+        bound, kept = growth(len(names), edges)
         h_sets = [candidate.h_sets[k] for k in kept]
         proved = replace(
             self._certificate(section, candidate.iterates, h_sets, [ways[k] for k in kept]),
@@ -257,40 +256,23 @@ class _ChaosQuestion:
         ways: Sequence[Sequence[tuple[int, int, int]]],
     ) -> ChaosCertificate:
         """The certificate of sets and ways of which nothing is proved."""
-        names = self.system.structure.configurations
-        passed = [
-            [
-                PassedTransition(source, tuple(members_of(mask)), target)
-                for source, mask, target in way
-            ]
+        passages = [
+            PassedTransition(source, tuple(members_of(mask)), target)
             for way in ways
+            for source, mask, target in way
         ]
-        itineraries = {
-            own.name: tuple(
-                (names[p.source], _joined(self.system, p.source, p.boundaries), names[p.target])
-                for p in way
-            )
-            for own, way in zip(sets, passed, strict=True)
-        }
-        passages = [p for way in passed for p in way]
         if section.phase is None:
             reached = tuple(sorted(section.boundaries))
             passages.append(PassedTransition(section.source, reached, section.configuration))
-        source, boundary = "", ""
-        if section.phase is None:
-            source = names[section.source]
-            boundary = _joined(self.system, section.source, tuple(sorted(section.boundaries)))
         return replace(
             self.undecided(),
             reason="",
-            configuration=names[section.configuration],
-            phase=() if section.phase is None else tuple(map(str, section.phase)),
-            source=source,
-            boundary=boundary,
-            coordinates=tuple(self.system.structure.states[k] for k in section.free),
+            **stated_section(self.system, section),
             iterates=iterates,
             h_sets=tuple(sets),
-            itineraries=itineraries,
+            itineraries={
+                own.name: named_way(self.system, way) for own, way in zip(sets, ways, strict=True)
+            },
             declaration=visited_declaration(self.kernels, self.system, passages),
         )
 
@@ -323,7 +305,7 @@ class _ChaosQuestion:
 def _entries(found: ChaosCertificate) -> dict[str, Any]:
     """What the checker takes of a certificate, as its file states it."""
     more = ("iterates", "coordinates", "itineraries", "coverings", "growth", "entropy")
-    told = section_entries(found, *more)
+    told = found.entries(*more)
     return {**told, "h_sets": [encode(own) for own in found.h_sets]}
 
 

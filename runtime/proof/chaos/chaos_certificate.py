@@ -8,14 +8,13 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.errors import InputError, check_integer
 from nonsmooth.runtime.core.json_codec import UNSTATED, Exact
-from nonsmooth.runtime.core.registry import Certified, registered
-from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.model.saved_system import KeptSystemName
-from nonsmooth.runtime.proof.certificate import Decided, Declaration
+from nonsmooth.runtime.core.registry import registered
+from nonsmooth.runtime.proof.certificate import Decided
 from nonsmooth.runtime.proof.chaos.cone_conditions import ConeCondition
 from nonsmooth.runtime.proof.chaos.h_sets import HSet
+from nonsmooth.runtime.proof.sets.section_record import StatedSection
 
 __all__ = ["ChaosCertificate"]
 
@@ -23,7 +22,7 @@ _MOST_STEPS = 512  # of a word
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class ChaosCertificate(Certified):
+class ChaosCertificate(StatedSection):
     """Symbolic dynamics of a system at one parameter point, proved by covering relations.
 
     P is the map from a section to itself: over one period of the forcing, or from one passage
@@ -78,15 +77,8 @@ class ChaosCertificate(Certified):
         claimed.
     """
 
-    system: KeptSystemName
-    parameters: Mapping[str, Value]
     claim: Decided
     reason: str
-    configuration: str
-    phase: tuple[Exact, ...]
-    source: str
-    boundary: str
-    coordinates: tuple[str, ...]
     iterates: int
     h_sets: tuple[HSet, ...]
     coverings: tuple[tuple[str, str], ...]
@@ -98,7 +90,6 @@ class ChaosCertificate(Certified):
     parts: int = field(repr=False)
     tried: tuple[str, ...] = field(repr=False)
     bits: int
-    declaration: Declaration = field(repr=False)
 
     @property
     def proved(self) -> bool:
@@ -142,7 +133,7 @@ class ChaosCertificate(Certified):
         InputError
             For another number of steps.
         """
-        _check_steps(steps)
+        check_integer("steps", steps, 1, _MOST_STEPS)
         matrix = self.matrix.astype(object)
         power = matrix
         for _ in range(steps - 1):
@@ -167,7 +158,7 @@ class ChaosCertificate(Certified):
         InputError
             For another number of steps than 1 to 512, or more than 100000 walks.
         """
-        _check_steps(steps)
+        check_integer("steps", steps, 1, _MOST_STEPS)
         if self.matrix.any() and self.periodic_points(steps) > 100_000:
             raise InputError(f"there are more than 100000 words of {steps} steps")
         ahead: dict[str, list[str]] = {}
@@ -200,11 +191,6 @@ class ChaosCertificate(Certified):
             Without matplotlib: ``pip install "nonsmooth[plot]"``.
         """
         return registered("draw_chaos")(self, axes)
-
-
-def _check_steps(steps: object) -> None:
-    if isinstance(steps, bool) or not isinstance(steps, int) or not 1 <= steps <= _MOST_STEPS:
-        raise InputError(f"steps = {steps!r} is not an integer from 1 to {_MOST_STEPS}")
 
 
 def _first(word: Sequence[str]) -> bool:

@@ -31,7 +31,7 @@ from nonsmooth.runtime.checker.exact import Failure, exact
 from nonsmooth.runtime.core.json_codec import Exact
 from nonsmooth.runtime.proof.chaos.entropy import logarithm_below
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
-from nonsmooth.runtime.proof.chaos.h_sets import HSet
+from nonsmooth.runtime.proof.chaos.h_sets import HSet, grid_in_cube
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.checker.cones import Matrix
@@ -118,8 +118,7 @@ def _strips(
     """For each covering a box around the samples of the first set that come to the second."""
     near = {own.name: own.near for own in h_sets}
     size = len(h_sets[0].centre)
-    axes = [np.linspace(-1, 1, _LINE), *[np.linspace(-1, 1, _ACROSS)] * (size - 1)]
-    samples = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, size)
+    samples = grid_in_cube(size, _LINE, _ACROSS)
     images = {}
     for name in {name for name, _ in edges}:
         centre, sides = near[name]

@@ -20,7 +20,7 @@ from nonsmooth.runtime.core.json_codec import Exact
 if TYPE_CHECKING:
     from nonsmooth.runtime.checker.sets import StateSet
 
-__all__ = ["HSet", "decimal_set", "outline"]
+__all__ = ["HSet", "decimal_set", "grid_in_cube", "outline"]
 
 
 @dataclass(frozen=True)
@@ -47,6 +47,12 @@ class HSet:
         if len(centre) == 2:
             signs = signs[[0, 1, 3, 2]]
         return np.asarray(centre + signs @ sides.T)
+
+
+def grid_in_cube(size: int, line: int, across: int) -> np.ndarray:
+    """Points (n, size) of [-1, 1]^size: `line` along the first axis, `across` along each other."""
+    axes = [np.linspace(-1, 1, line), *[np.linspace(-1, 1, across)] * (size - 1)]
+    return np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, size)
 
 
 def decimal_set(name: str, centre: Sequence[float], sides: np.ndarray, digits: int = 7) -> HSet:

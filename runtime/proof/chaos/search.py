@@ -21,7 +21,7 @@ import numpy as np
 
 from nonsmooth.runtime.proof.chaos.entropy import growth
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
-from nonsmooth.runtime.proof.chaos.h_sets import HSet, decimal_set
+from nonsmooth.runtime.proof.chaos.h_sets import HSet, decimal_set, grid_in_cube
 
 __all__ = ["Horseshoe", "StretchedOrbits", "candidates", "orbits_on"]
 
@@ -146,7 +146,7 @@ def _candidate(
 ) -> Horseshoe | None:
     """The sets of a graph with a spectral radius above 1, in the section's own units; else None."""
     edges = [(int(i), int(j)) for i, j in np.argwhere(covers)]
-    bound, kept, _ = growth(len(centres), edges)
+    bound, kept = growth(len(centres), edges)
     if bound <= 1:
         return None
     sets = tuple(
@@ -200,8 +200,7 @@ def _covers(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Which sets seem to cover which (n, n) by samples, and how unevenly each stretches (n,)."""
     count, size = centres.shape
-    axes = [np.linspace(-1, 1, line), *[np.linspace(-1, 1, across)] * (size - 1)]
-    grid = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, size)
+    grid = grid_in_cube(size, line, across)
     now = (centres[:, None] + grid @ frames.transpose(0, 2, 1)).reshape(-1, size)
     whole = np.ones(count, dtype=bool)
     for _ in range(iterates):

@@ -8,14 +8,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.model.boundary_sets import members_of
 from nonsmooth.runtime.model.engine_run import Run
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
 from nonsmooth.runtime.proof.sets.sections import (
     MapSection,
+    angle_of,
     forcing_section,
     phases,
     sections_behind,
+    ways_of,
 )
 from nonsmooth.runtime.simulation.simulate import follow
 from nonsmooth.runtime.simulation.trajectory import Trajectory
@@ -63,10 +64,7 @@ def _forced(system: EnclosedSystem, motion: Trajectory) -> Iterator[Sampled]:
     start = np.arctan2(motion.states[0, s], motion.states[0, c])
     found = []
     for phase in phases(_PHASES):
-        angle = np.arctan2(
-            float(phase[1].p) / float(phase[1].q), float(phase[0].p) / float(phase[0].q)
-        )
-        first = ((angle - start) / speed) % period
+        first = ((angle_of(phase) - start) / speed) % period
         times = first + period * np.arange(_TRANSIENT, _PERIODS)
         states, where = long(times), np.array(long.configuration(times))
         names, counts = np.unique(where, return_counts=True)
@@ -88,15 +86,8 @@ def _forced(system: EnclosedSystem, motion: Trajectory) -> Iterator[Sampled]:
 def _passed(system: EnclosedSystem, motion: Trajectory) -> Iterator[Sampled]:
     start, first = motion.states[0], int(motion.run.configurations[0])
     run = follow(motion.system, start, first, transitions=_TRANSITIONS)
-    entries = range(len(run.times) // 2, len(run.times))
-    ways = [
-        (
-            int(run.configurations[e - 1]),
-            frozenset(members_of(int(run.sets[e]))),
-            int(run.configurations[e]),
-        )
-        for e in entries
-    ]
+    half = len(run.times) // 2
+    ways = ways_of(run, half)
     counts = {way: count for way, count in Counter(ways).items() if count >= _FEWEST}
     sections = sections_behind(system, [*counts])
     found = sorted(
@@ -104,7 +95,7 @@ def _passed(system: EnclosedSystem, motion: Trajectory) -> Iterator[Sampled]:
         key=lambda way: (len(sections[way].free), -counts[way], way[0], way[2], min(way[1])),
     )
     for way in found[:_TRIED]:
-        places = [e for e, other in zip(entries, ways, strict=True) if other == way]
+        places = [e for e, other in enumerate(ways, half) if other == way]
         yield _sampled(sections[way], run.states[places], run)
 
 

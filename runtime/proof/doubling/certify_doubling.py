@@ -14,7 +14,7 @@ from nonsmooth.runtime.checker.branch_curve import CheckedCurve
 from nonsmooth.runtime.checker.branch_tile import CheckedTile
 from nonsmooth.runtime.checker.doubling import JudgedDoubling, twofold
 from nonsmooth.runtime.checker.exact import Failure
-from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.core.errors import InputError, Interrupted, check_integer
 from nonsmooth.runtime.core.values import as_value, flint_precision
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit
@@ -111,8 +111,7 @@ def certify_doubling(
     if not isinstance(branch, Branch):
         raise InputError(f"{branch!r} is no branch, such as continue_orbit gives")
     for name, count in (("flip", flip), ("tiles", tiles)):
-        if isinstance(count, bool) or not isinstance(count, int) or count < 1:
-            raise InputError(f"{name} = {count!r} is not a positive integer")
+        check_integer(name, count, 1)
     if not seconds > 0:
         raise InputError(f"seconds = {seconds!r} is not a positive number")
     if not isinstance(resume, CertifiedDoubling | None):

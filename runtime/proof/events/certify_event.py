@@ -8,29 +8,26 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, replace
 from fractions import Fraction
-from functools import partial
 from itertools import zip_longest
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.checker.events import JudgedEvent
 from nonsmooth.runtime.checker.exact import Failure
-from nonsmooth.runtime.core.errors import InputError, Interrupted
-from nonsmooth.runtime.core.values import Value, flint_precision
+from nonsmooth.runtime.core.errors import InputError, check_integer
+from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.event import Event
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.model.saved_system import same_system
 from nonsmooth.runtime.orbits.kernel_problem import chosen_parameters
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, given_of, region_of
+from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, region_of, stated_orbits
 from nonsmooth.runtime.proof.certificate import GUARD, Unknown, file_json
 from nonsmooth.runtime.proof.certify_orbit import FEWEST_BITS, MOST_BITS, stated
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
-from nonsmooth.runtime.proof.orbit_to_prove import (
-    NotCovered,
-    guess_of,
-    system_of,
-)
+from nonsmooth.runtime.proof.kept_state import KeptState
+from nonsmooth.runtime.proof.orbit_proposal import refined
+from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, guess_of
 from nonsmooth.runtime.proof.refusals import as_read
 from nonsmooth.runtime.proof.statement import decimals
 
@@ -39,8 +36,6 @@ if TYPE_CHECKING:
 
 __all__ = ["certify_event", "certify_events"]
 
-_ROUGH = 96  # bits of the first steps
-_STEPS = 5
 _NEIGHBOURS = 4
 _KNOWN = 1e-6  # residual of the orbit at the computed event
 # how far from the computed event it is still that, in units of the unknowns
@@ -88,8 +83,7 @@ def certify_event(branch: Branch, event: Event, bits: int = 128) -> EventCertifi
     >>> found.proved, abs(float(found.value) - flip.value) < 1e-9
     (True, True)
     """
-    if isinstance(bits, bool) or not isinstance(bits, int) or not FEWEST_BITS <= bits <= MOST_BITS:
-        raise InputError(f"bits = {bits!r} is not an integer from {FEWEST_BITS} to {MOST_BITS}")
+    check_integer("bits", bits, FEWEST_BITS, MOST_BITS)
     if not isinstance(branch, Branch) or not isinstance(event, Event):
         raise InputError("certify.event takes a branch and one of its events")
     if event not in branch.events:
@@ -127,12 +121,10 @@ def certify_events(
         if event is None or not _is_of(certificate, _undecided(branch, event, bits)):
             raise InputError("the events to resume are not those of this branch, to these bits")
     found = list(known)
-    try:
+    with KeptState(lambda: tuple(found), None):
         for event in branch.events[len(known) :]:
             found.append(certify_event(branch, event, bits))
             progress(len(found))
-    except KeyboardInterrupt:
-        raise Interrupted(tuple(found)) from None
     return tuple(found)
 
 
@@ -150,11 +142,7 @@ def _undecided(branch: Branch, event: Event, bits: int) -> EventCertificate:
     orbit = branch.orbit
     ends = event.kind == "tangent" and event.time
     return EventCertificate(
-        orbit=branch.name,
-        system=system_of(orbit),
-        parameters=_beside(orbit, event),
-        chosen=(),
-        itinerary=(),
+        **stated_orbits(orbit, [event.parameter], (), None) | {"orbit": branch.name},
         kind=event.kind,
         text=event.text,
         parameter=event.parameter,
@@ -167,8 +155,6 @@ def _undecided(branch: Branch, event: Event, bits: int) -> EventCertificate:
         enclosures={},
         box=(),
         bits=bits,
-        declaration={},
-        closing={},
     )
 
 
@@ -176,20 +162,8 @@ def _about(empty: EventCertificate, orbit: Orbit, event: Event, region: Region) 
     """Return the certificate with all that the equations are made from."""
     chosen = chosen_parameters(orbit)
     orbit = replace(orbit, opened={**orbit.opened, **chosen})
-    declaration, closing = region.statement(orbit)
-    return replace(
-        empty,
-        parameters=_beside(orbit, event),
-        chosen=tuple(chosen),
-        itinerary=region.cycle.itinerary,
-        declaration=declaration,
-        closing=closing,
-    )
-
-
-def _beside(orbit: Orbit, event: Event) -> dict[str, Value]:
-    """Return all that was given for an orbit, except for the branch's parameter."""
-    return {name: value for name, value in given_of(orbit).items() if name != event.parameter}
+    told = stated_orbits(orbit, [event.parameter], tuple(chosen), region)
+    return replace(empty, **told | {"orbit": empty.orbit})
 
 
 def _region(orbit: Orbit, event: Event) -> Region:
@@ -214,7 +188,7 @@ def _guess(region: Region, event: Event) -> list[arb]:
             dwell=[arb(known[name]) for name in subject.dwell_names],
         )
     value = arb(event.value)
-    guess = guess_of(subject, region.closing, partial(region.tables.near, values=[value]))
+    guess = guess_of(subject, region.tables, [value])
     time = [arb(float(event.time or 0.0))] if event.kind == "grazing" else []
     return [*guess, value, *time]
 
@@ -241,7 +215,7 @@ def _enclosed(
 
     judge, bits = JudgedEvent(as_read(file_json(about))), about.bits
     sizes = [abs(x).mid() if abs(x) > 2.0**-10 else arb(1) for x in guess]
-    point = _newton(judge, guess, sizes)
+    point = refined(judge.near, guess, bits + GUARD)
     near = [_ALIKE] * len(sizes)
     near[judge.place] = _NEAR
     if not all(
@@ -261,27 +235,3 @@ def _enclosed(
         except (Failure, ArithmeticError, ValueError) as problem:
             reason = f"the checker refuses it: {problem}"
     raise NotCovered(reason)
-
-
-def _newton(judge: JudgedEvent, guess: Sequence[arb], sizes: Sequence[arb]) -> list[arb]:
-    """Return a point near the root, by Newton's method; nothing is proved of it."""
-    from flint import arb, arb_mat
-
-    precisions = [judge.bits + GUARD]
-    while precisions[-1] > 2 * _ROUGH:
-        precisions.append(precisions[-1] // 2 + GUARD)
-    point = list(guess)
-    for precision in [*(_ROUGH,) * _STEPS, *reversed(precisions)]:
-        with flint_precision(precision):
-            radii = [size * arb(2) ** -(precision // 2) for size in sizes]
-            point = [x.mid() for x in point]
-            values = judge.equations(point, radii)
-            constants = arb_mat([[value.parts[0].mid()] for value in values])
-            slopes = arb_mat([[part or 0 for part in value.parts[1:]] for value in values])
-            try:
-                change = slopes.mid().solve(constants).entries()
-            except ZeroDivisionError:
-                raise NotCovered("the equations of the event are singular there") from None
-            moved = zip(point, radii, change, strict=True)
-            point = [x - (r * e).mid() for x, r, e in moved]
-    return point

@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import FromOne
-from nonsmooth.runtime.core.registry import Certified
-from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.model.saved_system import KeptOrbitName
 from nonsmooth.runtime.proof.boxes.tile_event import Instant
 from nonsmooth.runtime.proof.certificate import (
     Decided,
-    Declaration,
     Enclosures,
     Stated,
+    StatedOrbits,
     Unknown,
     precise,
 )
@@ -24,7 +21,7 @@ __all__ = ["EventCertificate", "EventCertificates", "events_claim"]
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class EventCertificate(Certified):
+class EventCertificate(StatedOrbits):
     """An event of a branch, enclosed by ball arithmetic.
 
     Attributes
@@ -58,11 +55,6 @@ class EventCertificate(Certified):
         As in a `BoxCertificate`, over the parameter and those that were given.
     """
 
-    orbit: KeptOrbitName
-    system: str
-    parameters: Mapping[str, Value]
-    chosen: tuple[str, ...]
-    itinerary: tuple[tuple[str, str], ...]
     kind: str
     text: str
     parameter: str
@@ -75,8 +67,6 @@ class EventCertificate(Certified):
     enclosures: Enclosures
     box: tuple[Unknown, ...]
     bits: int
-    declaration: Declaration = field(repr=False)
-    closing: Declaration = field(repr=False)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "enclosures", precise(self.enclosures, self.bits))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import closing
 from dataclasses import dataclass, field, replace
@@ -14,7 +13,7 @@ from numpy.typing import NDArray
 from nonsmooth.runtime.checker.graph import map_of_boxes, stays
 from nonsmooth.runtime.checker.many_sets import Arrivals
 from nonsmooth.runtime.core.box_grid import BoxGrid, DividedGrid
-from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.core.errors import InputError, check_integer
 from nonsmooth.runtime.core.float_sets import Floats, ManySets
 from nonsmooth.runtime.core.parallel import check_workers, in_processes
 from nonsmooth.runtime.core.result_files import check_same_question
@@ -25,11 +24,12 @@ from nonsmooth.runtime.model.saved_system import check_same_system
 from nonsmooth.runtime.proof.chaos.section_choice import Sampled, sampled_sections
 from nonsmooth.runtime.proof.graphs.box_graphs import BoxGraph
 from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
+from nonsmooth.runtime.proof.kept_state import KeptState
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
+from nonsmooth.runtime.proof.sets.section_record import stated_section
 from nonsmooth.runtime.proof.sets.visited_declaration import (
     listed_declaration,
     refused_as_input,
-    section_entries,
 )
 from nonsmooth.runtime.simulation.simulate import follow, simulate_one
 from nonsmooth.runtime.simulation.trajectory import Trajectory
@@ -47,7 +47,6 @@ _MOST_BOXES = 4_000_000
 _DEFAULT_BOXES = {1: 1024, 2: 96}  # by the number of coordinates
 _FEW_BOXES = 16  # with more coordinates
 _MOST_LEVELS = 24
-_EVERY = 10.0  # seconds between states that are kept
 
 
 def certify_graph(
@@ -151,8 +150,7 @@ def certify_graph(
         ("bits", bits, _FEWEST_BITS, _MOST_BITS),
         ("levels", levels, 0, _MOST_LEVELS),
     ):
-        if isinstance(number, bool) or not isinstance(number, int) or not least <= number <= most:
-            raise InputError(f"{name} = {number!r} is not an integer from {least} to {most}")
+        check_integer(name, number, least, most)
     check_workers(workers)
     kernels = kernels_of(system)
     at = enclosed_system(kernels, parameters)
@@ -178,7 +176,7 @@ def certify_graph(
                 most=max(parts, resume.most),
                 longest=max(transitions, resume.longest),
             )
-    question = section_entries(known, "widest", "most", "longest", "bits")
+    question = known.entries("widest", "most", "longest", "bits")
     with refused_as_input():
         return _BoxImages(question, known, workers, progress, keep).refined(levels)
 
@@ -203,12 +201,12 @@ class _BoxImages:
     workers: int
     progress: Callable[[int, int], object]
     keep: Callable[[GraphCertificate], object] | None
-    kept: float = field(default_factory=time.monotonic)
+    kept: KeptState[GraphCertificate] = field(init=False)
 
     def refined(self, levels: int) -> GraphCertificate:
         """The certificate after all unknown images are enclosed and boxes are divided."""
         graph, left = self.known.graph, np.flatnonzero(self.known.graph.unknown)
-        try:
+        with KeptState(lambda: self.known, self.keep) as self.kept:
             graph = self._seen(graph, left)
             while len(graph.grid.divided) <= levels:
                 coarse = graph.coarse
@@ -218,8 +216,6 @@ class _BoxImages:
                 graph, left = graph.halved(coarse)
                 self.known = replace(self.known, graph=graph)
                 graph = self._seen(graph, left)
-        except KeyboardInterrupt:
-            raise Interrupted(self.known) from None
         assert self.known.proved == stays(graph.found, graph.trapping, graph.labels, graph.ranks)
         return self.known
 
@@ -235,9 +231,7 @@ class _BoxImages:
                 self.known = replace(self.known, graph=graph)
                 done += len(numbers)
                 self.progress(done, len(left))
-                if self.keep is not None and time.monotonic() - self.kept > _EVERY:
-                    self.keep(self.known)
-                    self.kept = time.monotonic()
+                self.kept.step()
         return graph
 
 
@@ -278,17 +272,8 @@ def _certificate(
     kernels: SystemKernels, system: EnclosedSystem, sampled: Sampled, grid: BoxGrid, widest: Floats
 ) -> GraphCertificate:
     """The certificate of the question, with no image known yet."""
-    section, structure = sampled.section, system.structure
-    names = structure.configurations
-    shapes = structure.boundaries[section.source] if section.phase is None else ()
     return GraphCertificate(
-        system=structure.name,
-        parameters=system.values,
-        configuration=names[section.configuration],
-        phase=() if section.phase is None else tuple(map(str, section.phase)),
-        source=names[section.source] if section.phase is None else "",
-        boundary="+".join(sorted(shapes[b].name for b in section.boundaries)),
-        coordinates=tuple(structure.states[k] for k in section.free),
+        **stated_section(system, sampled.section),
         graph=BoxGraph.unseen(DividedGrid.of(grid)),
         widest=tuple(widest.tolist()),
         most=0,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Annotated, Any
 
@@ -10,13 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.json_codec import IN_FILES, Exact, Follows, Integers, Several, Told
-from nonsmooth.runtime.core.registry import Certified, registered
-from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.model.saved_system import KeptSystemName
-from nonsmooth.runtime.proof.certificate import Decided, Declaration
+from nonsmooth.runtime.core.json_codec import IN_FILES, Follows, Integers, Several, Told
+from nonsmooth.runtime.core.registry import registered
+from nonsmooth.runtime.proof.certificate import Decided
 from nonsmooth.runtime.proof.graphs.box_graphs import BoxGraph
 from nonsmooth.runtime.proof.graphs.graph_entries import GraphEntries, entries_of, graph_of
+from nonsmooth.runtime.proof.sets.section_record import StatedSection
 
 __all__ = ["Component", "GraphCertificate"]
 
@@ -33,7 +32,7 @@ class Component:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class GraphCertificate(Certified):
+class GraphCertificate(StatedSection):
     """A rigorous outer approximation of a section's map on a region, at one parameter point.
 
     P is the map from a section to its next return: over periods of the forcing, or from one
@@ -67,13 +66,6 @@ class GraphCertificate(Certified):
         The system, as functions of its parameters, as in the file.
     """
 
-    system: KeptSystemName
-    parameters: Mapping[str, Value]
-    configuration: str
-    phase: tuple[Exact, ...]
-    source: str
-    boundary: str
-    coordinates: tuple[str, ...]
     graph: Annotated[BoxGraph, IN_FILES, Several(GraphEntries, entries_of, graph_of)] = field(
         repr=False
     )
@@ -81,7 +73,6 @@ class GraphCertificate(Certified):
     most: int
     longest: int
     bits: int
-    declaration: Declaration = field(repr=False)
 
     @Told
     def components(self) -> tuple[Component, ...]:

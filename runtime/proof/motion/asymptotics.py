@@ -11,7 +11,8 @@ from collections.abc import Sequence
 from math import comb, factorial
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row, left_kernel, product
+from nonsmooth.runtime.checker.exact import Elimination, product
+from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row
 
 if TYPE_CHECKING:
     from flint import acb, arb
@@ -52,7 +53,7 @@ def _sequence(row: Row, field: Sequence[Row], lasting: Invariants) -> tuple[list
     These are the coefficients of the function's minimal polynomial.
     """
     rows = [lasting.reduce(row)]
-    while not (kernel := left_kernel(rows)):
+    while not (kernel := Elimination().left_kernel(rows)):
         rows.append(lasting.reduce(product(rows[-1], field)))
     return rows[:-1], kernel[0]
 

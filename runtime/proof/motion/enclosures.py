@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
+from nonsmooth.runtime.checker.exact import product
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value, flint_precision
 from nonsmooth.runtime.events.leading_derivative import (
@@ -25,7 +26,7 @@ from nonsmooth.runtime.model.parameters import system_parameters
 from nonsmooth.runtime.model.structure import Structure, structure_of
 from nonsmooth.runtime.proof.exact_tables import NotRational, Tables, rational_tables
 from nonsmooth.runtime.proof.motion.ball_flow import AffineFlow
-from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row, evaluate, product
+from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row, evaluate
 
 if TYPE_CHECKING:
     from flint import arb

@@ -12,11 +12,12 @@ from collections.abc import Callable, Sequence
 from functools import reduce
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from nonsmooth.runtime.checker.exact import product
 from nonsmooth.runtime.events.leading_derivative import Undecided
-from nonsmooth.runtime.proof.expansion import Expansion
 from nonsmooth.runtime.proof.motion.asymptotics import stays_negative
+from nonsmooth.runtime.proof.motion.ball_flow import Expansion
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
-from nonsmooth.runtime.proof.motion.exact_rows import Invariants, product
+from nonsmooth.runtime.proof.motion.exact_rows import Invariants
 
 if TYPE_CHECKING:
     from flint import arb

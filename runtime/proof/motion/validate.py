@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.errors import InputError, check_integer, unknown_name
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.events.transition_choice import choose
@@ -88,8 +88,7 @@ def validate(
         ("bits", bits, _FEWEST_BITS),
         ("most_bits", most_bits, _FEWEST_BITS),
     ):
-        if isinstance(number, bool) or not isinstance(number, int) or number < least:
-            raise InputError(f"{name} = {number!r} is not an integer of {least} or more")
+        check_integer(name, number, least)
     at = enclosed_system(system, parameters)
     structure = at(bits).structure
     start = _start(structure, state)
@@ -299,7 +298,7 @@ def _held(system: EnclosedSystem, configuration: int) -> Invariants:
 
     There are no such invariants if the resets contradict each other.
     """
-    exact, none = system.exact, Invariants((), ())
+    exact, none = system.exact, Invariants(())
     resets = {
         transition.reset
         for found in system.structure.transitions

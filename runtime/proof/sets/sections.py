@@ -8,6 +8,7 @@ of the section: a mass that sticks takes away one.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -15,13 +16,25 @@ from math import gcd
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.boundary_sets import members_of
+from nonsmooth.runtime.model.engine_run import Run
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
 from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row
 
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["MapSection", "forcing_section", "phases", "sections_behind", "transition_section"]
+__all__ = [
+    "MapSection",
+    "angle_of",
+    "forcing_section",
+    "phases",
+    "sections_behind",
+    "transition_section",
+    "ways_of",
+]
+
+Way = tuple[int, frozenset[int], int]  # configuration, boundaries, configuration
 
 
 @dataclass(frozen=True)
@@ -106,9 +119,7 @@ def transition_section(
     raise InputError(f"no listed transition leads from {name[source]} to {name[target]}")
 
 
-def sections_behind(
-    system: EnclosedSystem, ways: Sequence[tuple[int, frozenset[int], int]]
-) -> dict[tuple[int, frozenset[int], int], MapSection]:
+def sections_behind(system: EnclosedSystem, ways: Sequence[Way]) -> dict[Way, MapSection]:
     """Return the sections behind transitions (source, boundaries, target) that have coordinates.
 
     Transitions that a contact law decides are left out: the checker knows listed ones alone.
@@ -120,6 +131,24 @@ def sections_behind(
     ]
     found = {way: transition_section(system, *way) for way in listed}
     return {way: section for way, section in found.items() if section.free}
+
+
+def ways_of(run: Run, first: int = 1) -> list[Way]:
+    """Return the transitions of a motion from one on: source, boundaries and target of each."""
+    return [
+        (
+            int(run.configurations[k - 1]),
+            frozenset(members_of(int(run.sets[k]))),
+            int(run.configurations[k]),
+        )
+        for k in range(first, len(run.times))
+    ]
+
+
+def angle_of(phase: Sequence[Any]) -> float:
+    """Return the angle of a phase, about."""
+    cosine, sine = (float(x.p) / float(x.q) for x in phase)
+    return math.atan2(sine, cosine)
 
 
 def phases(count: int) -> list[tuple[Any, Any]]:

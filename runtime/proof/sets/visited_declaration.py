@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple
 
 from nonsmooth.runtime.checker.exact import Failure
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.structure import TransitionShape
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
@@ -17,11 +16,9 @@ from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 
 __all__ = [
     "PassedTransition",
-    "SectionRecord",
     "listed_declaration",
     "refused_as_failure",
     "refused_as_input",
-    "section_entries",
     "visited_declaration",
 ]
 
@@ -32,44 +29,6 @@ class PassedTransition(NamedTuple):
     source: int
     boundaries: tuple[int, ...]
     target: int
-
-
-class SectionRecord(Protocol):
-    """A record that names a section, as basins and graphs do."""
-
-    @property
-    def parameters(self) -> Mapping[str, Value]:
-        """All parameters of the system."""
-
-    @property
-    def configuration(self) -> str:
-        """The configuration of the states on the section."""
-
-    @property
-    def phase(self) -> tuple[str, ...]:
-        """Cosine and sine of the forcing on the section, or nothing."""
-
-    @property
-    def source(self) -> str:
-        """The configuration that the section's transition leaves."""
-
-    @property
-    def boundary(self) -> str:
-        """The boundaries that the section's transition follows, joined by +."""
-
-    @property
-    def declaration(self) -> Mapping[str, Any]:
-        """The system, as functions of its parameters."""
-
-
-def section_entries(known: SectionRecord, *more: str) -> dict[str, Any]:
-    """Return what a record says of its section, and other attributes, as entries of its file.
-
-    They are data that the checker and other processes take.
-    """
-    names = "configuration", "phase", "source", "boundary", "declaration", *more
-    parameters = {name: value.text for name, value in known.parameters.items()}
-    return {"parameters": parameters, **{name: getattr(known, name) for name in names}}
 
 
 @contextmanager
