@@ -3,6 +3,7 @@
 import fcntl
 import json
 import os
+import shutil
 import signal
 import time
 from collections.abc import Iterator
@@ -12,15 +13,21 @@ from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from select import select
+from tempfile import TemporaryDirectory
 from threading import Thread
 from typing import Any
 
 import pytest
 
-from tests.browser import OPTIONS, find_browser, folder
-
-SECONDS = 60
+SECONDS = 300
 LOCAL = "127.0.0.1"
+OPTIONS = [
+    *("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"),
+    *("--disable-background-networking", "--disable-component-update", "--disable-sync"),
+    *("--disable-dev-shm-usage", "--allow-file-access-from-files", "--hide-scrollbars"),
+    *("--enable-logging=stderr", "--v=0"),
+    f"--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE {LOCAL}",
+]
 UNRENDERED = r"/\\\(|\\\[|\\begin\{|\$\$/"
 # What a reader would see of it, once formulas and pictures are there.
 LOOK = (
@@ -46,8 +53,11 @@ LOOK = (
       && (getComputedStyle(element).overflowX !== "visible"
         || getComputedStyle(element).position === "fixed" || inside(element.parentElement));
   }
+  const shown = (one) => one.checkVisibility({ visibilityProperty: true, opacityProperty: true })
+    && one.getBoundingClientRect().width > 0 && one.innerText.trim() !== "";
   return JSON.stringify({
     title: document.title,
+    chapters: [...document.querySelectorAll("main > section")].filter(shown).map((one) => one.id),
     formulas,
     pictures: [...document.images].filter((one) => !one.complete || !one.naturalWidth)
       .map((one) => one.getAttribute("src")),
@@ -70,6 +80,8 @@ class Seen:
     Attributes
     ----------
     title : str
+    chapters : list of str
+        Ids of the sections of ``main`` that can be seen.
     formulas : list of str
         Those that are not set, as they stand in the page.
     pictures, unnamed : list of str
@@ -87,6 +99,7 @@ class Seen:
     """
 
     title: str
+    chapters: list[str]
     formulas: list[str]
     pictures: list[str]
     unnamed: list[str]
@@ -127,7 +140,7 @@ class Window:
         self._events: list[dict[str, Any]] = []
         target = self.ask("Target.createTarget", url="about:blank")["targetId"]
         attached = self.ask("Target.attachToTarget", targetId=target, flatten=True)
-        self._session = attached["sessionId"]
+        self._session: str | None = attached["sessionId"]
         for domain in ("Page", "Runtime", "Log", "Network"):
             self.ask(f"{domain}.enable")
 
@@ -142,8 +155,7 @@ class Window:
             answer = self._next_message()
             if answer.get("id") == self._count:
                 assert "error" not in answer, f"{method}: {answer['error']}"
-                result: dict[str, Any] = answer["result"]
-                return result
+                return answer["result"]
             self._events.append(answer)
 
     def run(self, script: str) -> Any:
@@ -191,8 +203,7 @@ class Window:
             assert read, f"the browser was silent for {SECONDS} s"
             self._said += read
         message, _, self._said = self._said.partition(b"\0")
-        found: dict[str, Any] = json.loads(message)
-        return found
+        return json.loads(message)
 
 
 def complaint(event: dict[str, Any]) -> str | None:
@@ -212,20 +223,36 @@ def complaint(event: dict[str, Any]) -> str | None:
     return None
 
 
+def find_browser() -> str:
+    """Path of Chromium; without it the test is skipped, or fails where it must not be."""
+    names = ("chromium", "chromium-browser", "google-chrome")
+    found = next(filter(None, map(shutil.which, names)), None)
+    if found is None:
+        reason = f"no browser: none of {', '.join(names)} is installed"
+        (pytest.fail if os.environ.get("NONSMOOTH_NEEDS_BROWSER") else pytest.skip)(reason)
+    return found
+
+
+def look_at(path, *widths):
+    """What the page of a file shows in windows of these widths."""
+    with window() as page:
+        return page.look(path.resolve().as_uri(), *widths)
+
+
 @contextmanager
 def window() -> Iterator[Window]:
     """Start a browser that asks no other machine for anything, and give its page."""
     browser = find_browser()
-    with folder() as place:
+    # it may still be writing there when the folder is removed
+    with TemporaryDirectory(ignore_cleanup_errors=True) as name:
+        place = Path(name)
         ours, theirs = os.pipe(), os.pipe()
         # numbers that cannot be 3 and 4, which the browser reads and writes
         ends = [fcntl.fcntl(end, fcntl.F_DUPFD_CLOEXEC, 10) for end in (theirs[0], ours[1])]
         log = os.open(place / "log", os.O_WRONLY | os.O_CREAT)
         actions = [(os.POSIX_SPAWN_DUP2, ends[0], 3), (os.POSIX_SPAWN_DUP2, ends[1], 4)]
         actions += [(os.POSIX_SPAWN_DUP2, log, 1), (os.POSIX_SPAWN_DUP2, log, 2)]
-        options = [option for option in OPTIONS if not option.startswith("--host-resolver")]
-        options += [f"--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE {LOCAL}"]
-        command = [browser, *options, "--remote-debugging-pipe", f"--user-data-dir={place}/profile"]
+        command = [browser, *OPTIONS, "--remote-debugging-pipe", f"--user-data-dir={place}/profile"]
         process = os.posix_spawn(browser, command, os.environ, file_actions=actions)
         for end in (*ends, theirs[0], ours[1], log):
             os.close(end)

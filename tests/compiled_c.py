@@ -23,7 +23,6 @@ STRICT = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off")
 
 def library_of(source: Path, *flags: str, include: Path = SUPPORT) -> ctypes.CDLL:
     """The functions of a source, compiled without one warning."""
-    assert COMPILER is not None
     library = source.with_suffix(".so")
     options = [*STRICT, *flags, "-shared", "-fPIC", f"-I{include}"]
     subprocess.run([COMPILER, *options, source, "-o", library, "-lm"], check=True)

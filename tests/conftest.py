@@ -14,6 +14,7 @@ from typing import Any
 
 import pytest
 import typer.testing
+from hypothesis import HealthCheck, find, settings, strategies
 
 from tests.places import CHECKOUT
 from tests.shared import FOLDER
@@ -23,6 +24,12 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the workers' threads would
 signal.signal(signal.SIGINT, signal.default_int_handler)
 # commands are made of functions once, as in a program, not for each question of a test
 typer.testing._get_command = cache(typer.testing._get_command)
+
+# the same examples in every run, on a machine as busy as may be
+settings.register_profile(
+    "laws", deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow]
+)
+settings.load_profile("laws")
 
 GENERATED = CHECKOUT / "generated"
 SUFFIXES = (".c", ".h", ".md", ".py", ".json")
@@ -48,10 +55,7 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
 @pytest.fixture(autouse=True, scope="session")
 def hypothesis_begun() -> None:
     """Hypothesis makes its random numbers at its first use, and looks at who holds them."""
-    if "hypothesis" in sys.modules:
-        from hypothesis import find, settings, strategies
-
-        find(strategies.just(True), bool, settings=settings(database=None))
+    find(strategies.just(True), bool)
 
 
 @pytest.fixture(autouse=True, scope="module")

@@ -22,14 +22,13 @@ from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.equations.program import Stage
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.shooting.shooting_map import Numbers
 from tests.formulas.responses import response_functions
 from tests.formulas.values import Reading, name_of
 
 REVERSIBLE = ["rigid-stop/one-impact", "elastic-stop/one-contact", "dry-friction/symmetric"]
 CONSERVATIVE = ["rigid-stop/one-impact", "elastic-stop/one-contact"]
 ORBITS = [f"{name}/{orbit.name}" for name in SYSTEMS for orbit in declaration(name).orbits]
-
-Numbers = dict[sp.Symbol, float]
 
 
 class Reader:
@@ -147,7 +146,6 @@ class Written:
 
 def value_of(line: Line, numbers: Numbers) -> Any:
     """What the derivation computes for a line."""
-    assert line.shows is not None
     found = sp.sympify(line.shows.xreplace(numbers))
     found = found.replace(Angle, lambda s, c: math.atan2(s, c) % (2 * math.pi))
     return np.array(found.tolist(), dtype=float) if line.shows.is_Matrix else float(found)
@@ -175,6 +173,4 @@ def written_of(name: str) -> Written:
 @cache
 def solved_of(name: str) -> Orbit:
     """The orbit at its default parameters."""
-    found = ns.solve(name)
-    assert isinstance(found, Orbit)
-    return found
+    return ns.solve(name)

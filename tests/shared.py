@@ -25,8 +25,7 @@ def shared_value(name: str, make: Callable[[], Value]) -> Value:
     def write(path: Path) -> None:
         path.write_bytes(pickle.dumps(make()))
 
-    found: Value = pickle.loads(_written(f"{quote(name, safe='')}.pickle", write).read_bytes())
-    return found
+    return pickle.loads(_written(f"{quote(name, safe='')}.pickle", write).read_bytes())
 
 
 def _written(name: str, write: Callable[[Path], None]) -> Path:

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from numpy.testing import assert_allclose, assert_array_equal
 from scipy.optimize import check_grad, least_squares, minimize
 
 from nonsmooth import DifferentiableFunction, InputError
@@ -35,11 +36,11 @@ def test_both_modes_are_those_of_the_jacobian(lead: tuple[int, ...], pulled: boo
     jacobian = function.jacobian(x)
     assert function(x).shape == (*lead, 3)
     assert jacobian.shape == (*lead, 3, 2)
-    np.testing.assert_allclose(function.jvp(x, dx), np.einsum("...mq,...q->...m", jacobian, dx))
-    np.testing.assert_allclose(function.vjp(x, dy), np.einsum("...m,...mq->...q", dy, jacobian))
+    assert_allclose(function.jvp(x, dx), np.einsum("...mq,...q->...m", jacobian, dx))
+    assert_allclose(function.vjp(x, dy), np.einsum("...m,...mq->...q", dy, jacobian))
     step = 1e-6
     slope = (function(x + step * dx) - function(x - step * dx)) / (2 * step)
-    np.testing.assert_allclose(function.jvp(x, dx), slope, rtol=1e-7, atol=1e-8)
+    assert_allclose(function.jvp(x, dx), slope, rtol=1e-7, atol=1e-8)
 
 
 @pytest.mark.parametrize("x", [1.0, [1.0], np.ones((2, 3))])
@@ -51,11 +52,11 @@ def test_points_of_the_wrong_length_are_refused_by_name(x: object) -> None:
 def test_scipy_takes_all_values_or_one() -> None:
     function, x = _made(pulled=False), np.array([0.3, 0.4])
     fun, jac = function.scipy_pair()
-    np.testing.assert_array_equal(fun(x), function(x))
-    np.testing.assert_array_equal(jac(x), function.jacobian(x))
+    assert_array_equal(fun(x), function(x))
+    assert_array_equal(jac(x), function.jacobian(x))
     wanted = function([1.2, -0.7])
     fitted = least_squares(lambda x: fun(x) - wanted, [1.0, -0.5], jac=jac, xtol=1e-15)
-    np.testing.assert_allclose(fitted.x, [1.2, -0.7], rtol=1e-9)
+    assert_allclose(fitted.x, [1.2, -0.7], rtol=1e-9)
     fun, jac = function.scipy_pair("sine")
     assert check_grad(fun, jac, x) < 1e-7
     assert isinstance(fun(x), float)

@@ -14,13 +14,13 @@ from hypothesis import strategies as st
 
 from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
 from nonsmooth.runtime.core.json_codec import decode, encode
-from nonsmooth.runtime.core.taylor_models import TaylorModel, space_of
+from nonsmooth.runtime.core.taylor_models import space_of
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.expressions import Function, written
 from tests.exponentials import Factor, error, exact, forced, largest_root, periods, repeated
 
 BALLS = Balls()
-quick = settings(max_examples=40, deadline=None, derandomize=True)
+quick = settings(max_examples=40)
 
 
 def time_of(factors: list[Factor], count: float) -> float:
@@ -109,7 +109,7 @@ def test_hostile_numbers_end(bad: float) -> None:
         assert FLOATS.exponential_difference(0, t, (4.0, 0.0)) == pytest.approx(math.sin(2 * t) / 2)
 
 
-@settings(max_examples=15, deadline=None, derandomize=True)
+@settings(max_examples=15)
 @given(repeated(), periods, st.integers(0, 3))
 def test_mpmath_has_its_digits(factors: list[Factor], count: float, k: int) -> None:
     lib, t = Mpmath(40), time_of(factors, count)
@@ -124,7 +124,7 @@ def test_mpmath_of_what_is_no_number() -> None:
     assert lib.mp.isnan(lib.exponential_difference(0, lib.mp.inf, (1, 0)))
 
 
-@settings(max_examples=40, deadline=None, derandomize=True)
+@settings(max_examples=40)
 @given(forced(), st.floats(0.0, 20.0), st.integers(0, 3), st.sampled_from([0.0, 1e-12, 1e-3, 3e-2]))
 def test_balls_contain_what_they_enclose(
     factors: list[Factor], count: float, k: int, width: float
@@ -167,7 +167,6 @@ def test_models_contain_the_range_and_keep_what_variables_share() -> None:
     t = space.variable(0, arb(3), arb("0.01"))
     w2 = space.variable(1, arb(4), arb("0.02"))
     found = BALLS.exponential_difference(1, t, (w2, arb("0.25")), (w2, 0))
-    assert isinstance(found, TaylorModel)
     for x, y in ((0.3, -0.7), (1.0, 1.0), (-1.0, 0.5)):
         time, constant = 3 + arb(x) / 100, 4 + arb(y) / 50
         value = exact(1, time, [(constant, arb("0.25")), (constant, arb(0))])
@@ -176,7 +175,7 @@ def test_models_contain_the_range_and_keep_what_variables_share() -> None:
         assert float(enclosed.rad()) < 1e-11
 
 
-@settings(max_examples=20, deadline=None, derandomize=True)
+@settings(max_examples=20)
 @given(forced(), periods.filter(lambda x: x > 0.01), st.integers(0, 1))
 def test_derivative_rules(factors: list[Factor], count: float, k: int) -> None:
     """d/dt raises k; d/dc_j of factor i is minus that of order k + j with the factor again."""

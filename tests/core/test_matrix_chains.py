@@ -11,6 +11,7 @@ from nonsmooth.runtime.core.taylor_models import space_of
 from nonsmooth.runtime.core.values import flint_precision
 
 Exact = list[list[Fraction]]
+
 LONG = 24
 
 

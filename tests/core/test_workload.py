@@ -5,11 +5,10 @@ from __future__ import annotations
 import re
 
 import pytest
-from typer.testing import CliRunner
 
 import nonsmooth as ns
-from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core import workload
+from tests.cli.test_cli import run
 
 FRICTION = {"chi": "0.5", "eta": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
 DATA = " ".join(f"{name}={value}" for name, value in FRICTION.items())
@@ -40,9 +39,9 @@ SWEEP = f"sweep dry-friction {DATA} {FROM} --quantity x1 --at slip-stick"
 @pytest.mark.compiled
 def test_endless_work_is_refused_before_it_begins(command, tmp_path, monkeypatch) -> None:
     monkeypatch.chdir(tmp_path)
-    result = CliRunner().invoke(app, command.split())
-    assert result.exit_code == 2, result.output
-    (line,) = result.stderr.splitlines()
+    code, _, err = run(*command.split())
+    assert code == 2, err
+    (line,) = err.splitlines()
     assert line.startswith("nonsmooth: error: ")
     assert any(word in line for word in ("hours here", "GB of memory", "smaller bounds"))
     assert not list(tmp_path.iterdir())
@@ -52,18 +51,18 @@ def test_threads_without_number_are_refused(tmp_path, monkeypatch) -> None:
     pytest.importorskip("zarr")
     monkeypatch.chdir(tmp_path)
     command = "chart dry-friction/global-stick V=0.9:1.1:3 --out c.zarr --workers"
-    result = CliRunner().invoke(app, [*command.split(), "99999999999999999999"])
-    assert (result.exit_code, result.stderr.count("\n")) == (2, 1)
-    assert "is more than 1024" in result.stderr
+    code, _, err = run(*command.split(), "99999999999999999999")
+    assert (code, err.count("\n")) == (2, 1)
+    assert "is more than 1024" in err
     assert not list(tmp_path.iterdir())
 
 
 def test_yes_begins_what_takes_long(monkeypatch) -> None:
     command = f"simulate dry-friction V=1 {DATA} {FROM} --transitions 10 --json".split()
-    assert CliRunner().invoke(app, command).exit_code == 0
+    assert run(*command)[0] == 0
     monkeypatch.setitem(workload.SECONDS, "transition", 1e9)
-    assert CliRunner().invoke(app, command).exit_code == 2
-    assert CliRunner().invoke(app, [*command, "--yes"]).exit_code == 0
+    assert run(*command)[0] == 2
+    assert run(*command, "--yes")[0] == 0
 
 
 @pytest.mark.slow
@@ -71,11 +70,11 @@ def test_a_long_graph_says_how_long_before_it_begins(monkeypatch) -> None:
     start = "--from x1=5,x2=4,v1=0.5,v2=0.25 x2=2:14"
     command = f"certify region dry-friction V=1 {DATA} {start} --boxes 16".split()
     told = r"images of (\d+) boxes take at least"
-    assert not re.search(told, CliRunner().invoke(app, command).stderr)
+    assert not re.search(told, run(*command)[2])
     monkeypatch.setitem(workload.SECONDS, "image", 1e3)
-    result = CliRunner().invoke(app, command)
-    found = re.search(told + r" ([\d.]+) hours here", result.stderr)
-    assert result.exit_code == 0
+    code, _, err = run(*command)
+    found = re.search(told + r" ([\d.]+) hours here", err)
+    assert code == 0
     assert found
     assert int(found[1]) >= 16
     assert float(found[2]) == pytest.approx(int(found[1]) / 3.6, rel=1e-2)

@@ -150,32 +150,7 @@ def decided(system: System, source: str, boundaries: set[str], state: np.ndarray
     place, known = structure.configuration(source), np.append(state, 1.0)
     reached = frozenset(structure.boundary(place, name) for name in boundaries)
     found = decider.choice(place, reached, decider.located(place, known, 0.0)).transition
-    assert found is not None
     return structure.configurations[found.target]
-
-
-@pytest.mark.slow
-def test_coupled_contacts_take_the_solution_of_the_complementarity_problem() -> None:
-    limits = np.array([0.3, 0.5])
-    elements = [Friction(x, u, velocity=0.75) for x, u in zip(("x1", "x2"), limits, strict=True)]
-    mass, stiffness = FULL[:2, :2], SPRINGS[:2, :2]
-    system = oscillator("pair", ["x1", "x2"], mass, stiffness, elements=elements)
-    root = np.linalg.inv(np.linalg.cholesky(mass))
-    rng, seen = np.random.default_rng(11), set()
-    for _ in range(100):
-        positions = rng.normal(size=2)
-        forces = -stiffness @ positions
-        held = lsq_linear(root, -root @ forces, (-limits, limits), tol=1e-14).x
-        expected = "-".join(
-            "slip" if f > u - 1e-6 else "overshoot" if f < -u + 1e-6 else "stick"
-            for f, u in zip(held, limits, strict=True)
-        )
-        state = np.array([*positions, 0.75, 0.75])
-        belts = {"x1-reaches-belt", "x2-reaches-belt"}
-        for source in ("slip-slip", "overshoot-slip"):
-            assert decided(system, source, belts, state) == expected
-        seen.add(expected)
-    assert len(seen) == 9
 
 
 @pytest.mark.slow

@@ -6,6 +6,7 @@ from functools import cache
 import numpy as np
 import pytest
 import sympy as sp
+from numpy.testing import assert_allclose, assert_array_equal
 from scipy.linalg import expm
 
 from nonsmooth.derive import Boundary, Configuration, Parameter, SecondOrder, System, Transition
@@ -69,7 +70,7 @@ def test_boundary_rows_are_the_declared_functions(name):
             ]
             wanted = numbers(name, [b.function for b in configuration.boundaries], values)
             rows = found.rows[[s.row for s in shapes]]
-            np.testing.assert_allclose(rows, wanted, rtol=1e-14, atol=1e-15)
+            assert_allclose(rows, wanted, rtol=1e-14, atol=1e-15)
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -90,12 +91,12 @@ def test_fields_are_the_equations_of_motion(name):
             load = in_floats(dynamics.load).ravel()
             held = [system.states.index(x) for x in dynamics.held]
             free = [i for i in range(size) if i not in held]
-            np.testing.assert_array_equal(field[:size, size:-1], np.eye(size))
+            assert_array_equal(field[:size, size:-1], np.eye(size))
             state = np.random.default_rng(place).normal(size=2 * size)
             rate = field[:, :-1] @ state + field[:, -1]
             # M a + K x = load in the free coordinates; the held ones have no acceleration
             missed = mass @ rate[size:] + stiffness @ state[:size] - load
-            np.testing.assert_allclose(missed[free], 0, atol=1e-13)
+            assert_allclose(missed[free], 0, atol=1e-13)
             assert not rate[[size + i for i in held]].any()
 
 
@@ -107,7 +108,7 @@ def test_transitions_and_resets_are_the_declared_ones(name):
     assert sum(map(len, structure.transitions)) == len(system.transitions)
     for values in points(name, 1):
         found = at(name, values)
-        np.testing.assert_array_equal(found.resets[0], np.eye(len(system.states), 5))
+        assert_array_equal(found.resets[0], np.eye(len(system.states), 5))
         for place, configuration in enumerate(system.configurations):
             # in the order of the declaration: the first whose conditions hold is taken
             wanted = [t for t in system.transitions if t.source == configuration.name]
@@ -118,14 +119,14 @@ def test_transitions_and_resets_are_the_declared_ones(name):
                 rules = dict(transition.reset.items())
                 column = [rules.get(s, s) for s in system.states]
                 jump = found.resets[shape.reset]
-                np.testing.assert_allclose(jump, numbers(name, column, values), atol=1e-15)
+                assert_allclose(jump, numbers(name, column, values), atol=1e-15)
                 for (row, along, holds), condition in zip(
                     shape.conditions, transition.conditions, strict=True
                 ):
                     assert structure.configurations[along] == condition.along
                     assert holds is condition.holds
                     (function,) = numbers(name, [condition.function], values)
-                    np.testing.assert_allclose(found.rows[row], function, atol=1e-15)
+                    assert_allclose(found.rows[row], function, atol=1e-15)
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -143,19 +144,19 @@ def test_constraints_and_contacts_are_the_declared_ones(name):
             ]
             wanted = numbers(name, [*functions, *configuration.constraints], values)
             rows = found.rows[list(structure.constraints[place])]
-            np.testing.assert_allclose(rows, wanted.reshape(rows.shape), atol=1e-15)
+            assert_allclose(rows, wanted.reshape(rows.shape), atol=1e-15)
             assert structure.held[place] == tuple(system.states.index(x) for x in held)
         for shape, contact in zip(structure.contacts, system.contacts, strict=True):
             assert shape.name == contact.name
             (velocity,) = numbers(name, [contact.velocity], values)
-            np.testing.assert_allclose(found.rows[shape.velocity], velocity, atol=1e-15)
+            assert_allclose(found.rows[shape.velocity], velocity, atol=1e-15)
             (surface,) = numbers(name, [contact.surface], values)
-            np.testing.assert_allclose(found.rows[shape.surface], surface, atol=1e-15)
+            assert_allclose(found.rows[shape.surface], surface, atol=1e-15)
             forces = {structure.configurations[c]: row for c, row in shape.forces.items()}
             assert forces.keys() == contact.forces.keys()
             for where, row in forces.items():
                 (force,) = numbers(name, [contact.forces[where]], values)
-                np.testing.assert_allclose(found.rows[row], force, atol=1e-15)
+                assert_allclose(found.rows[row], force, atol=1e-15)
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -173,7 +174,7 @@ def test_flows_of_modes_are_matrix_exponentials(name):
                 generator = np.vstack([field, np.zeros(field.shape[1])])
                 wanted = (expm(generator * time) @ np.append(start, 1.0))[:-1]
                 scale = max(1.0, np.abs(wanted).max())
-                np.testing.assert_allclose(state, wanted, rtol=0, atol=2e-12 * scale)
+                assert_allclose(state, wanted, rtol=0, atol=2e-12 * scale)
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -184,7 +185,7 @@ def test_numbers_of_many_points_are_those_of_each(name):
     for row, point in zip(many.flat, grid, strict=True):
         one = piecewise_at(kernels, point)
         parts = (one.fields, one.rows, one.resets, *one.exponents, *one.flows)
-        np.testing.assert_array_equal(row, np.concatenate([p.ravel() for p in parts]))
+        assert_array_equal(row, np.concatenate([p.ravel() for p in parts]))
 
 
 # --- a system without modes in closed form

@@ -38,7 +38,7 @@ K, G = Parameter("k", "stiffness"), Parameter("g", "load")
 KS, GS = K.symbol, G.symbol
 STRANGER = sp.Symbol("stranger")
 
-PROPERTY = settings(deadline=None, max_examples=40, derandomize=True)
+PROPERTY = settings(max_examples=40)
 
 
 def swing(boundaries: Sequence[Boundary] = (), **changes: Any) -> Configuration:

@@ -125,9 +125,7 @@ def document(request: pytest.FixtureRequest) -> Document:
     if name in DECLARED:
         return declared(name)
     if name in OTHERS:
-        found = request.getfixturevalue(name)
-        assert isinstance(found, Document)
-        return found
+        return request.getfixturevalue(name)
     return written_of(name).document if "/" in name else system_of(name)
 
 
@@ -411,9 +409,7 @@ def test_no_formula_passes_the_margin(name: str, tmp_path: Path) -> None:
 @pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")
 @pytest.mark.parametrize("name", list(names(Itinerary)))
 def test_no_formula_of_a_composed_orbit_passes_the_margin(name: str, tmp_path: Path) -> None:
-    declared = declarations()[name]
-    assert isinstance(declared, Itinerary)
-    fits_the_page(describe_itinerary(declared), tmp_path)
+    fits_the_page(describe_itinerary(declarations()[name]), tmp_path)
 
 
 @pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")

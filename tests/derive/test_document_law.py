@@ -36,7 +36,6 @@ from nonsmooth.derive.document.describe import (
 )
 from nonsmooth.derive.document.printer import Notation
 from nonsmooth.derive.document.wording import Naming, letters_of
-from nonsmooth.runtime.orbits import orbit as solved_orbits
 from tests.declared_documents import one_mass
 from tests.documents import GALLERY, document_of, marked, names
 from tests.documents import declarations as all_declarations
@@ -125,13 +124,12 @@ def check(document: Document, system: System, seed: int) -> int:
 @pytest.mark.parametrize("name", marked(SYSTEMS))
 def test_what_the_document_of_a_system_says_is_true(name: str) -> None:
     system = all_declarations()[name]
-    assert isinstance(system, System)
     assert check(document_of(name)[0], system, 3) >= 9
 
 
 @pytest.mark.parametrize(
     "seed",  # stops and sliders, which systems of the gallery have too, take long
-    [2, 3, 4, 11, *(pytest.param(s, marks=pytest.mark.slow) for s in (0, 1, *range(5, 11)))],
+    [2, 3, 4, 11, *(pytest.param(s, marks=pytest.mark.slow) for s in (0, 1, 5))],
 )
 def test_what_the_document_of_a_random_system_says_is_true(seed: int) -> None:
     system = random_system(seed)
@@ -167,9 +165,7 @@ def unanchored_system(seed: int) -> System:
     )  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    "seed", [1, 3, 18, 180, *(pytest.param(s, marks=pytest.mark.slow) for s in (17, 19))]
-)
+@pytest.mark.parametrize("seed", [1, 3, 18, 180])
 def test_what_the_document_of_masses_that_nothing_holds_says_is_true(seed: int) -> None:
     system = unanchored_system(seed)
     assert check(describe_system(system), system, seed) >= 4
@@ -178,9 +174,7 @@ def test_what_the_document_of_masses_that_nothing_holds_says_is_true(seed: int) 
 def law_of(name: str) -> CycleLaw:
     """The document of an itinerary of the gallery, and its orbit at the reference."""
     itinerary = all_declarations()[name]
-    assert isinstance(itinerary, Itinerary)
     solved = ns.solve(f"{GALLERY}/{name.replace('/', '.py:')}")
-    assert isinstance(solved, solved_orbits.Orbit)
     document, itinerary = describe_itinerary(itinerary), unfolded(itinerary)
     system = itinerary.presented_system
     shown = dict.fromkeys(p.configuration for p in itinerary.phases)
@@ -253,7 +247,6 @@ def is_broken(law: SystemLaw, section: str) -> bool:
 @pytest.mark.parametrize("name", ["mass_on_belt", "two_stops", "elastic-stop"])
 def test_a_mistake_in_a_formula_is_seen(name: str) -> None:
     system = all_declarations()[name]
-    assert isinstance(system, System)
     facts = facts_of(system, 1)
     # a characteristic polynomial may be even
     every = [s for s in spoiled(document_of(name)[0]) if r"\det" not in s[1]]

@@ -83,7 +83,6 @@ def defined_in_order(written: Written) -> None:
 @pytest.mark.parametrize("name", marked(FORCED))
 def test_forced_orbits_have_documents_as_true(name: str) -> None:
     written = derived(name)
-    assert written is not None
     test_formulas_show_what_the_kernels_compute(written)
     test_every_stage_of_the_derivation_is_shown(written)
     test_the_equations_are_all_there(written)
@@ -94,7 +93,6 @@ def test_forced_orbits_have_documents_as_true(name: str) -> None:
 @pytest.mark.parametrize("name", marked((*VARIANTS, *GALLERY), *LONG))
 def test_other_itineraries_have_documents_as_true(name: str) -> None:
     written = Written(derive_equations(VARIANTS[name]())) if name in VARIANTS else derived(name)
-    assert written is not None
     defined_in_order(written)
     if name in GALLERY:
         test_flows_show_what_the_kernels_compute(written)

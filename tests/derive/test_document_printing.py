@@ -118,7 +118,7 @@ def joined(sign: int, text: str) -> str:
 
 
 @pytest.mark.slow
-@settings(max_examples=80, derandomize=True, deadline=None)
+@settings(max_examples=80)
 @example(sp.sin(STATES[0] * sp.cos(1)))
 @given(EXPRESSIONS)
 def test_what_is_printed_is_the_expression(expression: sp.Expr) -> None:
@@ -138,7 +138,7 @@ def signed_behind(expression: sp.Expr) -> tuple[str, ...]:
 
 
 @pytest.mark.slow
-@settings(max_examples=40, derandomize=True, deadline=None)
+@settings(max_examples=40)
 @given(st.lists(st.tuples(NUMBERS, st.lists(st.sampled_from(LETTERS), max_size=4)), max_size=5))
 def test_a_polynomial_that_is_put_in_order_is_the_polynomial(
     terms: list[tuple[sp.Expr, list[sp.Expr]]],
@@ -151,7 +151,7 @@ def test_a_polynomial_that_is_put_in_order_is_the_polynomial(
 
 
 @pytest.mark.slow
-@settings(max_examples=20, derandomize=True, deadline=None)
+@settings(max_examples=20)
 @given(st.lists(EXPRESSIONS, min_size=4, max_size=4))
 def test_a_matrix_is_its_entries(entries: list[sp.Expr]) -> None:
     if not all(map(is_tame, entries)):

@@ -15,9 +15,7 @@ EACH = [name if name in QUICK else pytest.param(name, marks=pytest.mark.slow) fo
 
 
 def equations_of(name: str) -> EquationSystem:
-    found = written_of(name).equations
-    assert isinstance(found, EquationSystem)
-    return found
+    return written_of(name).equations
 
 
 @pytest.mark.parametrize("name", EACH)

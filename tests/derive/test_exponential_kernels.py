@@ -22,6 +22,8 @@ from nonsmooth.runtime.core.exponentials.in_doubles import exponential_differenc
 from tests.compiled_c import library_of, needs_compiler
 from tests.exponentials import UNIT, Factor, error, exact, forced, largest_root, periods, repeated
 
+Call = Callable[[str, float, Sequence[float]], list[float]]
+
 FLAGS = [
     *("-Wconversion", "-Wshadow", "-pedantic"),
     *("-O2", "-fno-math-errno", "-fno-trapping-math", "-fopenmp-simd"),
@@ -65,9 +67,6 @@ def shape_of(factors: Sequence[Factor]) -> tuple[str, list[float]]:
     return "".join(kinds), given
 
 
-Call = Callable[[str, float, Sequence[float]], list[float]]
-
-
 @pytest.fixture(scope="module")
 def compiled(tmp_path_factory: pytest.TempPathFactory) -> Call:
     folder: Path = tmp_path_factory.mktemp("exponentials")
@@ -96,14 +95,14 @@ def worst(compiled: Call, factors: Sequence[Factor], t: float, k: int) -> float:
 
 @pytest.mark.slow
 @needs_compiler
-@settings(max_examples=60, deadline=None, derandomize=True)
+@settings(max_examples=60)
 @given(forced(), periods, st.integers(0, 3))
 def test_common_sets(compiled: Call, factors: list[Factor], count: float, k: int) -> None:
     assert worst(compiled, factors, count * 6.283 / largest_root(factors), k) <= 1
 
 
 @needs_compiler
-@settings(max_examples=30, deadline=None, derandomize=True)
+@settings(max_examples=30)
 @given(repeated(), periods, st.integers(0, 3))
 def test_other_sets(compiled: Call, factors: list[Factor], count: float, k: int) -> None:
     assert worst(compiled, factors, count * 6.283 / largest_root(factors), k) <= 3

@@ -44,7 +44,7 @@ from nonsmooth.runtime.core.arithmetic import FLOATS, Mpmath
 from tests.compiled_c import COMPILER, library_of
 
 UNIT, DIGITS = 2.0**-53, 50
-property_test = settings(max_examples=8, deadline=None, derandomize=True, phases=[Phase.generate])
+property_test = settings(max_examples=8, phases=[Phase.generate])
 
 BESIDE = st.sampled_from([0.0, 1e-12, -1e-9, 1e-9, 1e-7, -1e-5, 1e-4, -1e-4, 1e-2])
 NEARLY_ONE = BESIDE.map(lambda x: 1 + x)
@@ -243,7 +243,7 @@ def worst(
 @pytest.mark.parametrize("name", ["forced", "slider"])
 def test_one_coordinate(
     library: Any, name: str, sign: float, ratio: float, w: float, force: float, periods: float,
-    state: list[float],
+    state: list[float]
 ) -> None:  # fmt: skip
     """Damping of every regime, forcing in and beside resonance; no stiffness, and negative."""
     values = {"k": sign, "z": ratio, "w0": w, "Omega": w * force}
@@ -261,7 +261,7 @@ def test_one_coordinate(
 @pytest.mark.parametrize("name", ["undamped", "two"])
 def test_two_coordinates(
     library: Any, name: str, second: float, coupling: float, sign: int, one: float, other: float,
-    force: float, periods: float, state: list[float],
+    force: float, periods: float, state: list[float]
 ) -> None:  # fmt: skip
     """Frequencies that nearly meet, symmetric and circulatory coupling, any two dampers."""
     values = {"k11": 1.0, "k22": second, "k12": coupling, "k21": sign * coupling}
@@ -275,7 +275,7 @@ def test_two_coordinates(
 @pytest.mark.parametrize("name", ["three undamped", "three proportional", "three"])
 def test_three_coordinates(
     library: Any, name: str, one: float, two: float, damping: float, periods: float,
-    state: list[float],
+    state: list[float]
 ) -> None:  # fmt: skip
     """No springs, repelling and equal ones; a chain that is free at one end, or both."""
     values = {"k1": one, "k2": two, "d1": damping, "z": damping}

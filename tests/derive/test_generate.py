@@ -11,11 +11,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from typer.testing import CliRunner
 
 from nonsmooth import solve
-from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.model.kernels import load_orbit, load_system
+from tests.cli.test_cli import run
 from tests.user_systems import DAMPED, KICKED, declare
 
 FILES = [
@@ -46,18 +45,10 @@ def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-def run(*arguments: str) -> tuple[int, str, str]:
-    result = CliRunner().invoke(app, list(arguments))
-    if result.exception is not None and not isinstance(result.exception, SystemExit):
-        raise result.exception
-    return result.exit_code, result.stdout, result.stderr
-
-
 def generated(*arguments: str) -> dict[str, Any]:
     code, out, err = run("generate", *arguments, "--json")
     assert code == 0, err
-    found: dict[str, Any] = json.loads(out)
-    return found
+    return json.loads(out)
 
 
 def names(folder: Path) -> list[str]:

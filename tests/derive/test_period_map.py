@@ -26,9 +26,7 @@ def refined(name: str = NAME, parameters: dict[str, str] | None = None) -> Orbit
 
 
 def equations_of(name: str = NAME) -> EquationSystem:
-    equations = written_of(name).equations
-    assert isinstance(equations, EquationSystem)
-    return equations
+    return written_of(name).equations
 
 
 @pytest.mark.parametrize("parameters", DATA)

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import scipy.io
 import scipy.sparse
+from numpy.testing import assert_allclose
 from scipy.linalg import eigh
 from scipy.sparse.linalg import spsolve
 
@@ -38,7 +39,7 @@ def test_frequencies_well_below_the_cutoff_are_those_of_the_whole(method):
     assert len(below) >= 6
     # free modes are those of the whole structure
     error = 5e-3 if method == "craig-bampton" else 1e-7
-    np.testing.assert_allclose(reduced.frequencies[: len(below)], below, rtol=error)
+    assert_allclose(reduced.frequencies[: len(below)], below, rtol=error)
     # Rayleigh's principle: a reduction only stiffens
     assert (reduced.frequencies >= whole[: len(reduced.frequencies)] * (1 - 1e-6)).all()
 
@@ -63,7 +64,7 @@ def test_static_answers_at_kept_coordinates_are_exact(method):
     force[keep] = [1.0, -0.4]
     wanted = spsolve(stiffness, force)
     answer = np.linalg.solve(reduced.stiffness, reduced.transformation.T @ force)
-    np.testing.assert_allclose(reduced.transformation @ answer, wanted, rtol=1e-6, atol=1e-9)
+    assert_allclose(reduced.transformation @ answer, wanted, rtol=1e-6, atol=1e-9)
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -81,7 +82,7 @@ def test_matrices_are_those_of_the_transformation(method, sparse):
     ):
         found = getattr(reduced, name)
         assert (found == found.T).all()
-        np.testing.assert_allclose(found, basis.T @ (matrix @ basis), atol=1e-11)
+        assert_allclose(found, basis.T @ (matrix @ basis), atol=1e-11)
     assert (basis[[7, 20]] == np.eye(2, 6)).all()
 
 
@@ -98,7 +99,7 @@ def test_a_free_beam_moves_as_a_rigid_body():
     mass, stiffness = beam(20)
     reduced = reduce_structure(mass, stiffness, keep=[0, 40], modes=5, method="free-interface")
     whole = frequencies(mass, stiffness)
-    np.testing.assert_allclose(reduced.frequencies[2:5], whole[2:5], rtol=1e-4)
+    assert_allclose(reduced.frequencies[2:5], whole[2:5], rtol=1e-4)
     assert (reduced.frequencies[:2] < 1e-3).all()
     # without the residual answers the ends would be stiffer
     truncated = reduce_structure(mass, stiffness, keep=[], modes=5, method="free-interface")
@@ -116,7 +117,7 @@ def test_large_sparse_structures_go_by_lanczos(monkeypatch):
     dense = reduce_structure(mass, stiffness, keep=[100], modes=6)
     monkeypatch.setattr(structure_matrices, "_DENSE", 50)
     lanczos = reduce_structure(mass, stiffness, keep=[100], modes=6)
-    np.testing.assert_allclose(lanczos.frequencies, dense.frequencies, rtol=1e-9)
+    assert_allclose(lanczos.frequencies, dense.frequencies, rtol=1e-9)
     assert lanczos.cutoff == pytest.approx(dense.cutoff, rel=1e-9)
     again = reduce_structure(mass, stiffness, keep=[100], modes=6)
     assert (again.transformation == lanczos.transformation).all()
@@ -125,7 +126,7 @@ def test_large_sparse_structures_go_by_lanczos(monkeypatch):
 def test_all_modes_are_the_whole_structure():
     mass, stiffness = cantilever(6)
     reduced = reduce_structure(mass, stiffness, keep=[10], modes=11)
-    np.testing.assert_allclose(reduced.frequencies, frequencies(mass, stiffness), rtol=1e-6)
+    assert_allclose(reduced.frequencies, frequencies(mass, stiffness), rtol=1e-6)
     assert reduced.cutoff == np.inf
 
 
@@ -137,7 +138,7 @@ def test_directions_of_the_whole_structure_carry_over():
     assert reduced.direction("y4") == reduced.direction(6) == {"y4": 1.0}
     weights = np.arange(8.0)
     found = reduced.direction(weights)
-    np.testing.assert_allclose(list(found.values()), weights @ reduced.transformation)
+    assert_allclose(list(found.values()), weights @ reduced.transformation)
     assert reduced.direction({"y1": 2, 2: -1}) == reduced.direction([2, 0, -1, 0, 0, 0, 0, 0])
     system = oscillator(
         "beam", reduced.coordinates, reduced.mass, reduced.stiffness, reduced.damping
@@ -216,7 +217,7 @@ def test_files_of_matrices(tmp_path):
         found = read_matrices(tmp_path / name)
         matrix = found[key]
         dense = matrix if isinstance(matrix, np.ndarray) else matrix.toarray()
-        np.testing.assert_allclose(dense, wanted, rtol=1e-15)
+        assert_allclose(dense, wanted, rtol=1e-15)
     assert sorted(read_matrices(tmp_path / "model.mat")) == ["K", "M"]
     assert sorted(read_matrices(tmp_path / "model.npz")) == ["K", "M"]
     np.savez(tmp_path / "complex.npz", M=np.eye(2), K=(1 + 0.1j) * np.eye(2))

@@ -83,10 +83,6 @@ def statements(text: str) -> Iterator[list[str]]:
     [
         (struck, STRUCK, "once_equations"),
         pytest.param(
-            lambda names: friction(names, ("symmetric",)),
-            FRICTION, "symmetric_trace", marks=pytest.mark.slow,
-        ),
-        pytest.param(
             lambda names: friction(names, ("global-stick", "solution-ii")),
             FRICTION, "solution_ii_reduced", marks=pytest.mark.slow,
         ),

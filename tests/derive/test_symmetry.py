@@ -233,11 +233,10 @@ def test_a_parameter_of_the_flows_is_not_solved_for() -> None:
         derive_equations(replace(dry_friction.solution_ii, solved_for=("chi",)))
 
 
-@pytest.mark.parametrize("name", [pytest.param("V", marks=pytest.mark.slow), "e2"])
-def test_any_other_parameter_may_be_solved_for(name: str) -> None:
+def test_any_other_parameter_may_be_solved_for() -> None:
     """The same border collision, found for another parameter at the e1 that belongs to it."""
-    found_for = Derived(replace(dry_friction.solution_ii, solved_for=(name,)))
-    assert str(found_for.orbit.unknowns[-1]) == name
+    found_for = Derived(replace(dry_friction.solution_ii, solved_for=("e2",)))
+    assert str(found_for.orbit.unknowns[-1]) == "e2"
     orbit = refine(solve("dry-friction/solution-ii"), 40)
     known = {n: MP.mpf(x) for n, x in orbit.values.items()}
     guess = [known[str(u)] * (1 + MP.mpf(k) / 1000) for k, u in enumerate(found_for.orbit.unknowns)]
@@ -264,15 +263,9 @@ def test_specialised_values_join_the_presentation() -> None:
     assert [str(p) for p in equations.parameters] == ["m1", "k1", "T"]
 
 
-@pytest.mark.parametrize(
-    "name",
-    [
-        "one-impact",
-        *(pytest.param(n, marks=pytest.mark.slow) for n in ("one-contact", "symmetric")),
-    ],
-)
-def test_a_reference_is_not_needed(name: str) -> None:
-    bare, full = derive_equations(replace(ORBITS[name], reference=None)), derived(name)
+def test_a_reference_is_not_needed() -> None:
+    bare = derive_equations(replace(ORBITS["one-impact"], reference=None))
+    full = derived("one-impact")
     assert bare.unknowns == full.unknowns
     assert [e for _, e in bare.equations] == [e for _, e in full.equations]
 

@@ -13,7 +13,7 @@ from nonsmooth.runtime.events.guaranteed_maxima import Cells, CurveSamples, larg
 from tests.sums import trigonometric
 
 amplitudes = st.floats(-2, 2).map(lambda x: round(x, 6))
-laws = settings(deadline=None, derandomize=True, max_examples=200)
+laws = settings(max_examples=200)
 
 
 @st.composite

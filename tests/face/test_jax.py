@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from numpy.testing import assert_allclose, assert_array_equal
 
 import nonsmooth as ns
 from nonsmooth.jax import differentiable
@@ -52,7 +53,7 @@ def test_values_are_those_of_the_function(
     function = differentiable(source, mode=mode)
     found = (jax.jit(function) if compiled else function)(x)
     assert found.dtype == np.float64
-    np.testing.assert_array_equal(np.asarray(found), source(x))
+    assert_array_equal(np.asarray(found), source(x))
 
 
 def transformations(jax: Any, mode: str) -> list[Callable[..., Any]]:
@@ -68,12 +69,12 @@ def test_jacobians_are_those_of_the_function(jax: Any, mode: Any, compiled: bool
     once = jax.jit if compiled else lambda f: f
     for transformed in transformations(jax, mode):
         found = once(transformed(function))(x)
-        np.testing.assert_allclose(found, source.jacobian(x), rtol=1e-15)
+        assert_allclose(found, source.jacobian(x), rtol=1e-15)
         mapped = jax.vmap(jax.vmap(transformed(function), in_axes=1), in_axes=0, out_axes=1)
         found = once(mapped)(many.swapaxes(1, 2)).swapaxes(0, 1)
-        np.testing.assert_allclose(found, source.jacobian(many), rtol=1e-15)
+        assert_allclose(found, source.jacobian(many), rtol=1e-15)
     gradient = once(jax.grad(lambda x: function(x) @ jax.numpy.array([1.0, -2.0, 3.0])))(x)
-    np.testing.assert_allclose(gradient, source.vjp(x, [1.0, -2.0, 3.0]), rtol=1e-14)
+    assert_allclose(gradient, source.vjp(x, [1.0, -2.0, 3.0]), rtol=1e-14)
 
 
 @pytest.mark.parametrize("mode", MODES)
@@ -83,13 +84,13 @@ def test_a_batch_is_one_call(jax: Any, mode: Any, axis: int) -> None:
     source = made(pulled=True, calls=calls)
     function, x = differentiable(source, mode=mode), at(5)
     given = x if axis == 0 else x.T
-    np.testing.assert_array_equal(jax.vmap(function, in_axes=axis)(given), source(x))
+    assert_array_equal(jax.vmap(function, in_axes=axis)(given), source(x))
     calls.clear()
     jax.vmap(function, in_axes=axis)(given).block_until_ready()
     assert calls == ["evaluate 5"]
     calls.clear()
     found = jax.vmap(jax.grad(lambda x: function(x).sum()), in_axes=axis)(given)
-    np.testing.assert_allclose(found, source.vjp(x, np.ones((5, 3))), rtol=1e-14)
+    assert_allclose(found, source.vjp(x, np.ones((5, 3))), rtol=1e-14)
     assert calls[:-1] == (["differentiate 5"] if mode == "both" else ["evaluate 5", "pull 5"])
 
 
@@ -105,8 +106,8 @@ def test_jax_own_checker_agrees(jax: Any, mode: Any) -> None:
 def test_forward_mode_along_a_direction(jax: Any) -> None:
     source, x, dx = made(), at(4), at(4)[::-1].copy()
     values, along = jax.jvp(differentiable(source), (x,), (dx,))
-    np.testing.assert_array_equal(values, source(x))
-    np.testing.assert_allclose(along, source.jvp(x, dx), rtol=1e-14)
+    assert_array_equal(values, source(x))
+    assert_allclose(along, source.jvp(x, dx), rtol=1e-14)
 
 
 @pytest.mark.slow
@@ -127,7 +128,7 @@ def test_it_composes_with_what_jax_differentiates_itself(jax: Any) -> None:
         return x.sum()
 
     expected = jax.value_and_grad(plain)(0.7)
-    np.testing.assert_allclose(jax.jit(jax.value_and_grad(whole))(0.7), expected, rtol=1e-13)
+    assert_allclose(jax.jit(jax.value_and_grad(whole))(0.7), expected, rtol=1e-13)
 
 
 @pytest.mark.parametrize("mode", MODES)
@@ -135,15 +136,15 @@ def test_where_there_is_no_value_all_is_nan(jax: Any, mode: Any) -> None:
     function = differentiable(made(pulled=True), mode=mode)
     x = np.array([[1.0, 2.0], [11.0, 2.0]])
     for found in (function(x), jax.grad(lambda x: function(x).sum())(x)):
-        np.testing.assert_array_equal(np.isnan(found).any(axis=1), [False, True])
-        np.testing.assert_array_equal(np.isnan(found).all(axis=1), [False, True])
+        assert_array_equal(np.isnan(found).any(axis=1), [False, True])
+        assert_array_equal(np.isnan(found).all(axis=1), [False, True])
 
 
 def test_large_batches_do_not_wait_for_each_other(jax: Any) -> None:
     """A callback that used JAX itself could wait for the thread that runs it."""
     function, x = differentiable(made()), np.ones((300_000, 2))
     found = jax.jit(jax.grad(lambda x: function(2 * x).sum()))(x)
-    np.testing.assert_allclose(found[-1], [12.0, 4 + 2 * np.cos(2)], rtol=1e-14)
+    assert_allclose(found[-1], [12.0, 4 + 2 * np.cos(2)], rtol=1e-14)
 
 
 @pytest.mark.parametrize("mode", MODES)
@@ -190,7 +191,7 @@ def test_modes_that_are_not_there() -> None:
     with pytest.raises(ns.InputError, match="no reverse pass"):
         differentiable(made(), mode="reverse")
     with pytest.raises(ns.InputError, match="unknown mode 'forward'; known: both, reverse"):
-        differentiable(made(), mode="forward")  # type: ignore[arg-type]  # what is refused
+        differentiable(made(), mode="forward")  # what is refused
 
 
 def test_without_jax_the_command_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -229,10 +230,10 @@ def test_the_gradient_of_an_orbit_is_that_of_forty_digits(jax: Any) -> None:
     function = differentiable(ns.orbit_function(orbit, by=BY, of=OF))
     x = jax.numpy.array([float(n) for n in point])
     for transformed in (jax.jacfwd, jax.jacrev):
-        np.testing.assert_allclose(jax.jit(transformed(function))(x), expected, rtol=1e-10)
+        assert_allclose(jax.jit(transformed(function))(x), expected, rtol=1e-10)
     many = jax.numpy.stack([x, x + 1e-3])
     found = jax.vmap(jax.grad(lambda x: function(x)[1]))(many)
-    np.testing.assert_allclose(found[0], expected[1], rtol=1e-10)
+    assert_allclose(found[0], expected[1], rtol=1e-10)
     checks.check_grads(function, (x,), 1, rtol=1e-5, atol=1e-6)
 
 
@@ -243,6 +244,6 @@ def test_the_gradient_behind_impacts_is_that_of_forty_digits(jax: Any, mode: Any
     x = jax.numpy.array(gradients.POINT)
     expected = gradients.reference(40)
     found = jax.jit(jax.grad(lambda x: function(x)[0]))(x)
-    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-9 * np.abs(expected).max())
+    assert_allclose(found, expected, rtol=0, atol=1e-9 * np.abs(expected).max())
     modes = ("rev",) if mode == "reverse" else ("fwd", "rev")
     checks.check_grads(function, (x,), 1, modes, rtol=1e-4, atol=1e-4, eps=1e-7)

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from numpy.testing import assert_allclose, assert_array_equal
 
 import nonsmooth as ns
 from nonsmooth.torch import differentiable
@@ -35,7 +36,7 @@ def test_values_are_those_of_the_function(torch: Any, lead: tuple[int, ...], pul
     for given in (x, x.detach()):
         found = differentiable(source)(given)
         assert found.dtype == torch.float64
-        np.testing.assert_array_equal(found.detach().numpy(), source(x.detach().numpy()))
+        assert_array_equal(found.detach().numpy(), source(x.detach().numpy()))
 
 
 @pytest.mark.parametrize("pulled", [False, True])
@@ -54,14 +55,14 @@ def test_jacobians_are_those_of_the_function(torch: Any, pulled: bool) -> None:
     function = differentiable(source)
     expected = source.jacobian(many.numpy()).swapaxes(0, 1)
     for transformed in (torch.func.jacrev, torch.func.jacfwd):
-        np.testing.assert_allclose(transformed(function)(x), source.jacobian(x.numpy()), rtol=1e-14)
+        assert_allclose(transformed(function)(x), source.jacobian(x.numpy()), rtol=1e-14)
         mapped = torch.vmap(torch.vmap(transformed(function), in_dims=1), in_dims=0, out_dims=1)
-        np.testing.assert_allclose(mapped(many.swapaxes(1, 2)), expected, rtol=1e-14)
+        assert_allclose(mapped(many.swapaxes(1, 2)), expected, rtol=1e-14)
     factors = torch.tensor([1.0, -2.0, 3.0], dtype=torch.float64)
     gradient = torch.func.grad(lambda x: function(x) @ factors)(x)
-    np.testing.assert_allclose(gradient, source.vjp(x.numpy(), factors.numpy()), rtol=1e-14)
+    assert_allclose(gradient, source.vjp(x.numpy(), factors.numpy()), rtol=1e-14)
     _, along = torch.func.jvp(function, (many,), (2 * many,))
-    np.testing.assert_allclose(along, source.jvp(many.numpy(), 2 * many.numpy()), rtol=1e-14)
+    assert_allclose(along, source.jvp(many.numpy(), 2 * many.numpy()), rtol=1e-14)
 
 
 @pytest.mark.parametrize("pulled", [False, True])
@@ -72,11 +73,11 @@ def test_a_batch_is_one_call(torch: Any, pulled: bool, axis: int) -> None:
     function, given = differentiable(source), x.movedim(0, axis)
     found = torch.vmap(function, in_dims=axis)(given)
     assert calls == ["evaluate 5"]
-    np.testing.assert_array_equal(found, source(x.numpy()))
+    assert_array_equal(found, source(x.numpy()))
     calls.clear()
     found = torch.vmap(torch.func.grad(lambda x: function(x).sum()), in_dims=axis)(given)
     assert calls == (["evaluate 5", "pull 5"] if pulled else ["differentiate 5"])
-    np.testing.assert_allclose(found, source.vjp(x.numpy(), np.ones((5, 3))), rtol=1e-14)
+    assert_allclose(found, source.vjp(x.numpy(), np.ones((5, 3))), rtol=1e-14)
     calls.clear()
     function(at(torch, 5)).sum().backward()
     assert calls == (["evaluate 5", "pull 5"] if pulled else ["differentiate 5"])
@@ -99,7 +100,7 @@ def test_it_composes_with_what_torch_differentiates_itself(torch: Any) -> None:
     x = at(torch, 4)
     (found,) = torch.autograd.grad(whole(x).sum(), x)
     (expected,) = torch.autograd.grad(plain(x).sum(), x)
-    np.testing.assert_allclose(found, expected, rtol=1e-13)
+    assert_allclose(found, expected, rtol=1e-13)
 
 
 @pytest.mark.parametrize("pulled", [False, True])
@@ -108,8 +109,8 @@ def test_where_there_is_no_value_all_is_nan(torch: Any, pulled: bool) -> None:
     values = differentiable(made(pulled=pulled))(x)
     values.sum().backward()
     for found in (values.detach(), x.grad):
-        np.testing.assert_array_equal(torch.isnan(found).any(1), [False, True])
-        np.testing.assert_array_equal(torch.isnan(found).all(1), [False, True])
+        assert_array_equal(torch.isnan(found).any(1), [False, True])
+        assert_array_equal(torch.isnan(found).all(1), [False, True])
 
 
 @pytest.mark.parametrize("pulled", [False, True])
@@ -159,4 +160,4 @@ def test_the_session_of_the_page_runs() -> None:
     names: dict[str, Any] = {}
     declared = [cell for cell in cells if "jax" not in cell and not cell.startswith(":tags")]
     exec(compile("\n".join([*declared, session]), "ecosystems.md", "exec"), names)
-    np.testing.assert_allclose(names["x"].grad, names["function"].vjp([0.5, 2.0], [1.0, 1.0, 0.0]))
+    assert_allclose(names["x"].grad, names["function"].vjp([0.5, 2.0], [1.0, 1.0, 0.0]))

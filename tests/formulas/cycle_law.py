@@ -12,6 +12,7 @@ from nonsmooth.derive.declaration.itinerary import dwell_symbol
 from nonsmooth.derive.document.blocks import Document, Formula, Paragraph, Table
 from nonsmooth.derive.document.cycle import Cycle
 from nonsmooth.runtime.orbits import orbit as solved_orbits
+from tests.differences import in_doubles
 from tests.formulas.latex import read_latex
 from tests.formulas.law import Broken, Facts, Motion, SystemLaw, relations_of
 from tests.formulas.layout import plain
@@ -38,10 +39,7 @@ class Orbit:
         unknown = np.array([*solved.dwell_times, *solved.states[0]], dtype=float)
         for _ in range(2):
             missed = self.missed(unknown)
-            steps = 1e-7 * np.eye(len(unknown))
-            slope = np.array(
-                [(self.missed(unknown + h) - self.missed(unknown - h)) / 2e-7 for h in steps]
-            ).T
+            slope = in_doubles(self.missed, unknown, 1e-7)
             unknown = unknown - np.linalg.lstsq(slope, missed, rcond=1e-7)[0]
         if np.abs(self.missed(unknown)).max() > 1e-10:
             raise Broken(f"{cycle.itinerary.name}: no orbit")

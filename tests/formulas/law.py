@@ -338,7 +338,7 @@ class SystemLaw:
                     rows, columns = (slice(k * half, (k + 1) * half) for k in (i, j))
 
                     # defaults bind what the loop changes; they need no types of their own
-                    def block_of(t: float, phi=phi, place=(rows, columns)) -> Any:  # type: ignore[no-untyped-def]
+                    def block_of(t: float, phi=phi, place=(rows, columns)) -> Any:
                         return phi(t)[place]
 
                     found[f"Φ_{{{match[1]}}}^{{{i + 1}{j + 1}}}"] = block_of
@@ -665,7 +665,7 @@ def parts_of(row: Row) -> list[Row]:
         spaced = bool(piece) and isinstance(piece[0], Atom) and piece[0].kind == "space"
         if begun and spaced:
             found.append(tuple(begun))
-            begun = []
+            begun: list[Item] = []
         begun += ([Atom(",", "sign")] if begun else []) + list(piece)
     return [without_spaces(part) for part in (*found, tuple(begun)) if without_spaces(part)]
 

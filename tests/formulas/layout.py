@@ -90,8 +90,6 @@ def row_of(items: Iterable[Item]) -> Row:
         last = found[-1] if found else None
         core = item.base if isinstance(item, Script) else item
         if _is_number(last) and _is_number(core):
-            assert isinstance(last, Atom)
-            assert isinstance(core, Atom)
             joined = Atom(last.text + core.text, "number")
             found[-1] = (
                 Script(joined, item.below, item.above) if isinstance(item, Script) else joined

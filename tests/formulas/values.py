@@ -81,7 +81,7 @@ class Reading:
     def at(self, **indices: Any) -> Reading:
         """The same names at other indices."""
         # only the first mapping is ever written to
-        names = ChainMap(indices, self.names)  # type: ignore[arg-type]
+        names = ChainMap(indices, self.names)
         return replace(self, names=names, indices={**self.indices, **indices})
 
     def latex(self, text: str) -> Any:
@@ -175,7 +175,7 @@ class _Walk:
                 return total
             factor = {"-": -1, "±": self.reading.branch}.get(sign, 1)
             term = self.product()
-            total = factor * term if total is None else _added(total, factor * term)
+            total: Any = factor * term if total is None else _added(total, factor * term)
 
     def product(self) -> Any:
         value = self.factor()
@@ -245,7 +245,6 @@ class _Walk:
         if isinstance(item, Table):
             return self.matrix(item)
         if _is_number(item):
-            assert isinstance(item, Atom)
             return float(item.text)
         raise Unreadable(f"unknown: {plain((item,))} in {plain(self.row)}")
 
@@ -394,7 +393,6 @@ class _Walk:
 
     def repeated(self, text: str, item: Item) -> Any:
         """A sum or a product; factors of later numbers stand on the left."""
-        assert isinstance(item, Script)
         end, depth = self.place, 0
         while end < len(self.row):
             sign = _sign(self.row[end])
@@ -408,7 +406,7 @@ class _Walk:
         total: Any = 0.0 if text == "∑" else 1.0
         for place, value in enumerate(values):
             if text == "∑":
-                total = value if place == 0 else _added(total, value)
+                total: Any = value if place == 0 else _added(total, value)
             else:
                 total = value if place == 0 else _times(total, value)
         return total
@@ -450,7 +448,7 @@ def without_spaces(row: Row) -> Row:
     items = list(row)
     for place in (0, -1):
         # the one that is an Atom is the one whose kind is asked for
-        while items and isinstance(items[place], Atom) and items[place].kind == "space":  # type: ignore[union-attr]
+        while items and isinstance(items[place], Atom) and items[place].kind == "space":
             items.pop(place)
     return tuple(items)
 

@@ -6,6 +6,7 @@ import mpmath
 import numpy as np
 import pytest
 import sympy as sp
+from numpy.testing import assert_allclose
 
 import nonsmooth as ns
 from nonsmooth.derive import Harmonic, Parameter, RigidStop
@@ -175,7 +176,7 @@ def test_an_impact(small: float) -> None:
             continue
         time, end = first_impact(motion)
         assert motion.times[1] == pytest.approx(time, rel=1e-13)
-        np.testing.assert_allclose(motion.before[1], end, rtol=0, atol=1e-13 * max(map(abs, end)))
+        assert_allclose(motion.before[1], end, rtol=0, atol=1e-13 * max(map(abs, end)))
 
 
 @pytest.mark.usefixtures("backend")
@@ -187,9 +188,7 @@ def test_a_long_motion(small: float) -> None:
         parameters = {"k": stiffness, "b": 1, "c": 0, "w": frequency, "s": 1e9}
         motion = ns.simulate(FORCED, parameters, start, until=1000.0)
         wanted = exact(motion.system.fields[0], 1000.0) @ [*motion.states[0], 1]
-        np.testing.assert_allclose(
-            motion(1000.0), wanted, rtol=0, atol=1e-12 * max(1, np.abs(wanted).max())
-        )
+        assert_allclose(motion(1000.0), wanted, rtol=0, atol=1e-12 * max(1, np.abs(wanted).max()))
 
 
 @pytest.mark.usefixtures("backend")
@@ -202,4 +201,4 @@ def test_a_composed_orbit(small: float) -> None:
     phases = [("free", "forcing-phase")]
     found = ns.solve(FORCED, parameters, [period, *wanted], itinerary=phases)
     assert found.dwell_times[0] == pytest.approx(period, rel=1e-14)
-    np.testing.assert_allclose(found.states[0], wanted, rtol=0, atol=1e-13 / small**2)
+    assert_allclose(found.states[0], wanted, rtol=0, atol=1e-13 / small**2)

@@ -57,7 +57,7 @@ for name in orbit_names():
 
 
 @pytest.mark.compiled
-@pytest.mark.parametrize("chosen", [None, pytest.param("", marks=pytest.mark.slow), "c"])
+@pytest.mark.parametrize("chosen", [None, "c"])
 def test_c_is_the_backend_when_it_is_built(chosen):
     done = run(SHOW, chosen)
     assert done.returncode == 0

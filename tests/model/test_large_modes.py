@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from numpy.testing import assert_allclose
 from scipy.linalg import expm
 
 from nonsmooth.runtime.model.factored_flows import FactoredFlows
@@ -56,7 +57,7 @@ def test_modes_of_many_states_are_the_exponential(name: str) -> None:
     for time in (0.01, 1.0, 20.0):
         wanted = exact(field, time)
         allowed = 1e-12 * np.abs(wanted).max()
-        np.testing.assert_allclose(flow_of(modes, time), wanted, rtol=0, atol=allowed)
+        assert_allclose(flow_of(modes, time), wanted, rtol=0, atol=allowed)
 
 
 def test_what_does_not_depend_on_a_state_is_zero_exactly() -> None:
@@ -64,7 +65,7 @@ def test_what_does_not_depend_on_a_state_is_zero_exactly() -> None:
     for name in ("chain", "sticking", "long"):
         flow = flow_of(numeric_modes(FIELDS[name]), 3.0)
         assert not flow[-2:, :-3].any()
-        np.testing.assert_allclose(flow[-2:, -3:-1] @ flow[-2:, -3:-1].T, np.eye(2), atol=1e-13)
+        assert_allclose(flow[-2:, -3:-1] @ flow[-2:, -3:-1].T, np.eye(2), atol=1e-13)
 
 
 def test_factors_are_the_matrices_they_stand_for() -> None:
@@ -77,17 +78,15 @@ def test_factors_are_the_matrices_they_stand_for() -> None:
         whole = flows.all()
         assert whole.shape == (functions, 26, 27)
         parts = np.einsum("fij,nj->nfi", whole, extended)
-        np.testing.assert_allclose(flows.parts(extended), parts, atol=1e-13)
-        np.testing.assert_allclose(
-            flows.at(values[0]), np.tensordot(values[0], whole, 1), atol=1e-13
-        )
+        assert_allclose(flows.parts(extended), parts, atol=1e-13)
+        assert_allclose(flows.at(values[0]), np.tensordot(values[0], whole, 1), atol=1e-13)
         moved = np.einsum("nf,nfi->ni", values, parts)
-        np.testing.assert_allclose(flows.states(values, extended), moved, atol=1e-12)
+        assert_allclose(flows.states(values, extended), moved, atol=1e-12)
         sizes = np.einsum("fij,nj->nfi", abs(whole), abs(extended))
         bounds = flows.sizes(abs(extended))
         assert (bounds >= sizes * (1 - 1e-13)).all()
         assert bounds.sum() < 2 * sizes.sum()
         row = rng.normal(size=26)
         found, reach = flows.rows(row)
-        np.testing.assert_allclose(found, np.einsum("i,fij->fj", row, whole), atol=1e-13)
+        assert_allclose(found, np.einsum("i,fij->fj", row, whole), atol=1e-13)
         assert (reach >= np.einsum("i,fij->fj", abs(row), abs(whole)) * (1 - 1e-13)).all()

@@ -4,6 +4,7 @@ from types import ModuleType
 
 import numpy as np
 import pytest
+from numpy.testing import assert_allclose, assert_array_equal
 
 from nonsmooth.runtime.model.kernels import SystemKernels
 
@@ -36,18 +37,18 @@ def test_points_may_have_any_leading_axes(function, shape) -> None:
     matrix, number = function(points)
     x, y = points[..., 0], points[..., 1]
     assert matrix.shape == (*shape, 2, 3)
-    np.testing.assert_array_equal(matrix[..., 0, 1], x * y)
-    np.testing.assert_array_equal(matrix[..., 1, 0], np.sin(x))
-    np.testing.assert_array_equal(matrix[..., 1, 2], -y)
+    assert_array_equal(matrix[..., 0, 1], x * y)
+    assert_array_equal(matrix[..., 1, 0], np.sin(x))
+    assert_array_equal(matrix[..., 1, 2], -y)
     for place, constant in (((0, 0), 1), ((0, 2), 0), ((1, 1), 2)):
         assert (matrix[(..., *place)] == constant).all()
-    np.testing.assert_array_equal(number, x + 1)
+    assert_array_equal(number, x + 1)
 
 
 def test_a_tiny_imaginary_part_is_a_derivative(function) -> None:
     x, tiny = np.array([0.7, -1.2]), 1e-30
     matrix, number = function(x + 1j * tiny * np.array([1.0, 0.0]))
-    np.testing.assert_allclose(matrix.imag / tiny, [[0, x[1], 0], [np.cos(x[0]), 0, 0]], rtol=1e-15)
+    assert_allclose(matrix.imag / tiny, [[0, x[1], 0], [np.cos(x[0]), 0, 0]], rtol=1e-15)
     assert number.imag == tiny
 
 
@@ -71,14 +72,14 @@ def test_one_result_is_no_tuple(result, shape) -> None:
     results = function_of(lambda point, lib: result(*point), [(2,)], [shape])(points)
     assert results.shape == (3, *shape)
     for point, one in zip(points, results, strict=True):
-        np.testing.assert_array_equal(one, result(*point))
+        assert_array_equal(one, result(*point))
 
 
 def test_one_of_two_results_may_be_the_same_everywhere() -> None:
     function = function_of(lambda point, lib: ([1, 2], [point[0]]), [(1,)], [(2,), (1,)])
     same, varying = function(np.array([[5.0], [6.0], [7.0]]))
-    np.testing.assert_array_equal(same, [[1, 2]] * 3)
-    np.testing.assert_array_equal(varying, [[5], [6], [7]])
+    assert_array_equal(same, [[1, 2]] * 3)
+    assert_array_equal(varying, [[5], [6], [7]])
 
 
 @pytest.mark.parametrize("order", [slice(None), slice(None, None, -1), slice(None, None, 2)])
@@ -90,7 +91,7 @@ def test_results_never_lie_in_the_memory_of_arguments(order) -> None:
     for result in (state, first):
         assert not np.shares_memory(result, points)
         result[...] = np.nan
-    np.testing.assert_array_equal(points, before)
+    assert_array_equal(points, before)
 
 
 def test_compiled_kernels_take_and_give_no_arrays_without_entries() -> None:

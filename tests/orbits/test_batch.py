@@ -133,12 +133,6 @@ def test_threads_and_chunks_change_no_bit(name, points, many, threads, chunk):
     assert_same_bits(many, solve(name, points, threads=threads, chunk=chunk))
 
 
-def test_a_point_alone_has_the_bits_it_has_in_a_batch(name, points, many):
-    for i in range(0, COUNT, 4):
-        alone = solve(name, {n: a[i : i + 1] for n, a in points.items()})
-        assert_same_bits(many, alone, slice(i, i + 1))
-
-
 def test_order_does_not_matter(name, points, many):
     order = np.random.default_rng(5).permutation(COUNT)
     shuffled = solve(name, {n: a[order] for n, a in points.items()})
@@ -408,11 +402,6 @@ def test_wrong_options_are_named_on_one_line(given, options, named):
     with pytest.raises(InputError, match=named) as caught:
         solve(ORBIT, {"V": given}, **options)
     assert "\n" not in str(caught.value)
-
-
-def test_an_unknown_orbit_is_named():
-    with pytest.raises(InputError, match="did you mean 'dry-friction/global-stick'"):
-        solve("dry-friction/global-slick")
 
 
 def test_one_point_gives_arrays_of_its_shape_whoever_answers() -> None:

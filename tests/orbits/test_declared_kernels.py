@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from numpy.testing import assert_allclose, assert_array_equal
 
 import nonsmooth as ns
 from nonsmooth import InputError
@@ -77,10 +78,10 @@ def test_verdicts_are_those_of_the_tables(orbit: str, monkeypatch: pytest.Monkey
     apart = [np.abs(fast.unknowns[n] - slow.unknowns[n]) for n in fast.unknowns]
     same = fast.converged & slow.converged & (np.max(apart, axis=0) < 1e-8)
     assert same.sum() > 40
-    np.testing.assert_array_equal(fast.admissible[same], slow.admissible[same])
-    np.testing.assert_allclose(fast.trace[same], slow.trace[same], rtol=1e-7, atol=1e-9)
-    np.testing.assert_allclose(fast.period[same], slow.period[same], rtol=1e-10)
-    np.testing.assert_allclose(fast.starts[same], slow.starts[same], rtol=1e-8, atol=1e-8)
+    assert_array_equal(fast.admissible[same], slow.admissible[same])
+    assert_allclose(fast.trace[same], slow.trace[same], rtol=1e-7, atol=1e-9)
+    assert_allclose(fast.period[same], slow.period[same], rtol=1e-10)
+    assert_allclose(fast.starts[same], slow.starts[same], rtol=1e-8, atol=1e-8)
     # no motion is lost
     assert (fast.admissible >= slow.admissible).all()
     other = ns.solve(orbit, values, threads=2, chunk=7)
@@ -116,13 +117,12 @@ def test_of_both_roots_the_motion_is_found() -> None:
     with np.errstate(invalid="ignore"):
         roots = np.stack(closed_form(values["w"], values["sigma"], values["r"]))
     # an orbit of that period, and not of several
-    np.testing.assert_allclose(found.period[found.converged],
+    assert_allclose(found.period[found.converged],
                                2 * np.pi / values["w"][found.converged], rtol=1e-12)  # fmt: skip
-    np.testing.assert_array_equal(found.converged, np.isfinite(roots).any(axis=0))
+    assert_array_equal(found.converged, np.isfinite(roots).any(axis=0))
     speed = -found.unknowns["v0"] / values["r"]
     off = np.abs(roots - speed).min(axis=0) / np.maximum(1, np.abs(speed))
     assert off[found.converged].max() < 1e-9
-    assert found.admissible is not None
     assert 0.4 < found.admissible.mean() < 1
     assert (speed[found.admissible] > 0).all()
     # where it penetrates the other one does so too, or there it comes from behind the stop
@@ -140,18 +140,16 @@ def test_where_kernels_find_no_motion_tables_look_for_one(monkeypatch: pytest.Mo
     """Newton's method on fewer unknowns ends at another root there."""
     values = {"w": np.linspace(3.4, 3.9, 8), "gap": np.full(8, 0.2)}
     own = declared_kernels(load_orbit(SUBHARMONIC))
-    assert own is not None
     assert not own.alone
     every = {**load_orbit(SUBHARMONIC).table["reference"]["parameters"], **values}
     kernels = own.by_kernels(every)
-    assert kernels.admissible is not None
     assert not kernels.admissible.all()
     both = ns.solve(SUBHARMONIC, values)
     tables = by_tables(SUBHARMONIC, monkeypatch, values)
     lost = ~kernels.admissible
     for name, row in both.unknowns.items():
-        np.testing.assert_allclose(row[lost], tables.unknowns[name][lost], rtol=1e-12)
-        np.testing.assert_array_equal(row[~lost], kernels.unknowns[name][~lost])
+        assert_allclose(row[lost], tables.unknowns[name][lost], rtol=1e-12)
+        assert_array_equal(row[~lost], kernels.unknowns[name][~lost])
     # they are looked for where nobody asks for the verdicts, too
     plain = ns.solve(SUBHARMONIC, values, admissibility=False)
     assert plain.admissible is None
@@ -244,10 +242,7 @@ def test_kernels_whose_tables_went_are_made_again(
     """The cache is kept small file by file: one of the two may go alone."""
     assert declared_kernels(load_orbit(ONE_PERIOD)) is not None
     loaded = load_path(Path(ONE_PERIOD.rpartition(":")[0]), "one-period", compiled=False)
-    assert loaded is not None
     key, folder = many_points_key(loaded.module), cache_folder()
-    assert key is not None
-    assert folder is not None
     for path in folder.glob(f"{key}*"):
         shutil.copy2(path, tmp_path)
     monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path))
@@ -279,7 +274,7 @@ def test_a_chart_keeps_the_kernels_that_it_began_with(
     again = ns.chart(str(store))
     for name in again:
         assert again[name].values.tobytes() == before[name].values.tobytes(), name
-        np.testing.assert_allclose(other[name].values, before[name].values, rtol=1e-9, atol=1e-9)
+        assert_allclose(other[name].values, before[name].values, rtol=1e-9, atol=1e-9)
     assert sorted(other) == sorted(before)
 
 
@@ -288,8 +283,8 @@ def test_margins_of_many_maps() -> None:
     matrices[:3] = [[0, -1], [1, 0]], [[1, 1], [0, 1]], [[0, 0], [0, 0]]
     largest = np.abs(np.linalg.eigvals(matrices)).max(axis=-1)
     found = margins(matrices, np.trace(matrices, axis1=1, axis2=2), 2, family=False)
-    np.testing.assert_allclose(found, 1 - largest, rtol=1e-12, atol=1e-12)
+    assert_allclose(found, 1 - largest, rtol=1e-12, atol=1e-12)
     three = np.random.default_rng(3).normal(size=(4, 3, 3))
     largest = np.abs(np.linalg.eigvals(three)).max(axis=-1)
     found = margins(three, np.trace(three, axis1=1, axis2=2), 3, family=False)
-    np.testing.assert_array_equal(found, 1 - largest)
+    assert_array_equal(found, 1 - largest)

@@ -1,15 +1,12 @@
 """Derivatives of orbits by all that was given, against differences in many digits."""
 
-import dataclasses
-from fractions import Fraction
-
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
 import nonsmooth as ns
 from nonsmooth import InputError
-from nonsmooth.runtime.core.values import as_value
+from tests.differences import in_digits, in_doubles
 from tests.places import GALLERY
 
 KERNELS = (
@@ -26,17 +23,6 @@ DECLARED = (
     f"{GALLERY}/mass_on_belt.py:stick-slip",
     f"{GALLERY}/two_belts.py:both-stick",
 )
-STEP = Fraction(1, 10**18)
-
-
-def differences(orbit, parameter, of):
-    """Central differences of quantities of an orbit, refined to sixty digits."""
-    sides = []
-    for side in (1, -1):
-        value = orbit.given[parameter].exact + side * STEP
-        moved = dataclasses.replace(orbit, given={**orbit.given, parameter: as_value(value)})
-        sides.append(of(ns.refine(moved, 60)))
-    return [float((a - b) * 10**18 / 2) for a, b in zip(*sides, strict=True)]
 
 
 def quantities(orbit):
@@ -61,7 +47,7 @@ def test_derivatives_are_those_of_orbits_of_sixty_digits(name):
         if orbit.given[parameter].exact is None:
             continue
         rates = [*found.unknowns.values(), found.period, found.trace]
-        expected = differences(orbit, parameter, quantities)
+        expected = [*map(float, in_digits(orbit, parameter, quantities))]
         assert_allclose([rate[place] for rate in rates], expected, rtol=1e-11, atol=1e-11)
 
 
@@ -74,14 +60,9 @@ def test_a_refined_orbit_has_derivatives_of_its_own_digits(name):
         _, rates = precise.quantity(quantity)
         assert_allclose(rates.astype(float), doubles.quantity(quantity)[1], rtol=1e-11, atol=1e-12)
     parameter = precise.by[-1]
-    sides = []
-    for side in (1, -1):
-        value = orbit.given[parameter].exact + side * STEP
-        moved = dataclasses.replace(orbit, given={**orbit.given, parameter: as_value(value)})
-        sides.append(quantities(ns.refine(moved, 60)))
     rates = [*precise.unknowns.values(), precise.period, precise.trace]
-    for rate, a, b in zip(rates, *sides, strict=True):
-        assert abs(rate[-1] - (a - b) * 10**18 / 2) < 1e-29  # the differences' own h^2
+    for rate, expected in zip(rates, in_digits(orbit, parameter, quantities), strict=True):
+        assert abs(rate[-1] - expected) < 1e-29  # the differences' own h^2
 
 
 def test_kernels_and_tables_agree_where_parameters_mean_the_same():
@@ -102,12 +83,7 @@ def test_functions_of_orbits_have_the_derivatives_that_they_give(name):
     of = [*orbit.unknowns, "period", "trace", "determinant", "spectral_radius"]
     function = ns.orbit_function(orbit, by=by, of=of)
     point = function.reference * 1.002
-    step = 1e-6
-    columns = [
-        (function(point + step * unit) - function(point - step * unit)) / (2 * step)
-        for unit in np.eye(2)
-    ]
-    assert_allclose(function.jacobian(point), np.stack(columns, axis=-1), rtol=2e-6, atol=2e-7)
+    assert_allclose(function.jacobian(point), in_doubles(function, point), rtol=2e-6, atol=2e-7)
 
 
 def test_a_function_is_nan_where_the_orbit_is_not():
@@ -229,13 +205,8 @@ def test_margins_tell_of_the_next_grazing():
     inside = x[1:-1][(x[1:-1] > x[:-2]) & (x[1:-1] > x[2:])]
     assert float(margin.value) == pytest.approx(0.01 - inside.max(), abs=1e-6)
     function = ns.orbit_function(orbit, by=("w", "sigma", "r"), of="margin")
-    point, step = function.reference, 1e-6
-    columns = [
-        (function(point + step * unit) - function(point - step * unit)) / (2 * step)
-        for unit in np.eye(3)
-    ]
-    exact = function.jacobian(point)
-    assert_allclose(exact, np.stack(columns, axis=-1), rtol=1e-6, atol=1e-8)
+    exact = function.jacobian(function.reference)
+    assert_allclose(exact, in_doubles(function, function.reference), rtol=1e-6, atol=1e-8)
     assert abs(exact).min() > 1e-4
 
 
@@ -253,7 +224,6 @@ def test_many_orbits_have_the_derivatives_of_each(name):
     values = {name: float(value) for name, value in orbit.given.items()}
     values[by[0]] += np.array([0.0, 0.003, 1e3 if name == DECLARED[0] else -50.0])
     found = ns.solve(name, values, derivatives=by)
-    assert found.derivatives is not None
     assert found.converged.tolist() == [True, True, False]
     for place in (0, 1):
         point = {key: np.broadcast_to(x, 3)[place] for key, x in values.items()}
@@ -285,12 +255,8 @@ def test_extremes_have_derivatives_of_all_digits():
     (state,), _ = along.states([extreme.time])
     assert abs(state[1]) < 1e-28  # its velocity
     rate = extreme.rates[0]
-    sides = []
-    for side in (1, -1):
-        value = as_value(orbit.given["r"].exact + side * STEP)
-        moved = dataclasses.replace(orbit, given={**orbit.given, "r": value})
-        sides.append(ns.refine(moved, 50).derivatives("r").quantity("minimum:x")[0])
-    assert abs(rate - (sides[0] - sides[1]) * 10**18 / 2) < 1e-28
+    (expected,) = in_digits(orbit, "r", lambda o: [o.derivatives("r").quantity("minimum:x")[0]], 50)
+    assert abs(rate - expected) < 1e-28
 
 
 def test_local_extremes_of_a_motion_that_turns_back_are_symmetric_in_time():

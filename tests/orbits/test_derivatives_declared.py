@@ -1,7 +1,6 @@
 """Derivatives of orbits of declared systems: random ones, several forcings, families, exchanges."""
 
 import dataclasses
-from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -12,8 +11,8 @@ import nonsmooth as ns
 from nonsmooth import InputError, NoConvergence
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, SoftStop, oscillator
 from nonsmooth.runtime.core.values import as_value
+from tests.differences import in_digits, in_doubles
 
-STEP = Fraction(1, 10**25)
 R, W, W2, Z, K = sp.symbols("r w w2 z k", positive=True)
 FREQUENCY, DAMPING = Parameter("w", "frequency"), Parameter("z", "damping")
 
@@ -52,14 +51,9 @@ def settled(system, values):
 
 
 def rates(orbit, parameter):
-    """Central differences, in sixty digits, of all unknowns, the period and the trace."""
-    sides = []
-    for side in (1, -1):
-        value = as_value(orbit.given[parameter].exact + side * STEP)
-        moved = dataclasses.replace(orbit, given={**orbit.given, parameter: value})
-        precise = ns.refine(moved, 60)
-        sides.append([*precise.unknowns.values(), precise.period, precise.trace])
-    return [float((a - b) * 10**25 / 2) for a, b in zip(*sides, strict=True)]
+    """Of all unknowns, the period and the trace, in sixty digits."""
+    found = in_digits(orbit, parameter, lambda o: [*o.unknowns.values(), o.period, o.trace])
+    return [*map(float, found)]
 
 
 def stacked(found, place):
@@ -122,12 +116,8 @@ def test_exchanged_orbits_have_derivatives_along_their_motion():
     orbit = ns.solve(name, unknown=["e1", "e2"], given=given)
     of = ["e1", "maximum:x1", "margin", "period"]
     function = ns.orbit_function(orbit, by=["ta", "V"], of=of)
-    step, point = 1e-6, function.reference
-    columns = [
-        (function(point + step * unit) - function(point - step * unit)) / (2 * step)
-        for unit in np.eye(2)
-    ]
-    assert_allclose(function.jacobian(point), np.stack(columns, axis=-1), atol=1e-7)
+    point = function.reference
+    assert_allclose(function.jacobian(point), in_doubles(function, point), atol=1e-7)
     ours = orbit.derivatives().quantity("maximum:x1")[1]
     precise = ns.refine(orbit, 30).derivatives().quantity("maximum:x1")[1]
     assert_allclose(precise.astype(float), ours, rtol=1e-11)

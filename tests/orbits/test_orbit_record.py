@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from numpy.testing import assert_allclose
 
 import nonsmooth as ns
 from nonsmooth.derive.codegen.emit import emit_package, emit_system
@@ -74,19 +75,19 @@ def test_a_record_by_kernels_and_one_by_tables_are_asked_alike() -> None:
     tables = ns.solve("dry-friction", STICKING, kernels.dwell_times, itinerary=kernels.itinerary)
     assert type(kernels) is type(tables)
     assert kernels.dwell_time_names == ("ta", "tau", "tau1", "tau2")
-    np.testing.assert_allclose(kernels.dwell_times, tables.dwell_times, atol=1e-12)
+    assert_allclose(kernels.dwell_times, tables.dwell_times, atol=1e-12)
     assert kernels.states.shape == tables.states.shape == (4, 4)
-    np.testing.assert_allclose(np.diff(kernels.states, axis=0), np.diff(tables.states, axis=0))
-    np.testing.assert_allclose(kernels.multipliers, tables.multipliers, atol=1e-12)
-    np.testing.assert_allclose(kernels.saltations, tables.saltations, atol=1e-9)
-    np.testing.assert_allclose(kernels.monodromy, tables.monodromy, atol=1e-9)
+    assert_allclose(np.diff(kernels.states, axis=0), np.diff(tables.states, axis=0))
+    assert_allclose(kernels.multipliers, tables.multipliers, atol=1e-12)
+    assert_allclose(kernels.saltations, tables.saltations, atol=1e-9)
+    assert_allclose(kernels.monodromy, tables.monodromy, atol=1e-9)
     times = np.linspace(-1, 1.99 * kernels.period, 50)  # no transition lies among them
     first, second = kernels.motion(), tables.motion()
     apart = second(times) - first(times)  # positions are from another origin
-    np.testing.assert_allclose(apart, np.broadcast_to(apart[0], apart.shape), atol=1e-10)
+    assert_allclose(apart, np.broadcast_to(apart[0], apart.shape), atol=1e-10)
     assert second.configuration(times).tolist() == first.configuration(times).tolist()
     assert set(kernels.to_json()) == {*tables.to_json()} | {"requires"}
-    np.testing.assert_allclose(tables.trajectory(2)(times[20:-1]), second(times[20:-1]), atol=1e-9)
+    assert_allclose(tables.trajectory(2)(times[20:-1]), second(times[20:-1]), atol=1e-9)
     with pytest.raises(ns.InputError, match="motion"):
         kernels.trajectory()
     with pytest.raises(ns.InputError, match="no kernels"):

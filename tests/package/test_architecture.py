@@ -46,7 +46,7 @@ def found(name: str) -> object:
         except ModuleNotFoundError:
             continue
         for part in parts[count:]:
-            place = getattr(place, part)
+            place: object = getattr(place, part)
         return place
     raise AssertionError(name)
 
@@ -147,7 +147,7 @@ def draw_dwell_times(scene: Any, places: Sequence[Any]) -> None:
 def test_a_new_picture_is_one_entry(monkeypatch: pytest.MonkeyPatch) -> None:
     figure = pytest.importorskip("matplotlib.figure").Figure()
     module = ModuleType("nonsmooth.runtime.present.pictures.dwell_times")
-    module.draw_dwell_times = draw_dwell_times  # type: ignore[attr-defined]  # made here
+    module.draw_dwell_times = draw_dwell_times  # made here
     monkeypatch.setitem(sys.modules, module.__name__, module)
     kind = Kind((5, 4), "dwell_times.draw_dwell_times", of_motions=False)
     monkeypatch.setitem(PICTURES, "dwell-times", kind)

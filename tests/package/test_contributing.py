@@ -20,8 +20,6 @@ def executed(name: str, text: str, folder: Path) -> ModuleType:
     path = folder / f"{name.rpartition('.')[2]}.py"
     path.write_text(text, encoding="utf-8")
     spec = spec_from_file_location(name, path)
-    assert spec is not None
-    assert spec.loader is not None
     module = module_from_spec(spec)
     sys.modules[name] = module
     spec.loader.exec_module(module)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import runpy
 import shlex
@@ -14,16 +13,17 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
+from numpy.testing import assert_allclose
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 from scipy.optimize import brentq, fsolve
-from typer.testing import CliRunner
 
 import nonsmooth as ns
-from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.explore.design import worst_over
-from nonsmooth.runtime.orbits.orbit import Orbit
+from tests.cli.test_cli import run
 from tests.places import CHECKOUT, GALLERY
+
+Rule = tuple[np.ndarray, Callable[[np.ndarray], float], Callable[[np.ndarray], np.ndarray]]
 
 FORCED = {"x": "-x", "v": "-v", "c1": "-c1", "s1": "-s1"}  # half a period of the forcing later
 ORBITS = [
@@ -64,13 +64,6 @@ def solved(name: str, orbit: str, *arguments: Any, **options: Any) -> Any:
     return ns.solve(f"{page(name)}:{orbit}", *arguments, **options)
 
 
-def run(*arguments: str) -> tuple[int, str, str]:
-    result = CliRunner().invoke(app, list(arguments))
-    if result.exception is not None and not isinstance(result.exception, SystemExit):
-        raise result.exception
-    return result.exit_code, result.stdout, result.stderr
-
-
 def eigenvalues(trace: float, determinant: float) -> list[complex]:
     """Of a 2 x 2 matrix, in the order of their real and imaginary parts."""
     return sorted(np.roots([1, -trace, determinant]), key=lambda m: (m.real, m.imag))
@@ -102,9 +95,6 @@ def second_order(stiffness: Any, damping: Any = None, load: Any = None) -> np.nd
     return field
 
 
-Rule = tuple[np.ndarray, Callable[[np.ndarray], float], Callable[[np.ndarray], np.ndarray]]
-
-
 def assert_motion(orbit: Any, rules: Mapping[tuple[str, str], Rule], atol: float = 1e-11) -> None:
     """Follow an orbit with matrix exponentials of fields that the test wrote itself.
 
@@ -118,7 +108,7 @@ def assert_motion(orbit: Any, rules: Mapping[tuple[str, str], Rule], atol: float
         begin = np.append(start, 1.0)
         end = expm(field * time) @ begin
         assert abs(boundary(end)) < atol
-        np.testing.assert_allclose(reset(end[:-1]), after, rtol=0, atol=atol)
+        assert_allclose(reset(end[:-1]), after, rtol=0, atol=atol)
         inside = [
             boundary(expm(field * part) @ begin) for part in np.linspace(0.02, 0.98, 25) * time
         ]
@@ -207,7 +197,7 @@ def test_declared_orbits_are_motions(name: str, orbit: str) -> None:
         found.itinerary[0][0], transitions=len(found.itinerary),
     )  # fmt: skip
     assert [b for entry in motion.boundaries[1:] for b in entry] == [b for _, b in found.itinerary]
-    np.testing.assert_allclose(
+    assert_allclose(
         motion.states[-1], found.states[0], rtol=0, atol=1e-11 * np.abs(found.states).max()
     )
 
@@ -265,7 +255,7 @@ def test_orbits_of_one_impact_have_closed_forms(n: int, place: float) -> None:
         assert orbit.period == pytest.approx(2 * math.pi * n / w, rel=1e-13)
         for key, value in orbit.unknowns.items():
             assert value == pytest.approx(guess[key], abs=1e-11)
-        np.testing.assert_allclose(
+        assert_allclose(
             multipliers(orbit), eigenvalues(trace, r * r), rtol=0, atol=1e-9 * (1 + abs(trace))
         )
     (top, _) = found[0]
@@ -339,7 +329,7 @@ def test_the_elastic_stop_agrees_with_direct_integration(name: str, w: float, tu
     assert orbit.period == pytest.approx(2 * math.pi * turns / w, rel=1e-12)
     x, v, c, s = orbit.states[0]
     found = shaw_directly(w, [x, v], math.atan2(s, c), orbit.period)
-    np.testing.assert_allclose(found, [x, v], rtol=0, atol=1e-8)
+    assert_allclose(found, [x, v], rtol=0, atol=1e-8)
     area = np.prod(orbit.multipliers)
     assert area == pytest.approx(math.exp(-0.1 * orbit.period), rel=1e-11)
 
@@ -431,7 +421,7 @@ def test_an_itinerary_of_three_masses_from_a_motion() -> None:
         symmetry={**TURNED, "c1": "-c1", "s1": "-s1"},
     )
     assert half.itinerary == orbit.itinerary
-    np.testing.assert_allclose(half.states, orbit.states, rtol=0, atol=1e-11)
+    assert_allclose(half.states, orbit.states, rtol=0, atol=1e-11)
 
 
 @pytest.mark.compiled
@@ -489,7 +479,6 @@ def test_stick_slip_has_derived_kernels_too(tmp_path: Path) -> None:
     code, _, err = run("generate", page("mass_on_belt"), "--out", str(folder))
     assert code == 0, err
     orbit = ns.solve(f"{folder}:stick-slip", {"V": "0.7"})
-    assert isinstance(orbit, Orbit)
     angle = 0.3 / 0.7
     assert orbit.period == pytest.approx(2 * (math.pi - math.atan(angle) + angle), rel=1e-14)
     assert orbit.trace == 0
@@ -529,7 +518,7 @@ def test_the_symmetric_orbit_from_its_half(d: float) -> None:
     assert orbit.states[0, 1] == pytest.approx(0.8 * U, rel=1e-12)
     assert orbit.period == pytest.approx(4 * math.pi / 3, rel=1e-13)
     squares = sorted((m * m for m in eigenvalues(trace, 0.64)), key=lambda m: (m.real, m.imag))
-    np.testing.assert_allclose(multipliers(orbit), squares, rtol=0, atol=1e-11)
+    assert_allclose(multipliers(orbit), squares, rtol=0, atol=1e-11)
     assert orbit.admissibility.verdict is True
     whole = ns.solve(
         page("two_stops"),
@@ -537,14 +526,14 @@ def test_the_symmetric_orbit_from_its_half(d: float) -> None:
         [*orbit.dwell_times, *orbit.states[0]],
         itinerary=orbit.itinerary,
     )
-    np.testing.assert_allclose(whole.states, orbit.states, rtol=0, atol=1e-11)
+    assert_allclose(whole.states, orbit.states, rtol=0, atol=1e-11)
 
 
 def test_the_symmetry_breaks_where_the_half_map_has_minus_one() -> None:
     d = breaking(1.5, 0.8)
     orbit = half_orbit(d)
     assert symmetric(1.5, 0.8, d)[1] == pytest.approx(-1.64, abs=1e-13)
-    np.testing.assert_allclose(multipliers(orbit), [0.64**2, 1], rtol=0, atol=1e-11)
+    assert_allclose(multipliers(orbit), [0.64**2, 1], rtol=0, atol=1e-11)
     assert half_orbit(d + 1e-4).stability.verdict == "stable"
     assert half_orbit(d - 1e-4).stability.verdict == "unstable"
 
@@ -557,8 +546,8 @@ def test_two_orbits_that_are_images_of_each_other() -> None:
         )
         pair = [entry.orbit for entry in found.orbits if entry.share > 0]
         assert len(pair) == 2
-        np.testing.assert_allclose(pair[0].dwell_times, pair[1].dwell_times[::-1], atol=1e-10)
-        np.testing.assert_allclose(pair[0].states, -pair[1].states[::-1], atol=1e-10)
+        assert_allclose(pair[0].dwell_times, pair[1].dwell_times[::-1], atol=1e-10)
+        assert_allclose(pair[0].states, -pair[1].states[::-1], atol=1e-10)
         assert abs(np.ptp(pair[0].dwell_times)) > 0.5
     broken = solved("two_stops", "broken")
     field = forced(second_order(1), 1.5, np.array([1.0]))
@@ -610,8 +599,8 @@ def test_den_hartogs_oscillator_at_half_its_frequency() -> None:
     # the multiplier 1: shifted, it comes back as well
     shifted = [4 / 3 + 0.05, 0, 1, 0]
     motion = ns.simulate(page("den_hartog"), {"S": "0.2", "W": "1/2"}, shifted, transitions=2)
-    np.testing.assert_allclose(motion.times[1:], [2 * math.pi, 4 * math.pi], rtol=1e-12)
-    np.testing.assert_allclose(motion.states[2], shifted, rtol=0, atol=1e-12)
+    assert_allclose(motion.times[1:], [2 * math.pi, 4 * math.pi], rtol=1e-12)
+    assert_allclose(motion.states[2], shifted, rtol=0, atol=1e-12)
 
 
 def test_a_jenkins_element_takes_the_area_of_its_loop() -> None:
@@ -624,7 +613,7 @@ def test_a_jenkins_element_takes_the_area_of_its_loop() -> None:
         itinerary=orbit.itinerary[:2],
         symmetry={**FORCED, "s_joint": "-s_joint"},
     )
-    np.testing.assert_allclose(half.states, orbit.states, rtol=0, atol=1e-11)
+    assert_allclose(half.states, orbit.states, rtol=0, atol=1e-11)
     amplitude = -orbit.states[0, 0]
     # work of the forcing: F x' cos(w t), of the damper: 2 zeta x'^2
     work = 0.0
@@ -687,38 +676,3 @@ def test_no_claim_holds_where_the_load_of_a_pad_is_negative() -> None:
 def test_those_of_many_hold_where_the_load_of_a_pad_is_positive() -> None:
     many = ns.solve(f"{page('brake_pad')}:pressed", {"A": np.array([1.15, 1.17, 4.0])})
     assert many.admissible.tolist() == [True, False, False]
-
-
-# --- the command line ---------------------------------------------------------------------
-
-
-def test_commands_take_the_files() -> None:
-    code, out, err = run("solve", f"{page('switched_damping')}:limit-cycle", "--json")
-    assert code == 0, err
-    told = json.loads(out)
-    assert float(told["period"]) == pytest.approx(6.367077, abs=5e-7)
-    assert float(told["multipliers"][0]["re"]) == pytest.approx(0.538924872, abs=5e-10)
-    assert told["admissible"] is True
-    code, out, err = run(
-        "verify", f"{page('mass_on_belt')}:stick-slip", "e=1/2", "V=1/2", "--digits", "30", "--json"
-    )
-    assert code == 0, err
-    with mpmath.workdps(40):
-        error = mpmath.mpf(json.loads(out)["period"]) - (3 * mpmath.pi / 2 + 2)
-        assert abs(error) < mpmath.mpf(10) ** -29
-    code, out, err = run(
-        "simulate", page("spring_and_ground"), "m=1e-3", "k=100", "gravity=9.81", "e=0.9",
-        "--from", "x=1,v=0", "--transitions", "1", "--json",
-    )  # fmt: skip
-    assert code == 0, err
-    assert float(json.loads(out)["times"][1]) == pytest.approx(4.966983943888618e-03, rel=1e-14)
-    code, out, err = run("equations", f"{page('mass_on_belt')}:stick-slip", "--format", "markdown")
-    assert code == 0, err
-    assert "The orbit stick-slip of the system mass-on-belt" in out
-
-
-def test_a_wrong_orbit_of_a_file_is_one_line() -> None:
-    code, out, err = run("solve", f"{page('two_stops')}:symetric")
-    assert (code, out) == (2, "")
-    assert "did you mean" in err
-    assert err.count("\n") == 1

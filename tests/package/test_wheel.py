@@ -3,7 +3,6 @@
 import importlib
 import os
 import shutil
-import subprocess
 import sys
 import tomllib
 import venv
@@ -12,21 +11,11 @@ from pathlib import Path
 import pytest
 import yaml
 
+from tests.package.test_package import run
 from tests.places import CHECKOUT
 
 PROJECT = tomllib.loads((CHECKOUT / "pyproject.toml").read_text(encoding="utf-8"))
 DEPENDENCIES = ("flint", "mpmath", "numpy", "rich", "scipy", "sympy", "typer")
-
-
-def run(*command: object, cwd: Path, **environment: str) -> str:
-    """Run a command; on failure show what it said."""
-    words = [str(part) for part in command]
-    inherited = {name: text for name, text in os.environ.items() if name != "PYTHONPATH"}
-    done = subprocess.run(
-        words, cwd=cwd, env=inherited | environment, capture_output=True, text=True, check=False
-    )
-    assert done.returncode == 0, f"{words}\n{done.stdout}\n{done.stderr}"
-    return done.stdout + done.stderr
 
 
 def environment_without_compiler(place: Path) -> Path:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import time
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from pathlib import Path
@@ -21,6 +20,7 @@ from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.finding.sweep import Sweep
 from nonsmooth.runtime.model.saved_system import SavedSystem
+from tests.counting import calls_of
 from tests.user_systems import declare
 
 # a square root, a quotient, a fraction, restitution, an irrational end of a domain
@@ -338,14 +338,17 @@ WRONG = {
 def test_data_that_are_not_in_order_are_refused_at_small_cost(where: str, folder: Path) -> None:
     sound, wrong = content(folder / "orbit.json"), folder / "wrong.json"
     assert resealed(sound, lambda tables: None)["system"] == sound["system"]
-    for entry in WRONG[where]:
-        wrong.write_text(json.dumps(resealed(sound, put(where, entry))))
-        begun = time.process_time()
+    most = 2 * calls_of(lambda: ns.load(folder / "orbit.json"))
+
+    def refuse() -> None:
         with pytest.raises(InputError) as refused:
             ns.load(wrong)
         assert str(refused.value).startswith(str(wrong)), entry
         assert "\n" not in str(refused.value)
-        assert time.process_time() - begun < 1
+
+    for entry in WRONG[where]:
+        wrong.write_text(json.dumps(resealed(sound, put(where, entry))))
+        assert calls_of(refuse) < most
 
 
 @pytest.fixture(scope="module")
@@ -541,9 +544,7 @@ def test_huge_exponents_in_a_map_are_refused(
         forged = json.loads(json.dumps(forged).replace(forged["system"], name))
     forged["sha256"] = checksum_of(forged)
     (folder / "huge.json").write_text(json.dumps(forged))
-    begun = time.process_time()
-    found = CliRunner().invoke(app, command.split())
-    assert time.process_time() - begun < 10
+    found = CliRunner().invoke(app, command.split())  # without a bound it would never end
     assert found.exit_code == (1 if "check" in command else 2), found.output
     assert (found.stderr or found.stdout).count("\n") == 1
     assert "internal error" not in found.stderr

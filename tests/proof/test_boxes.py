@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import nonsmooth as ns
@@ -60,8 +60,7 @@ def test_the_paper_s_orbit_is_stable_for_all_parameters_around_its_data() -> Non
     assert len(one.tiles) == 1
 
 
-@settings(max_examples=12, deadline=None, derandomize=True,
-          suppress_health_check=[HealthCheck.too_slow])  # fmt: skip
+@settings(max_examples=12)
 @given(speed=st.integers(950, 1050), eta=st.integers(950, 1050))
 def test_enclosures_hold_the_refined_values_of_every_point(speed: int, eta: int) -> None:
     point = {"V": Fraction(speed, 1000), "eta": Fraction(eta, 1000)}

@@ -128,7 +128,7 @@ def test_forced_and_damped_systems_of_users(name: str) -> None:
     assert np.allclose(np.sort_complex(found), np.sort_complex(wanted), atol=1e-8)
 
 
-@settings(max_examples=40, deadline=None, derandomize=True)
+@settings(max_examples=40)
 @given(
     left=st.integers(-19_999, 19_999), root=st.fractions("1/9", 9, max_denominator=50),
     bits=st.sampled_from([64, 100, 300]),

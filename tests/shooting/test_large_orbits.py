@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from numpy.testing import assert_allclose
 
 from nonsmooth import InputError
 from nonsmooth.runtime.model.engine_layout import numbers_of
@@ -32,11 +33,11 @@ def test_the_compiled_solver_takes_any_number_of_states(
     found, known = with_both(solve_shape, cycle, flat, dwell * 1.001, near, period)
     assert found.status.tolist() == known.status.tolist() == [CONVERGED]
     assert found.iterations.tolist() == known.iterations.tolist()
-    np.testing.assert_allclose(found.dwell, known.dwell, rtol=0, atol=1e-12)
-    np.testing.assert_allclose(found.starts, known.starts, rtol=0, atol=1e-12)
-    np.testing.assert_allclose(found.maps, known.maps, rtol=0, atol=1e-11)
+    assert_allclose(found.dwell, known.dwell, rtol=0, atol=1e-12)
+    assert_allclose(found.starts, known.starts, rtol=0, atol=1e-12)
+    assert_allclose(found.maps, known.maps, rtol=0, atol=1e-11)
     # the simulated motion has come to this orbit
-    np.testing.assert_allclose(found.dwell, dwell, rtol=0, atol=1e-5)
+    assert_allclose(found.dwell, dwell, rtol=0, atol=1e-5)
 
 
 @pytest.mark.compiled
@@ -63,11 +64,11 @@ def test_orbits_are_judged_by_factors_as_by_matrices() -> None:
         told.append((now, verdict, digits, waves))
     (one, motion_is, digits, waves), (other, same, fewer, again) = told
     for name in ("flows", "ends", "residual", "variational"):
-        np.testing.assert_allclose(getattr(other, name), getattr(one, name), rtol=0, atol=1e-11)
+        assert_allclose(getattr(other, name), getattr(one, name), rtol=0, atol=1e-11)
     assert (motion_is.verdict, same.verdict) == (True, True)
     assert digits[0] >= 10
     assert abs(digits[0] - fewer[0]) <= 1
-    np.testing.assert_allclose(again.coefficients, waves.coefficients, rtol=0, atol=1e-12)
+    assert_allclose(again.coefficients, waves.coefficients, rtol=0, atol=1e-12)
 
 
 def test_a_structure_alone_has_no_numbers() -> None:

@@ -18,7 +18,7 @@ from nonsmooth import refine, solve
 from nonsmooth.derive.equations.linearisation import saltation_matrix
 from tests.declared import RANGES, Declared, random_points
 
-PROPERTY = settings(deadline=None, max_examples=40, derandomize=True)
+PROPERTY = settings(max_examples=40)
 every_orbit = pytest.mark.parametrize("name", RANGES)
 
 
@@ -134,15 +134,6 @@ def test_multipliers_are_its_other_eigenvalues(name):
         if "stop" not in name:
             assert distance(found, expected) < 1e-8 * abs(found).max()
         assert orbit.trace == pytest.approx(np.trace(orbit.monodromy) - 1, abs=1e-9)
-
-
-@pytest.mark.parametrize("name", [n for n in RANGES if not n.startswith("elastic")])
-def test_without_saltation_the_multipliers_are_wrong(name):
-    for orbit in orbits(name):
-        wrong = without_one(np.linalg.eigvals(Declared(orbit).monodromy(saltations=False)))
-        expected = np.zeros(len(wrong), dtype=complex)
-        expected[: len(multipliers(orbit))] = multipliers(orbit)
-        assert distance(wrong, expected) > 1e-2
 
 
 @every_orbit

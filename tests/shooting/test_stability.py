@@ -90,33 +90,6 @@ def test_the_jacobian_is_that_of_the_simulated_map(orbits, unstable):
         assert abs(np.linalg.det(found)) < 1e-6 * scale**2
 
 
-def distances(orbit, moved, count):
-    """From the orbit, after each of so many turns from a moved start."""
-    mapped, start = simulated_map(orbit)
-    there, found = start + np.array([*moved, 0, 0]), []
-    for _ in range(count):
-        there = mapped(there)
-        found.append((there - start)[0])
-    return np.array(found)
-
-
-def test_perturbations_change_by_the_trace_each_period(orbits, unstable):
-    for orbit in (*orbits, *unstable):
-        found = distances(orbit, (1e-6, 2e-6), 6)
-        assert_allclose(found[1:] / found[:-1], orbit.trace, rtol=1e-3)
-
-
-@pytest.mark.slow
-def test_the_verdict_is_what_becomes_of_a_perturbation(unstable):
-    stable = orbits_where(lambda many: np.abs(many.trace) < 0.7, 3)
-    for orbit, verdict in [(o, "stable") for o in stable] + [(o, "unstable") for o in unstable]:
-        assert orbit.stability.verdict == verdict
-        found = np.abs(distances(orbit, (1e-6, 0), 13))
-        growth = found[-1] / found[0]
-        assert growth == pytest.approx(abs(orbit.trace) ** 12, rel=0.01, abs=1e-3)
-        assert (growth < 1) == (verdict == "stable")
-
-
 def test_batches_have_the_same_trace_and_both_verdicts_occur():
     points = LOWER + (UPPER - LOWER) * np.random.default_rng(12).random((120, 5))
     many = solve(ORBIT, dict(zip(PARAMETERS, points.T, strict=True)))

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from flint import arb, arb_mat
 from mpmath import MPContext
+from numpy.testing import assert_allclose
 from scipy.linalg import expm
 
 from nonsmooth.runtime.core.arithmetic import exact_ball
@@ -164,7 +165,7 @@ def test_every_arithmetic_gives_the_same(seed: int) -> None:
                 assert model[row][column].overlaps(inside)
                 assert ball[row][column].rad() < 1e-40
                 assert model[row][column].rad() < 1e-40
-            np.testing.assert_allclose(near, array.astype(float), rtol=1e-9, atol=1e-9)
+            assert_allclose(near, array.astype(float), rtol=1e-9, atol=1e-9)
 
 
 def test_the_variational_is_the_derivative() -> None:
@@ -200,13 +201,13 @@ def test_a_complex_step_gives_the_derivative_by_a_parameter() -> None:
     phases = phases_of(complex_data)
     found = shooting_map(ARRAYS, phases, flows, start, unit[COUNT:], rates)
     plain = in_floats(data).free
-    np.testing.assert_allclose(found.variational.real, plain.variational, rtol=1e-12, atol=1e-12)
-    np.testing.assert_allclose(np.real(found.slopes), plain.slopes, rtol=1e-12, atol=1e-12)
+    assert_allclose(found.variational.real, plain.variational, rtol=1e-12, atol=1e-12)
+    assert_allclose(np.real(found.slopes), plain.slopes, rtol=1e-12, atol=1e-12)
     step = 1e-6
     pairs = [in_floats(at(sign * step)).free for sign in (1, -1)]
     values = [np.concatenate([*now.residual, now.starts[-1]]) for now in (*pairs, found)]
     slope = (values[0] - values[1]) / (2 * step)
-    np.testing.assert_allclose(values[2].imag / tiny, slope, rtol=1e-6, atol=1e-7)
+    assert_allclose(values[2].imag / tiny, slope, rtol=1e-6, atol=1e-7)
 
 
 @pytest.mark.parametrize("seed", [21, 22, 23])

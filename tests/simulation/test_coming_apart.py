@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
+from numpy.testing import assert_allclose, assert_array_equal
 
 import nonsmooth as ns
 from nonsmooth.derive import (
@@ -104,7 +105,7 @@ def test_the_order_is_that_of_the_moved_motion(seed: int, side: str) -> None:
     for part in found.parts:
         for column in part.columns.tolist():
             expected = one_sided_digits(system, part, BY[column], sign, times)
-            np.testing.assert_allclose(found.states[..., column], expected, atol=1e-12)
+            assert_allclose(found.states[..., column], expected, atol=1e-12)
 
 
 @pytest.mark.parametrize("side", ["+", "-"])
@@ -123,7 +124,7 @@ def test_moved_motions_differ_by_the_one_sided_derivative(side: str) -> None:
         other = ns.simulate(system, moved, own, "low", until=1.5)
         assert name in ("s", "c0") or other.transitions == 2
         difference = (other(1.5) - motion(1.5)) / step
-        np.testing.assert_allclose(found.states[0, :, place], difference, atol=2e-5)
+        assert_allclose(found.states[0, :, place], difference, atol=2e-5)
 
 
 def test_one_sided_derivatives_along_a_direction_are_no_sum() -> None:
@@ -134,7 +135,7 @@ def test_one_sided_derivatives_along_a_direction_are_no_sum() -> None:
     along = {"a0": 1.0, "b0": 2.0}
     moved = ns.simulate(system, data, start + step * np.array([1, 2, 0]), "low", until=1.5)
     difference = (moved(1.5) - motion(1.5)) / step
-    np.testing.assert_allclose(found.jvp(along)["states"][0], difference, atol=2e-5)
+    assert_allclose(found.jvp(along)["states"][0], difference, atol=2e-5)
     summed = found.states[0] @ np.array([along.get(name, 0.0) for name in BY])
     assert np.abs(summed - difference).max() > 1e-3
 
@@ -150,7 +151,7 @@ def test_reverse_is_forward_where_orders_differ(side: str) -> None:
     expected = sum(
         np.tensordot(part, getattr(found, name), axes=part.ndim) for name, part in factors.items()
     )
-    np.testing.assert_allclose(found.vjp(**factors), expected, rtol=1e-12, atol=1e-12)
+    assert_allclose(found.vjp(**factors), expected, rtol=1e-12, atol=1e-12)
     assert found.condition >= 1
 
 
@@ -196,7 +197,7 @@ def test_a_damper_tells_which_mass_strikes_first() -> None:
     for sign, side in ((1, "+"), (-1, "-")):
         found = motion.derivatives(["h1"], times=times, one_sided=side).states[..., 0]
         expected = one_sided_digits(system, _part(motion, "h1", sign), "h1", sign, times)
-        np.testing.assert_allclose(found, expected, atol=1e-12)
+        assert_allclose(found, expected, atol=1e-12)
         both.append(found)
     assert np.abs(both[0] - both[1]).max() > 0.1
 
@@ -210,14 +211,14 @@ def test_orders_that_agree_have_a_derivative() -> None:
     for place, name in enumerate(found.by):
         for sign in (1, -1):
             expected = one_sided_digits(system, _part(motion, name, sign), name, sign, found.times)
-            np.testing.assert_allclose(found.states[..., place], expected, atol=1e-12)
+            assert_allclose(found.states[..., place], expected, atol=1e-12)
     apart = [name[0] in "hxv" for name in found.by]
-    np.testing.assert_array_equal(np.isnan(found.event_times[0]), apart)
-    np.testing.assert_array_equal(np.isnan(found.behind[1, 0]), apart)
+    assert_array_equal(np.isnan(found.event_times[0]), apart)
+    assert_array_equal(np.isnan(found.behind[1, 0]), apart)
     direction = np.linspace(1, 2, len(found.by))
-    np.testing.assert_allclose(found.jvp(direction)["states"], found.states @ direction, rtol=1e-13)
+    assert_allclose(found.jvp(direction)["states"], found.states @ direction, rtol=1e-13)
     factors = np.ones(found.states.shape[:2])
-    np.testing.assert_allclose(found.vjp(states=factors), found.states.sum(axis=(0, 1)), rtol=1e-12)
+    assert_allclose(found.vjp(states=factors), found.states.sum(axis=(0, 1)), rtol=1e-12)
     assert np.isnan(found.vjp(event_times=[1.0])).tolist() == apart
 
 
@@ -243,7 +244,7 @@ def test_configurations_that_were_not_visited_are_made() -> None:
         moved[mass] += step
         other = ns.simulate(system, data, moved, until=1.2)
         difference = (other(1.1) - motion(1.1)) / step
-        np.testing.assert_allclose(found_rates.states[0, :, place], difference, atol=2e-5)
+        assert_allclose(found_rates.states[0, :, place], difference, atol=2e-5)
 
 
 def _part(motion: Trajectory, name: str, sign: int) -> Any:
@@ -256,9 +257,9 @@ def test_times_of_transitions_are_those_of_the_first_and_the_last() -> None:
     motion = ns.simulate(system, data, [0, 0, 0.25], "low", until=1.5)
     found = motion.derivatives(["a0", "b0"], one_sided="+")
     # a is there by the first of both, then b moves by 3, or a by 1
-    np.testing.assert_allclose(found.event_times, [[-1, -1]])
-    np.testing.assert_allclose(found.before[1, :2], [[0, -1], [-1, 0]], atol=1e-15)
-    np.testing.assert_allclose(found.behind[1, :2], [[2 / 3, 0], [0, 2]], atol=1e-14)
+    assert_allclose(found.event_times, [[-1, -1]])
+    assert_allclose(found.before[1, :2], [[0, -1], [-1, 0]], atol=1e-15)
+    assert_allclose(found.behind[1, :2], [[2 / 3, 0], [0, 2]], atol=1e-14)
 
 
 def test_observables_follow_the_sequence() -> None:

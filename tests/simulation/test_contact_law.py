@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
+from numpy.testing import assert_allclose, assert_array_equal
 from scipy.optimize import minimize
 
 import nonsmooth as ns
@@ -60,9 +61,9 @@ def test_the_contact_that_needs_less_than_its_limit_holds(reverse: bool) -> None
     for sign in (1, -1):
         motion, run_ = both(system, {"P": sign, "A": 2 * sign}, [0, 0, 0, 0, 1, 0], 8.0)
         assert motion.status == run_.status == Status.UNTIL
-        np.testing.assert_allclose(sign * motion(8.0)[:2], [2.20143911] * 2, atol=1e-8)
-        np.testing.assert_allclose(run_.states, motion.states, atol=1e-13)
-        np.testing.assert_allclose(bristles(8.0), [2.20143911] * 2, atol=2e-3)
+        assert_allclose(sign * motion(8.0)[:2], [2.20143911] * 2, atol=1e-8)
+        assert_allclose(run_.states, motion.states, atol=1e-13)
+        assert_allclose(bristles(8.0), [2.20143911] * 2, atol=2e-3)
 
 
 @cache
@@ -126,9 +127,7 @@ def declared(seed: int, count: int, order: list[int]) -> System:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("seed", "count"), [(1, 1), (3, 2), pytest.param(4, 3, marks=pytest.mark.slow)]
-)
+@pytest.mark.parametrize(("seed", "count"), [(1, 1), (3, 2), (4, 3)])
 def test_neither_order_nor_direction_of_a_declaration_matters(seed: int, count: int) -> None:
     systems = [declared(seed, count, list(o)) for o in (range(count), reversed(range(count)))]
     start = np.random.default_rng(seed).normal(size=2 * count) * 0.4
@@ -139,13 +138,13 @@ def test_neither_order_nor_direction_of_a_declaration_matters(seed: int, count: 
         for sign in (1, -1):
             first, second = both(system, {"sign": sign}, [*(sign * start), 1, 0], 12.0)
             assert first.status == second.status == Status.UNTIL
-            np.testing.assert_array_equal(first.run.configurations, second.configurations)
-            np.testing.assert_allclose(first.states, second.states, atol=1e-11)
+            assert_array_equal(first.run.configurations, second.configurations)
+            assert_allclose(first.states, second.states, atol=1e-11)
             ends.append((first.transitions, sign * first(12.0)[: 2 * count]))
     assert ends[0][0] > 1
     for count_, end in ends[1:]:
         assert count_ == ends[0][0]
-        np.testing.assert_allclose(end, ends[0][1], atol=1e-9)
+        assert_allclose(end, ends[0][1], atol=1e-9)
 
 
 def stopped(seed: int, order: list[int], sign: int) -> System:
@@ -168,24 +167,21 @@ def stopped(seed: int, order: list[int], sign: int) -> System:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", [11, pytest.param(14, marks=pytest.mark.slow)])
-def test_stops_that_hold_a_contact_leave_the_law_to_the_others(seed: int) -> None:
+def test_stops_that_hold_a_contact_leave_the_law_to_the_others() -> None:
     ends, touched = [], False
     for order, sign in (([0, 1, 2], 1), ([2, 0, 1], -1)):
-        system = stopped(seed, order, sign)
+        system = stopped(11, order, sign)
         assert system.law is not None
         first, second = both(system, {}, [0, 0, 0, sign * 0.5, 1, 0], 12.0)
         assert first.status == second.status == Status.UNTIL
         # where bounces accumulate, rounding tells how many there are
-        np.testing.assert_allclose(
-            first(second.times[-1])[:2], second.states[-1][:2], rtol=0, atol=1e-7
-        )
+        assert_allclose(first(second.times[-1])[:2], second.states[-1][:2], rtol=0, atol=1e-7)
         ends.append((first.transitions, sign * first(12.0)[:4]))
         touched |= any("contact" in name for name in first.configurations)
     assert touched
     for count, end in ends[1:]:
         assert count == ends[0][0]
-        np.testing.assert_allclose(end, ends[0][1], atol=1e-7)
+        assert_allclose(end, ends[0][1], atol=1e-7)
 
 
 @pytest.mark.parametrize("reverse", [False, True])
@@ -197,7 +193,7 @@ def test_motions_of_coupled_contacts_are_proved(reverse: bool) -> None:
         assert proof.decided
         assert proof.configurations == tuple(motion.configurations)
         states = [[float(x) for x in state] for state in proof.states]
-        np.testing.assert_allclose(motion.states, states, atol=1e-9)
+        assert_allclose(motion.states, states, atol=1e-9)
 
 
 def test_a_step_with_a_force_exactly_at_its_limit_is_not_proved() -> None:
@@ -219,7 +215,6 @@ def test_a_step_with_a_force_exactly_at_its_limit_is_not_proved() -> None:
 def least(point: Any, state: np.ndarray, reached: set[int]) -> list[str]:
     """What each contact of a system at rest does, by minima of the primal problem."""
     law = point.structure.law
-    assert law is not None
     count = len(law.contacts)
     known = np.append(state, 1.0)
     coupling = np.array([[point.rows[row, -1] for row in each] for each in law.coupling])
@@ -252,7 +247,6 @@ def test_the_choice_is_the_minimum(seed: int, count: int, monkeypatch: pytest.Mo
     system = declared(seed, count, list(range(count)))
     point = piecewise(system, {"sign": 1})
     law = point.structure.law
-    assert law is not None
     decider = Decider(point.structure, point.fields, point.rows, point.resets)
     rng, seen = np.random.default_rng(seed), set()
     speeds = np.array([-point.rows[c.relative][-1] for c in law.contacts])
@@ -270,7 +264,6 @@ def test_the_choice_is_the_minimum(seed: int, count: int, monkeypatch: pytest.Mo
         found = decider.choice(
             source, frozenset({shape}), decider.located(source, known, 0.0)
         ).transition
-        assert found is not None
         expected = "-".join(least(point, state, {place}))
         assert point.structure.configurations[found.target] == expected
         seen.add(expected)
@@ -351,15 +344,15 @@ def test_the_options_of_an_ambiguous_motion_are_kept(ending: str, tmp_path: Path
 )
 def test_stops_at_one_instant_by_a_law(law: str, reverse: bool, expected: list[float]) -> None:
     motion, second = both(stops(law, reverse), {}, [0, 0, 1, 2], 1.5)
-    np.testing.assert_allclose(motion(1.5)[:2], expected, atol=1e-12)
-    np.testing.assert_allclose(second.states, motion.states, atol=1e-13)
+    assert_allclose(motion(1.5)[:2], expected, atol=1e-12)
+    assert_allclose(second.states, motion.states, atol=1e-13)
 
 
 def test_stops_that_do_not_interact_need_no_law() -> None:
     pair = [RigidStop("x1", 1, 0.5), RigidStop("x2", 1, 0.25)]
     system = oscillator("two", ["x1", "x2"], sp.eye(2), sp.eye(2), elements=pair)
     motion, _ = both(system, {}, [0, 0, 2, 2], 1.0)
-    np.testing.assert_allclose(motion.states[1], [1, 1, -np.sqrt(0.75), -np.sqrt(3) / 4])
+    assert_allclose(motion.states[1], [1, 1, -np.sqrt(0.75), -np.sqrt(3) / 4])
     with pytest.raises(DeclarationError, match="simultaneous_impacts is 'together'"):
         stops("together")
 
@@ -431,7 +424,7 @@ def test_half_of_an_orbit_through_coupled_contacts_and_its_mirror_image(tmp_path
     half = ns.solve(file, {}, guess, itinerary=itinerary[:count], symmetry=turned)
     assert half.itinerary == whole.itinerary
     assert half.admissibility.verdict is True
-    np.testing.assert_allclose(half.states, whole.states, atol=1e-12)
+    assert_allclose(half.states, whole.states, atol=1e-12)
     assert set(ns.certify(half).claims.values()) == {"proved"}
 
 

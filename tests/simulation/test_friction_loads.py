@@ -137,7 +137,7 @@ class ByHand:
         def wrapped(t: float, y: np.ndarray, _: str) -> float:
             return float(event(t, y))
 
-        wrapped.terminal, wrapped.direction = True, 1  # type: ignore[attr-defined]  # SciPy reads them
+        wrapped.terminal, wrapped.direction = True, 1  # SciPy reads them
         return wrapped
 
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import sympy as sp
+from numpy.testing import assert_allclose
 
 from nonsmooth import simulate
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
@@ -53,8 +54,8 @@ def test_chains_follow_matrix_exponentials(
     for engine in ENGINES[: 2 if count <= 12 else 1]:
         found = with_engine(engine, follow, system, state, 0, transitions=transitions)
         assert found.configurations.tolist() == places
-        np.testing.assert_allclose(found.times, times, rtol=0, atol=1e-11)
-        np.testing.assert_allclose(found.states, states, rtol=0, atol=1e-11)
+        assert_allclose(found.times, times, rtol=0, atol=1e-11)
+        assert_allclose(found.states, states, rtol=0, atol=1e-11)
 
 
 @pytest.mark.parametrize("count", [15, 16, 17, 40])
@@ -67,7 +68,7 @@ def test_stops_reached_one_by_one(count: int) -> None:
     found, known = with_both(follow, system, state, 0, transitions=count + 5)
     assert found.sets.dtype == (np.int32 if 2 * count < 32 else object)
     assert found.sets.tolist() == known.sets.tolist()
-    np.testing.assert_allclose(found.times, known.times, rtol=0, atol=1e-12)
+    assert_allclose(found.times, known.times, rtol=0, atol=1e-12)
     for mass in range(count):
         place = next(k for k, mask in enumerate(found.sets) if mask >> mass & 1)
         assert found.times[place] == pytest.approx(math.asin(gaps[mass] / state[count + mass]))
@@ -97,7 +98,6 @@ def test_what_is_kept_of_many_motions() -> None:
     states = np.hstack([np.zeros((3, count)), rng.uniform(0.9, 1.1, (3, count))])
     zeros, until = np.zeros(3, dtype=int), np.full(3, np.inf)
     engine = compiled_engine()
-    assert engine is not None
     numbers = numbers_of(system)[None]
     ends = run_motions(engine, system.structure, numbers, zeros, states, zeros, until, 44, kept)
     for state, sets in zip(states, ends.last_sets, strict=True):
@@ -124,14 +124,13 @@ def test_a_declared_chain() -> None:
     )
     found = simulate(declared, {"place": "0.3"}, start_of(count, 9), transitions=15)
     known = with_engine("numpy", follow, chain(count), start_of(count, 9), 0, transitions=15)
-    np.testing.assert_allclose(found.times, known.times, rtol=0, atol=1e-11)
-    np.testing.assert_allclose(found.states, known.states, rtol=0, atol=1e-11)
+    assert_allclose(found.times, known.times, rtol=0, atol=1e-11)
+    assert_allclose(found.states, known.states, rtol=0, atol=1e-11)
 
 
 def test_factors_that_no_mode_has_are_refused() -> None:
     """A layout that says of a mode that it has factors, and does not count them, or of a chain."""
     engine = compiled_engine()
-    assert engine is not None
     system = chain(10)
     structure = system.structure
     (shapes,) = structure.shapes
@@ -155,10 +154,9 @@ def test_factors_that_no_mode_has_are_refused() -> None:
 def test_rounding_by_factors_is_bounded_as_by_matrices(count: int, growing: bool) -> None:
     """What a decider is told of an event: never less than by matrices, and not much more."""
     engine, told = compiled_engine(), []
-    assert engine is not None
 
     def decide(*what: object) -> tuple[int, int, int]:
-        told.append([np.frombuffer(what[4]), what[5]])  # type: ignore[call-overload]  # bytes
+        told.append([np.frombuffer(what[4]), what[5]])  # bytes
         return Status.UNDECLARED, 0, 0
 
     for factored in (False, True):

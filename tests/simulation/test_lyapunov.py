@@ -1,4 +1,4 @@
-"""Derivatives of motions, and Lyapunov exponents against the multipliers of periodic orbits."""
+"""Lyapunov exponents against the multipliers of periodic orbits."""
 
 import math
 from functools import cache
@@ -14,7 +14,6 @@ from nonsmooth.runtime.explore.finding.unsettled import stretching
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.simulation.lyapunov import lyapunov_spectrum
 from nonsmooth.runtime.simulation.recurrence import scales_of
 from nonsmooth.runtime.simulation.trajectory import Trajectory
@@ -81,10 +80,7 @@ def law(system: object, motion: Trajectory) -> list[float]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    "kind",
-    [pytest.param("frequencies", marks=pytest.mark.slow), "stop", "sticking", "both"],
-)
+@pytest.mark.parametrize("kind", ["frequencies", "stop", "sticking", "both"])
 def test_exponents_of_forced_orbits_are_those_of_their_multipliers(kind: str) -> None:
     generator = np.random.default_rng(5)
     settled = 0
@@ -202,73 +198,6 @@ def test_nothing_is_told_of_a_motion_at_rest() -> None:
     motion = ns.simulate(system, {}, {"x": -1, "v": 0}, until=500)
     with pytest.raises(InputError, match="at rest"):
         lyapunov(motion)
-
-
-def on_orbit(name: str, periods: int) -> tuple[Orbit, Trajectory]:
-    """A simulated motion on a periodic orbit of data A."""
-    orbit = ns.solve(name)
-    data = {n: float(x) for n, x in orbit.parameters.items()}
-    friction_data = {k: data[k] for k in ("chi", "eta", "V")}
-    friction_data |= {"us1": 1.0, "us2": 1.0, "ur1": 1 + data["e1"], "ur2": 1 + data["e2"]}
-    chi = data["chi"]
-    centre = np.array([2 / (1 - chi), (chi + 1) / (chi * (1 - chi)), 0, 0])
-    start = np.array([float(x) for x in orbit.states[0]]) + centre
-    start[2:] = data["V"]
-    trajectory = simulate(
-        "dry-friction", friction_data, start, "stick-stick", transitions=4 * periods
-    )
-    assert_allclose(trajectory.end, periods * orbit.period, rtol=1e-9)
-    return orbit, trajectory
-
-
-def test_the_exponent_of_a_stable_orbit_is_that_of_its_multiplier() -> None:
-    orbit, trajectory = on_orbit("dry-friction/global-stick", 60)
-    since = float(trajectory.times[4 * 20])
-    assert orbit.trace == pytest.approx(-0.98011498, abs=1e-8)
-    assert orbit.period == pytest.approx(7.8687, abs=1e-4)
-    wanted = math.log(abs(orbit.trace)) / orbit.period
-    assert lyapunov(trajectory, since).value == pytest.approx(wanted, rel=1e-8)
-    spectrum = lyapunov_spectrum(trajectory, since)
-    assert spectrum == (lyapunov(trajectory, since), *[(-math.inf, 0.0)] * 2)
-
-
-def by_start(trajectory: Trajectory) -> np.ndarray:
-    """Derivative (N, N) of the state at the end by that at the start."""
-    names = [f"{name}0" for name in trajectory.names]
-    return trajectory.derivatives(names, times=[trajectory.end]).states[0]
-
-
-@pytest.mark.parametrize(
-    ("system", "data", "start", "directions"),
-    [
-        ("rigid-stop", {**RIGID, "r": "0.7"}, [0.2, 0.3, 1.5, 0.1], range(4)),
-        ("elastic-stop", ELASTIC, [0.2, 0.3, 1.5, 0.1], range(4)),
-        ("dry-friction", RUBBING, [0.3, -0.2, 0.1, 0.4], range(4)),
-        ("dry-friction", STICKING, [5.0, 3.0, 1.0, 1.0], range(2)),  # stuck: positions alone
-    ],
-)
-def test_derivatives_are_differences_of_nearby_motions(
-    system: str, data: dict[str, object], start: list[float], directions: range
-) -> None:
-    trajectory = simulate(system, data, start, until=25.0)
-    assert trajectory.transitions > 4
-    derivative = by_start(trajectory)
-    for direction in directions:
-        step = 1e-6 * np.eye(4)[direction]
-        ends = [simulate(system, data, start + s * step, until=25.0)(25.0) for s in (1, -1)]
-        difference = (ends[0] - ends[1]) / 2e-6
-        scale = np.abs(derivative).max()
-        assert_allclose(derivative[:, direction], difference, rtol=0, atol=3e-6 * scale)
-
-
-def test_the_motion_carries_its_own_direction() -> None:
-    trajectory = simulate("dry-friction", STICKING, [0.3, -0.2, 0.1, 0.4], until=200)
-    system, run = trajectory.system, trajectory.run
-    fields = [
-        system.fields[run.configurations[i]] @ np.append(trajectory(t), 1)
-        for i, t in ((0, 0.0), (-1, trajectory.end))
-    ]
-    assert_allclose(by_start(trajectory) @ fields[0], fields[1], rtol=0, atol=1e-8)
 
 
 def meeting(system: str, data: dict, time: float, state: list[float], until: float) -> Trajectory:

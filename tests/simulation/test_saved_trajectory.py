@@ -26,6 +26,8 @@ from nonsmooth.runtime.present.files.motions import load_trajectory
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 from tests.two_masses import CHAIN, RUBBING
 
+Change = Callable[[dict[str, Any], dict[str, np.ndarray]], None]
+
 FRICTION = RUBBING | {"chi": "2/5", "V": 0.6773, "ur2": "sqrt(2)"}
 STOP = CHAIN | {"r": "0.5"}
 ENDINGS = [".csv", ".npz"]
@@ -319,7 +321,6 @@ def test_an_array_whose_header_lies(tmp_path: Path) -> None:
     with zipfile.ZipFile(path) as good:
         content = {name: good.read(name) for name in good.namelist()}
     old = re.search(rb"\(\d+,\), } *", content["times.npy"])
-    assert old is not None
     lie = b"(10000000,), }".ljust(len(old[0]))
     content["times.npy"] = content["times.npy"].replace(old[0], lie)
     with zipfile.ZipFile(path, "w") as bad:
@@ -362,9 +363,6 @@ def test_files_that_are_too_large(path: Path, monkeypatch: pytest.MonkeyPatch) -
     with pytest.raises(InputError, match=f"{path.name}: {friction().transitions} transitions are"):
         friction().save(path)
     assert path.read_bytes() == content
-
-
-Change = Callable[[dict[str, Any], dict[str, np.ndarray]], None]
 
 
 def put(name: str, entry: object) -> Change:

@@ -6,6 +6,7 @@ from itertools import accumulate, repeat
 
 import numpy as np
 import pytest
+from numpy.testing import assert_allclose, assert_array_equal
 from scipy.linalg import expm
 from scipy.optimize import brentq
 
@@ -86,13 +87,13 @@ def test_motions_go_by_matrix_exponentials_and_the_rules(
     assert motion.transitions == 40
     assert motion.boundaries[0] == ()
     assert motion.end == motion.times[-1]
-    np.testing.assert_array_equal(motion.states[0], start)
+    assert_array_equal(motion.states[0], start)
     system = motion.system
     for i in range(40):
         where, dwell = int(motion.run.configurations[i]), motion.times[i + 1] - motion.times[i]
         state = motion.states[i]
         arrived = flowed(system, where, dwell, state)
-        np.testing.assert_allclose(motion.before[i + 1], arrived, rtol=0, atol=1e-12)
+        assert_allclose(motion.before[i + 1], arrived, rtol=0, atol=1e-12)
         step = expm(generator(system, where) * dwell / 400)
         path = np.array(list(accumulate(repeat(step, 399), steps, initial=[*state, 1.0])))
         (reached,) = motion.boundaries[i + 1]
@@ -108,7 +109,7 @@ def test_motions_go_by_matrix_exponentials_and_the_rules(
                 assert time == pytest.approx(dwell, abs=2e-12)
         following, after = by_the_rules(motion, motion.configurations[i], reached, arrived)
         assert motion.configurations[i + 1] == following
-        np.testing.assert_allclose(motion.states[i + 1], after, rtol=0, atol=1e-12)
+        assert_allclose(motion.states[i + 1], after, rtol=0, atol=1e-12)
     assert len(set(motion.configurations)) >= configurations
 
 
@@ -125,17 +126,17 @@ def test_the_motion_between_the_transitions(name):
         index = int(motion.run.configurations[phase])
         since = times[place] - motion.times[phase]
         wanted = flowed(motion.system, index, since, motion.states[phase])
-        np.testing.assert_allclose(states[place], wanted, rtol=0, atol=1e-12)
+        assert_allclose(states[place], wanted, rtol=0, atol=1e-12)
         assert where[place] == motion.structure.configurations[index]
 
 
 def test_at_a_transition_the_state_is_the_one_behind_it():
     data, start = CASES["rigid-stop"]
     motion = simulate("rigid-stop", data, start, transitions=6)
-    np.testing.assert_allclose(motion(motion.times), motion.states, rtol=0, atol=1e-13)
-    np.testing.assert_allclose(motion.states[1:, 2], -0.8 * motion.before[1:, 2], rtol=1e-15)
+    assert_allclose(motion(motion.times), motion.states, rtol=0, atol=1e-13)
+    assert_allclose(motion.states[1:, 2], -0.8 * motion.before[1:, 2], rtol=1e-15)
     just = np.nextafter(motion.times[1:], 0)
-    np.testing.assert_allclose(motion(just), motion.before[1:], rtol=0, atol=1e-13)
+    assert_allclose(motion(just), motion.before[1:], rtol=0, atol=1e-13)
     assert motion.configuration(0.0) == "free"
     assert motion(2.0).shape == (4,)
     assert motion([]).shape == (0, 4)
@@ -147,7 +148,7 @@ def test_a_motion_is_the_sum_of_its_parts():
     whole = simulate("dry-friction", data, start, until=30)
     first = simulate("dry-friction", data, start, until=12)
     again = simulate("dry-friction", data, first(12.0), str(first.configuration(12.0)), until=18)
-    np.testing.assert_allclose(again(18.0), whole(30.0), rtol=0, atol=1e-11)
+    assert_allclose(again(18.0), whole(30.0), rtol=0, atol=1e-11)
     assert first.configurations + again.configurations[1:] == whole.configurations
 
 
@@ -156,7 +157,7 @@ def test_the_order_of_the_names_does_not_matter():
     named = dict(zip(("x1", "x2", "v1", "v2"), start, strict=True))
     turned = dict(reversed(named.items()))
     one, other = (simulate("dry-friction", data, s, transitions=9) for s in (start, turned))
-    np.testing.assert_array_equal(one.states, other.states)
+    assert_array_equal(one.states, other.states)
     texts = {"x1": "1/2", "x2": "-0.3", "v1": "0.2", "v2": "sqrt(0.01)"}
     assert simulate("dry-friction", data, texts, transitions=9).boundaries == one.boundaries
 
@@ -171,7 +172,7 @@ def test_what_is_not_hit_keeps_its_energy_and_waits():
     assert "no boundary" in quiet.message
     x1, x2, v1, v2 = motion(np.linspace(0, 1e3, 50)).T
     energy = v1**2 / 2 + v2**2 + (x1 - x2) ** 2 / 2 + 2.5 * x2**2
-    np.testing.assert_allclose(energy, 0.005, rtol=1e-11)
+    assert_allclose(energy, 0.005, rtol=1e-11)
 
 
 def test_a_sample_has_every_transition_twice():
@@ -185,8 +186,8 @@ def test_a_sample_has_every_transition_twice():
         motion.times[1:], motion.before[1:], motion.states[1:], strict=True
     ):
         here = states[times == time]
-        np.testing.assert_array_equal(here[0], before)
-        np.testing.assert_allclose(here[-1], after, rtol=0, atol=1e-14)
+        assert_array_equal(here[0], before)
+        assert_allclose(here[-1], after, rtol=0, atol=1e-14)
     for wrong in (0, True, 2.5):
         with pytest.raises(InputError, match="points"):
             motion.sample(wrong)
@@ -198,8 +199,8 @@ def test_as_a_dataset():
     motion = simulate("dry-friction", data, start, transitions=8)
     dataset = motion.to_xarray()
     assert dict(dataset.sizes) == {"transition": 9, "state": 4}
-    np.testing.assert_array_equal(dataset["after"].sel(state="v2"), motion.states[:, 3])
-    np.testing.assert_array_equal(dataset["time"], motion.times)
+    assert_array_equal(dataset["after"].sel(state="v2"), motion.states[:, 3])
+    assert_array_equal(dataset["time"], motion.times)
     assert tuple(dataset["configuration"].values) == motion.configurations
     assert dataset["boundaries"].values[1] == "+".join(motion.boundaries[1])
     assert dataset.attrs["status"] == "transitions"
@@ -327,7 +328,7 @@ def test_many_are_the_single_ones(backend):
     assert many.last_states.shape == (3, 2, 5, 4)
     named = dict(zip(("x1", "x2", "v1", "v2"), np.moveaxis(starts, -1, 0), strict=True))
     again = simulate("dry-friction", STICKING | {"V": velocities}, named, transitions=12)
-    np.testing.assert_array_equal(again.states, many.states)
+    assert_array_equal(again.states, many.states)
     for i, j in np.ndindex(3, 2):
         one = simulate(
             "dry-friction", STICKING | {"V": velocities[j]}, starts[i, 0], transitions=12
@@ -335,11 +336,11 @@ def test_many_are_the_single_ones(backend):
         assert many.status[i, j] == Status.TRANSITIONS
         assert many.transitions[i, j] == 12
         assert many.times[i, j] == pytest.approx(one.end, abs=1e-11)
-        np.testing.assert_allclose(many.states[i, j], one.states[-1], rtol=0, atol=1e-10)
-        np.testing.assert_allclose(many.last_times[i, j], one.times[-5:], rtol=0, atol=1e-10)
-        np.testing.assert_allclose(many.last_states[i, j], one.states[-5:], rtol=0, atol=1e-10)
-        np.testing.assert_array_equal(many.last_configurations[i, j], one.run.configurations[-5:])
-        np.testing.assert_array_equal(many.last_sets[i, j], one.run.sets[-5:])
+        assert_allclose(many.states[i, j], one.states[-1], rtol=0, atol=1e-10)
+        assert_allclose(many.last_times[i, j], one.times[-5:], rtol=0, atol=1e-10)
+        assert_allclose(many.last_states[i, j], one.states[-5:], rtol=0, atol=1e-10)
+        assert_array_equal(many.last_configurations[i, j], one.run.configurations[-5:])
+        assert_array_equal(many.last_sets[i, j], one.run.sets[-5:])
 
 
 @pytest.mark.parametrize("keep", [0, 1, 3, 40])
@@ -349,7 +350,7 @@ def test_kept_entries_are_the_last_ones_in_their_order(keep):
     one = simulate("dry-friction", STICKING, start, transitions=10)
     assert many.last_times.shape == (keep,)
     kept = min(keep, 11)
-    np.testing.assert_array_equal(many.last_times[keep - kept :], one.times[11 - kept :])
+    assert_array_equal(many.last_times[keep - kept :], one.times[11 - kept :])
     assert np.isnan(many.last_times[: keep - kept]).all()
     assert (many.last_configurations[: keep - kept] == -1).all()
 
@@ -360,8 +361,8 @@ def test_each_motion_has_its_own_end():
     many = simulate("dry-friction", STICKING, start, until=until)
     whole = simulate("dry-friction", STICKING, start, until=20)
     assert many.status.tolist() == [Status.UNTIL] * 3
-    np.testing.assert_array_equal(many.times, until)
-    np.testing.assert_allclose(many.states, whole(until), rtol=0, atol=1e-12)
+    assert_array_equal(many.times, until)
+    assert_allclose(many.states, whole(until), rtol=0, atol=1e-12)
 
 
 def test_what_belongs_nowhere_has_a_status_of_its_own():
@@ -386,8 +387,8 @@ def test_threads_change_nothing(threads):
     starts = np.random.default_rng(8).uniform(-3, 3, (300, 4))
     found = simulate("dry-friction", STICKING, starts, transitions=20, threads=threads)
     wanted = simulate("dry-friction", STICKING, starts, transitions=20)
-    np.testing.assert_array_equal(found.states, wanted.states)
-    np.testing.assert_array_equal(found.times, wanted.times)
+    assert_array_equal(found.states, wanted.states)
+    assert_array_equal(found.times, wanted.times)
 
 
 @pytest.mark.parametrize(
@@ -431,7 +432,7 @@ def test_the_largest_count_is_no_limit_and_larger_ones_are_refused():
     start = CASES["dry-friction"][1]
     many = simulate("dry-friction", STICKING, [start], until=5, transitions=2**62).at(0)
     one = simulate("dry-friction", STICKING, start, until=5, transitions=2**62)
-    np.testing.assert_allclose(many.states, one(5.0), rtol=0, atol=1e-13)
+    assert_allclose(many.states, one(5.0), rtol=0, atol=1e-13)
     with pytest.raises(InputError, match="transitions is more than"):
         simulate("dry-friction", STICKING, start, until=5, transitions=10**30)
 

@@ -6,6 +6,7 @@ from functools import cache
 import numpy as np
 import pytest
 import sympy as sp
+from numpy.testing import assert_allclose, assert_array_equal
 
 import nonsmooth as ns
 from nonsmooth import InputError
@@ -107,8 +108,8 @@ def compared(make, seed: int, made: System, state, until: float) -> Trajectory:
     assert found.configurations == expected.configurations
     assert found.boundaries == expected.boundaries
     assert found.status == expected.status == Status.UNTIL
-    np.testing.assert_allclose(found.times, expected.times, rtol=1e-11)
-    np.testing.assert_allclose(found.states, expected.states, rtol=1e-9, atol=1e-10)
+    assert_allclose(found.times, expected.times, rtol=1e-11)
+    assert_allclose(found.states, expected.states, rtol=1e-9, atol=1e-10)
     return expected
 
 
@@ -143,7 +144,7 @@ def test_special_starts_belong_where_the_listed_system_puts_them(make, start) ->
     if make is alike:
         assert len(expected.boundaries[1]) == 3
         many = ns.simulate(visited(make, 0), {}, [start, start], until=until)
-        np.testing.assert_allclose(many.states[0], expected(until), atol=1e-11)
+        assert_allclose(many.states[0], expected(until), atol=1e-11)
 
 
 @pytest.mark.parametrize("make", [rubbing, striking, mixed])
@@ -171,9 +172,9 @@ def test_many_motions_are_those_of_the_listed_system() -> None:
         for system in (listed(striking, 2), made)
     )
     names = [np.array(many.structure.configurations) for many in (expected, found)]
-    np.testing.assert_array_equal(names[0][expected.configurations], names[1][found.configurations])
-    np.testing.assert_array_equal(found.transitions, expected.transitions)
-    np.testing.assert_allclose(found.last_times, expected.last_times, rtol=1e-9)
+    assert_array_equal(names[0][expected.configurations], names[1][found.configurations])
+    assert_array_equal(found.transitions, expected.transitions)
+    assert_allclose(found.last_times, expected.last_times, rtol=1e-9)
     # indices of an earlier result stay good where more was visited
     again = ns.simulate(made, {}, found.states, found.configurations, until=1.0, threads=2)
     assert (again.status == Status.UNTIL).all()
@@ -205,7 +206,7 @@ def test_ten_contacts_have_an_orbit_that_solves_saves_and_loads(tmp_path) -> Non
     assert orbit.converged
     assert (orbit.stability.verdict, orbit.admissibility.verdict) == ("stable", True)
     declared = ns.solve(Itinerary.from_trajectory(motion, system, "cycle"))
-    np.testing.assert_allclose(float(declared.period), float(orbit.period), rtol=1e-12)
+    assert_allclose(float(declared.period), float(orbit.period), rtol=1e-12)
     orbit.save(tmp_path / "orbit.json")
     again = ns.load(tmp_path / "orbit.json")
     assert again.period == orbit.period
