@@ -76,11 +76,10 @@ def mechanical_states(cycle: ItineraryShape) -> list[int] | None:
     A forced motion is periodic in time: its Poincare map is the stroboscopic one, at a fixed
     phase of the forcing.
     """
-    forcing = cycle.structure.forcing
-    if not forcing:
+    forced = cycle.structure.forced
+    if not forced:
         return None
-    own = {state for pair in forcing for state in pair}
-    return [k for k in range(len(cycle.structure.states)) if k not in own]
+    return [k for k in range(len(cycle.structure.states)) if k not in forced]
 
 
 def timed_maps(

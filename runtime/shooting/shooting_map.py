@@ -106,8 +106,8 @@ class ItineraryShape:
         It has configurations, rows and resets of the phases, then the pairs of forcing states.
         """
         resets = [t.reset for t in self.transitions]
-        pairs = [state for pair in self.structure.forcing for state in pair]
-        return np.array([*self.configurations, *self.rows, *resets, *pairs], dtype=np.int32)
+        parts = (self.configurations, self.rows, resets, self.structure.forced)
+        return np.array([place for part in parts for place in part], dtype=np.int32)
 
     def at(self, structure: Structure) -> ItineraryShape:
         """The same cycle with the modes of a structure, that of the system at a parameter point."""

@@ -22,7 +22,7 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.engine_run import LONGEST_WAIT, MOST_POLES
 from nonsmooth.runtime.model.factored_flows import matrices_of
 from nonsmooth.runtime.model.modes.projectors import chain, exponentials_at, newton, poles_of
-from nonsmooth.runtime.model.modes.simple_modes import NumericModes
+from nonsmooth.runtime.model.modes.simple_modes import NumericModes, snapped
 from nonsmooth.runtime.model.modes.subspace_modes import (
     LONGEST_CHAIN,
     groupings,
@@ -30,7 +30,6 @@ from nonsmooth.runtime.model.modes.subspace_modes import (
     largest_term,
     leads,
     real_parts_of,
-    snapped,
 )
 from nonsmooth.runtime.model.structure import mode_shapes
 from nonsmooth.runtime.model.time_functions import functions_at
@@ -135,11 +134,7 @@ def precise_candidates(
 
 def _chains(matrix: np.ndarray, scale: float) -> Iterator[list[Cluster]]:
     """Sets of clusters that are chains of nearby eigenvalues, at larger and larger distances."""
-    tiny = _EPSILON * scale
-    poles = [
-        complex(p.real if abs(p.real) > tiny else 0.0, p.imag if abs(p.imag) > tiny else 0.0)
-        for p in poles_of(matrix)
-    ]
+    poles: list[complex] = snapped(np.array(poles_of(matrix)), _EPSILON * scale).tolist()
     for groups in groupings(poles, _NEARNESS, scale):
         if max(map(len, groups)) > MOST_POLES:
             continue
@@ -164,7 +159,8 @@ def _exact_cluster(
 ) -> Cluster:
     """A cluster whose terms are exact up to one rounding each."""
     others = [v for other in groups if other is not group for v in other]
-    constant = min(map(abs, group)) <= 8 * len(matrix) * _EPSILON * scale
+    tiny = 8 * len(matrix) * _EPSILON * scale
+    constant = min(map(abs, group)) <= tiny
     longest = LONGEST_WAIT / scale if scale else math.inf
     terms: list[np.ndarray] = []
     silent, norm = 0, 0.0
@@ -172,7 +168,7 @@ def _exact_cluster(
         for k, (centre, term) in enumerate(
             islice(chain(matrix, group, others, is_real(group), constant), LONGEST_CHAIN)
         ):
-            centre = snapped(centre, len(matrix), scale)
+            centre = complex(snapped(np.array(centre), tiny))
             size = float(np.abs(term).max())
             if not size < _HUGE:
                 break

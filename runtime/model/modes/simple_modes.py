@@ -17,7 +17,7 @@ from nonsmooth.runtime.model.factored_flows import Flows
 from nonsmooth.runtime.model.modes.natural_units import dependence
 from nonsmooth.runtime.model.structure import ModeShape, mode_shapes
 
-__all__ = ["ModeGroup", "NumericModes", "is_moderate", "simple_modes"]
+__all__ = ["ModeGroup", "NumericModes", "is_moderate", "simple_modes", "snapped"]
 
 _EPSILON = float(np.finfo(float).eps)
 _APART = 1e-9  # of the largest modulus: eigenvalues that are nearer are not simple
@@ -66,7 +66,7 @@ def simple_modes(fields: np.ndarray) -> list[ModeGroup]:
             left = np.linalg.inv(right)
         except np.linalg.LinAlgError:  # one is singular: all go the other way
             return []
-        values = _snapped(values, 8 * columns * _EPSILON * scale[:, None])
+        values = snapped(values, 8 * columns * _EPSILON * scale[:, None])
         sound = _sound(whole[apart], values, right, left, scale)
     result = []
     order = np.lexsort((values.real, values.imag, values != 0), axis=-1)
@@ -91,6 +91,12 @@ def simple_modes(fields: np.ndarray) -> list[ModeGroup]:
         exponents = np.stack([poles.real, poles.imag], axis=-1)
         result.append(ModeGroup(places, shapes, exponents, (terms,)))
     return result
+
+
+def snapped(values: np.ndarray, tiny: float | np.ndarray) -> np.ndarray:
+    """Eigenvalues with a real or imaginary part set to zero if it is at most `tiny`: rounding."""
+    real = np.where(np.abs(values.real) <= tiny, 0.0, values.real)
+    return np.asarray(real + 1j * np.where(np.abs(values.imag) <= tiny, 0.0, values.imag))
 
 
 def is_moderate(flows: np.ndarray, fields: np.ndarray) -> np.ndarray:
@@ -128,12 +134,6 @@ def _sound(
         & (unit.max(axis=(-2, -1)) <= _UNIT * size)
         & (missed.max(axis=(-2, -1)) <= _MISSED * size * scale)
     )
-
-
-def _snapped(values: np.ndarray, tiny: np.ndarray) -> np.ndarray:
-    """Eigenvalues with a real or imaginary part set to zero if it is only a rounding error."""
-    real = np.where(np.abs(values.real) <= tiny, 0.0, values.real)
-    return np.asarray(real + 1j * np.where(np.abs(values.imag) <= tiny, 0.0, values.imag))
 
 
 def _smallest_distances(values: np.ndarray) -> np.ndarray:

@@ -19,7 +19,7 @@ import numpy as np
 
 from nonsmooth.runtime.model.engine_run import LONGEST_WAIT
 from nonsmooth.runtime.model.factored_flows import FactoredFlows
-from nonsmooth.runtime.model.modes.simple_modes import NumericModes
+from nonsmooth.runtime.model.modes.simple_modes import NumericModes, snapped
 from nonsmooth.runtime.model.structure import mode_shapes
 
 __all__ = [
@@ -30,7 +30,6 @@ __all__ = [
     "largest_term",
     "leads",
     "real_parts_of",
-    "snapped",
     "subspace_modes",
 ]
 
@@ -148,7 +147,8 @@ def _modes_of(
         rows, block = left[here], blocks[here, here]
         place += twice * count
         centre = complex(np.trace(block)) / count if min(map(abs, values)) else 0j
-        centre = snapped(complex(centre.real) if twice == 1 else centre, size, scale)
+        centre = complex(centre.real) if twice == 1 else centre
+        centre = complex(snapped(np.array(centre), 8 * size * _EPSILON * scale))
         largest = max(largest, float(np.linalg.norm(rows, 2) * np.linalg.norm(basis, 2)))
         if count == 1:
             modes.append(_factors(centre, basis[:, 0], rows[0], depends))
@@ -209,18 +209,6 @@ def _record(modes: list[_ModeParts], size: int) -> NumericModes:
         dense = mode_shapes((s.length, s.oscillates) for s in shapes)
         return NumericModes(dense, exponents, flows.all())
     return NumericModes(shapes, exponents, flows)
-
-
-def snapped(centre: complex, size: int, scale: float) -> complex:
-    """The exponent with a real or imaginary part set to zero if it is only a rounding error.
-
-    `size` is that of the matrix, and `scale` the largest modulus of an eigenvalue.
-    """
-    tiny = 8 * size * _EPSILON * scale
-    return complex(
-        0.0 if abs(centre.real) <= tiny else centre.real,
-        0.0 if abs(centre.imag) <= tiny else centre.imag,
-    )
 
 
 def groupings(

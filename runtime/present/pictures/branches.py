@@ -114,9 +114,7 @@ def _draw_locus(locus: Locus, axes: Any) -> None:
     )
     first, second = locus.parameters
     units = units_of(locus.orbit.system)
-    axes.set_xlabel(units.label(first))
-    axes.set_ylabel(units.label(second))
-    finish(axes, shown_name(locus.name))
+    finish(axes, shown_name(locus.name), units.label(first), units.label(second))
 
 
 def _draw(branch: Branch, quantity: str, over: str, axes: Any, frequency: str) -> None:
@@ -167,9 +165,7 @@ def _draw(branch: Branch, quantity: str, over: str, axes: Any, frequency: str) -
     _widen(axes)
     if over == "energy" and x.min() > 0:
         axes.set_xscale("log")
-    axes.set_xlabel(across.label)
-    axes.set_ylabel(up.label)
-    finish(axes, shown_name(branch.name))
+    finish(axes, shown_name(branch.name), across.label, up.label)
 
 
 def _widen(axes: Any) -> None:

@@ -75,8 +75,7 @@ def _draw_section(axes: Axes, found: BasinCertificate) -> None:
     else:
         axes.pcolormesh(_edges(grid, 0), _edges(grid, 1), ranks.T, cmap="viridis", rasterized=True)
         axes.set_ylabel(units.label(found.coordinates[1]))
-    axes.set_xlabel(units.label(found.coordinates[0]))
-    finish(axes, "the section: steps to the core")
+    finish(axes, "the section: steps to the core", units.label(found.coordinates[0]))
 
 
 def _draw_tiles(axes: Axes, found: BasinCertificate, pair: tuple[int, int]) -> None:
@@ -92,7 +91,10 @@ def _draw_tiles(axes: Axes, found: BasinCertificate, pair: tuple[int, int]) -> N
         _edges(grid, one), _edges(grid, two), share.T, cmap="Blues", vmin=0, vmax=1, rasterized=True
     )
     units = units_of(found.system)
-    axes.set_xlabel(units.label(found.states[one]))
-    axes.set_ylabel(units.label(found.states[two]))
-    finish(axes, "share of the tiles that were looked at")
+    finish(
+        axes,
+        "share of the tiles that were looked at",
+        units.label(found.states[one]),
+        units.label(found.states[two]),
+    )
     axes.figure.colorbar(mesh, ax=axes)

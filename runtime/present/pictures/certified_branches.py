@@ -128,9 +128,7 @@ def _finish(
             label=f"{kind}, enclosed",
         )
     units = units_of(found.system)
-    axes.set_xlabel(units.label(found.parameter))
-    axes.set_ylabel(units.label(name))
-    finish(axes, shown_name(found.orbit))
+    finish(axes, shown_name(found.orbit), units.label(found.parameter), units.label(name))
 
 
 def _points(found: CertifiedBranch, tile: BranchTile, name: str) -> tuple[np.ndarray, np.ndarray]:

@@ -51,8 +51,7 @@ def _iterates(design: Design, axes: Any) -> None:
         color, dashes = LINES[place % len(LINES)]
         values = design.history[:, count + place]
         axes.plot(values, color=color, linestyle=dashes, marker=".", label=_word(name))
-    axes.set_xlabel("iterate")
-    finish(axes, shown_name(design.orbit.name))
+    finish(axes, shown_name(design.orbit.name), "iterate")
 
 
 def _along(design: Design, name: str, axes: Any) -> None:
@@ -64,8 +63,7 @@ def _along(design: Design, name: str, axes: Any) -> None:
     finite = values[np.isfinite(found).any(axis=1)]
     if len(finite):
         axes.set_xlim(finite.min(), finite.max())
-    axes.set_xlabel(units_of(design.orbit.system).label(name))
-    finish(axes, "")
+    finish(axes, "", units_of(design.orbit.system).label(name))
 
 
 def _along_branch(design: Design, axes: Any) -> None:
@@ -78,8 +76,7 @@ def _along_branch(design: Design, axes: Any) -> None:
         axes.plot(values, after[:, place], color=color, linestyle=dashes, label=_word(quantity))
     worst = [design.after[design.quantity]] * len(design.worst_at)
     axes.plot(design.worst_at, worst, marker="o", linestyle="none", color=LINES[0][0])
-    axes.set_xlabel(units_of(design.orbit.system).label(name))
-    finish(axes, "pale: where it began")
+    finish(axes, "pale: where it began", units_of(design.orbit.system).label(name))
 
 
 def _word(name: str) -> str:

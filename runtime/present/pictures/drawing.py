@@ -177,11 +177,18 @@ def draw_arrow(axes: Axes, x: np.ndarray, v: np.ndarray, style: Mapping[str, Any
     axes.annotate("", (x[place], v[place]), (x[place - 1], v[place - 1]), arrowprops=arrow)
 
 
-def finish(axes: Axes, title: str) -> None:
-    """Add numbers, the title (if not empty), and a legend above the frame, off the curves."""
+def finish(axes: Axes, title: str, across: str = "", up: str = "") -> None:
+    """Add numbers, labels of the axes, a title, and a legend above the frame, off the curves.
+
+    Labels that are empty stay as they are; there is no title if it is empty.
+    """
     from nonsmooth.runtime.present.pictures.ticks import number_axes
 
     number_axes(axes)
+    if across:
+        axes.set_xlabel(across)
+    if up:
+        axes.set_ylabel(up)
     _, labels = axes.get_legend_handles_labels()
     columns = _columns(axes, labels)
     if labels:

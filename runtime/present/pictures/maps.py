@@ -38,7 +38,6 @@ def _draw_diagram(axes: Axes, diagram: Sweep) -> None:
         **mark_style(0),
     )
     units = units_of(diagram.system)
-    axes.set_xlabel(units.label(diagram.parameter))
-    axes.set_ylabel(units.label(diagram.state))
     axes.margins(0.02, 0.05)
-    finish(axes, f"{shown_name(diagram.system)}: {diagram.state} {diagram.when}")
+    title = f"{shown_name(diagram.system)}: {diagram.state} {diagram.when}"
+    finish(axes, title, units.label(diagram.parameter), units.label(diagram.state))

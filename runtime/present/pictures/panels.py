@@ -75,10 +75,8 @@ def _draw_history(view: View, axes: Axes, *, moving: bool) -> None:
     _draw_background(view, axes)
     draw_levels(axes, view.levels_of(drawn))
     axes.set_xlim(0, view.end)
-    axes.set_xlabel(view.units.text("time $t$"))
     shown = noun(view.noun(moving=moving), [label for _, label in drawn])
-    axes.set_ylabel(view.units.text(shown, "\n"))
-    finish(axes, view.title)
+    finish(axes, view.title, view.units.text("time $t$"), view.units.text(shown, "\n"))
 
 
 def _draw_range(
@@ -154,9 +152,7 @@ def draw_strip(view: View, places: Sequence[Axes]) -> None:
     axes.set_yticks(range(len(view.present)), [names[c] for c in view.present])
     axes.set_ylim(len(view.present) - 0.4, -0.6)
     axes.set_xlim(0, view.end)
-    axes.set_xlabel(view.units.text("time $t$"))
-    axes.set_ylabel("configuration")
-    finish(axes, view.title)
+    finish(axes, view.title, view.units.text("time $t$"), "configuration")
 
 
 def _name_dwell_times(view: View, axes: Axes, names: Sequence[str]) -> None:
@@ -187,14 +183,16 @@ def draw_portraits(view: View, places: Sequence[Axes]) -> None:
         shown = replace(view, masses=view.masses[drawn])
         draw_levels(axes, view.levels_of(shown.drawn(moving=True)))
         draw_levels(axes, view.levels_of(shown.drawn(moving=False)), upright=True)
-        axes.set_xlabel(view.units.text(noun(view.noun(moving=False), shown.positions)))
-        axes.set_ylabel(view.units.text(noun(view.noun(moving=True), shown.velocities)))
+        texts = (
+            view.units.text(noun(view.noun(moving=moving), labels))
+            for moving, labels in ((False, shown.positions), (True, shown.velocities))
+        )
         axes.margins(0.07)
         handles, labels = axes.get_legend_handles_labels()
         for handle, label in list(zip(handles, labels, strict=True)):
             if labels.index(label) != handles.index(handle):
                 handle.set_label("_")  # once in the legend
-        finish(axes, view.title if place == 0 else " " * bool(view.title))
+        finish(axes, view.title if place == 0 else " " * bool(view.title), *texts)
 
 
 def _draw_portrait(view: View, axes: Axes, place: int, mass: int) -> None:
@@ -295,6 +293,9 @@ def draw_multipliers(view: View, places: Sequence[Axes]) -> None:
     axes.set_xlim(-1.15 * extent, 1.15 * extent)
     axes.set_ylim(-1.15 * extent, 1.15 * extent)
     axes.set_aspect("equal")
-    axes.set_xlabel(with_unit(r"$\mathrm{Re}\,\mu$", NO_UNIT))
-    axes.set_ylabel(with_unit(r"$\mathrm{Im}\,\mu$", NO_UNIT))
-    finish(axes, view.title)
+    finish(
+        axes,
+        view.title,
+        with_unit(r"$\mathrm{Re}\,\mu$", NO_UNIT),
+        with_unit(r"$\mathrm{Im}\,\mu$", NO_UNIT),
+    )

@@ -48,8 +48,7 @@ def _draw(found: BoxCertificate, own: Axes) -> None:
         own.fill_between(
             [], [], facecolor=COLORS[name], edgecolor="0.4", label=f"{label} ({share:.4g} %)"
         )
-    own.set_xlabel(units_of(found.system).label(names[0]))
-    finish(own, shown_name(found.orbit))
+    finish(own, shown_name(found.orbit), units_of(found.system).label(names[0]))
 
 
 def _areas(found: BoxCertificate) -> dict[str, float]:
