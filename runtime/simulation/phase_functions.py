@@ -38,7 +38,6 @@ __all__ = [
     "panels",
     "phase_states",
     "phases_of",
-    "values_at",
 ]
 
 _CHUNK = 20_000  # panels whose functions are in memory at a time
@@ -157,16 +156,6 @@ def fastest(system: PiecewiseLinear, configuration: int) -> float:
     """Largest modulus of a configuration's exponents, per unit of time; 0 without exponents."""
     exponents = system.exponents[configuration]
     return float(np.hypot(*exponents.T).max()) if len(exponents) else 0.0
-
-
-def values_at(system: PiecewiseLinear, found: Panels, times: np.ndarray) -> np.ndarray:
-    """Values (n, q, K) of the functions on n panels, at times (n, q).
-
-    The times count from the beginnings of the panels' phases.
-    """
-    functions = functions_of(system, found.configuration, times.ravel())
-    shaped = functions.reshape(*times.shape, -1)
-    return np.asarray(shaped @ found.weights + found.constants)
 
 
 def _weights(
