@@ -1,16 +1,17 @@
 """Guaranteed maxima of functions of time over windows.
 
 On a cell a function g lies below its cubic Hermite interpolant by its values and slopes at both
-ends, plus M h^4/144 of the middle Bernstein polynomial where |g''''| <= M (`upper_bounds`). Cells
+ends, plus M h^4/144 of the middle Bernstein polynomial where |g''''| <= M (`_upper_bound`). Cells
 whose bound exceeds the largest value that is known are split, so nothing hides between two samples.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from itertools import pairwise
 from operator import itemgetter
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -20,13 +21,10 @@ from nonsmooth.runtime.events.quasi_polynomials import QuasiPolynomial
 from nonsmooth.runtime.model.engine_run import LONGEST_WAIT
 
 __all__ = [
-    "Cells",
-    "CurveSamples",
     "Maximum",
     "falling_zeros",
     "largest",
     "maximum",
-    "upper_bounds",
 ]
 
 _CELL = 0.6  # radians of the fastest motion
@@ -40,60 +38,47 @@ class Maximum(NamedTuple):
     time: float
 
 
-class CurveSamples(NamedTuple):
-    """Values, times and slopes of a function, numbers or arrays."""
-
-    value: Any
-    time: Any
-    slope: Any
+class _Sample(NamedTuple):
+    value: float
+    time: float
+    slope: float
 
 
-class Cells(NamedTuple):
-    """A function on k cells of equal width h."""
+def largest(
+    function: QuasiPolynomial, times: Sequence[float], slack: float | None = None
+) -> Maximum:
+    """The maximum of a function over cells whose ends are some times, in ascending order.
 
-    grid: CurveSamples  # at their k + 1 ends
-    excess: np.ndarray  # (k,), M h^4/144 with M a bound on the fourth derivative inside the cell
-    jet: Callable[[float], tuple[float, float, float]]  # value, slope and curvature at a time
-
-
-def largest(cells: Cells, slack: float) -> Maximum:
-    """The maximum of a function over all cells.
-
-    Cells are split until a bound on the function over each is at most `slack` above the maximum;
-    after far too many splits that bound, which is safe but not attained, becomes the maximum.
+    Cells are split until a bound on the function over each is at most `slack` above the maximum, a
+    quarter of its error if it is not told; after far too many splits that bound, which is safe but
+    not attained, becomes the maximum. Raises OverflowError where the function is not finite.
     """
-    grid, excess, jet = cells
-    count = len(excess)
-    best = Maximum(*(float(part[np.argmax(grid.value)]) for part in grid[:2]))
-    upper = upper_bounds(
-        CurveSamples(*(part[:-1] for part in grid)),
-        CurveSamples(*(part[1:] for part in grid)),
-        excess,
-    )
-    splits = 0
-    for cell in np.flatnonzero(upper > best.value + slack)[::-1].tolist():
-        left, right = (CurveSamples(*(float(part[i]) for part in grid)) for i in (cell, cell + 1))
-        full, waiting = right.time - left.time, [(left, right, False)]
-        while waiting:
-            left, right, polished = waiting.pop()
-            bend = float(excess[cell]) * ((right.time - left.time) / full) ** 4
-            most = upper_bounds(left, right, bend)
-            if most <= best.value + slack:
-                continue
-            middle = 0.5 * (left.time + right.time)
-            if splits == 8192 * count:  # far more than any function needs
-                best = Maximum(float(most), middle)  # not attained, but safe
-                continue
-            # At a maximum both halves go at once; every second split bisects, lest Newton fail.
-            polished = not polished and left.slope > 0 > right.slope
-            for _ in range(8 if polished else 0):
-                _, slope, curvature = jet(middle)
-                middle = min(max(middle - slope / (curvature or math.inf), left.time), right.time)
-            value, slope, _ = jet(middle)
-            split = CurveSamples(value, middle, slope)
-            best = max(best, Maximum(value, middle), key=itemgetter(0))
-            waiting += [(split, right, polished), (left, split, polished)]
-            splits += 1
+    jets = [function.jet(time) for time in times]
+    slack = max(error for *_, error in jets) / 4 if slack is None else slack
+    samples = [_Sample(jet[0], time, jet[1]) for time, jet in zip(times, jets, strict=True)]
+    best, splits = Maximum(*max(samples, key=itemgetter(0))[:2]), 0
+    waiting = [(*ends, False) for ends in pairwise(samples)]
+    while waiting:
+        left, right, polished = waiting.pop()
+        most = _upper_bound(function, left, right)
+        if most <= best.value + slack:
+            continue
+        if not math.isfinite(most):
+            raise OverflowError
+        middle = 0.5 * (left.time + right.time)
+        if splits == 8192 * len(times):  # far more than any function needs
+            best = Maximum(most, middle)  # not attained, but safe
+            continue
+        # At a maximum both halves go at once; every second split bisects, lest Newton fail.
+        polished = not polished and left.slope > 0 > right.slope
+        for _ in range(8 if polished else 0):
+            _, slope, curvature, _ = function.jet(middle)
+            middle = min(max(middle - slope / (curvature or math.inf), left.time), right.time)
+        value, slope, *_ = function.jet(middle)
+        split = _Sample(value, middle, slope)
+        best = max(best, Maximum(value, middle), key=itemgetter(0))
+        waiting += [(split, right, polished), (left, split, polished)]
+        splits += 1
     return best
 
 
@@ -122,35 +107,23 @@ def maximum(function: QuasiPolynomial, duration: float, floor: float = -math.inf
             first = first_crossing(function.raised(-floor), duration).time
         if first is None:
             return Maximum(floor, math.nan)
-        cells, error = _cells(function, first, duration)
+        count = 1 + int(function.fastest * (duration - first) / _CELL)
+        return largest(function, np.linspace(first, duration, count + 1).tolist())
     except OverflowError:
         raise InputError("the function overflows") from None
-    return largest(cells, error / 4)
 
 
-def _cells(function: QuasiPolynomial, first: float, last: float) -> tuple[Cells, float]:
-    """A quasi-polynomial on cells between two times, and the error of its values."""
-    count = 1 + int(function.fastest * (last - first) / _CELL)
-    times, width = np.linspace(first, last, count + 1), (last - first) / count
-    values, slopes, _, errors = np.array([function.jet(t) for t in times.tolist()]).T
-    bends = np.array([function.bound(4, t, width) for t in times[:-1].tolist()])
-    if not np.isfinite([values.sum(), slopes.sum(), errors.sum(), bends.sum()]).all():
-        raise OverflowError
-    samples = CurveSamples(values, times, slopes)
-    cells = Cells(samples, bends * width**4 / 144, lambda t: function.jet(t)[:3])
-    return cells, float(errors.max())
-
-
-def upper_bounds(left: CurveSamples, right: CurveSamples, excess: Any) -> Any:
-    """Upper bounds of g on cells, by its cubic Hermite interpolant in Bernstein form.
+def _upper_bound(function: QuasiPolynomial, left: _Sample, right: _Sample) -> float:
+    """Upper bound of g on a cell, by its cubic Hermite interpolant in Bernstein form.
 
     It errs by at most M h^4/24 u^2 (1-u)^2 where |g''''| <= M: that is M h^4/144, the excess,
     times the middle Bernstein polynomial of degree 4.
     """
     width = right.time - left.time
+    excess = function.bound(4, left.time, width) * width**4 / 144
     middle = 0.5 * (left.value + right.value) + width * (left.slope - right.slope) / 6 + excess
     first, last = left.value + 0.25 * width * left.slope, right.value - 0.25 * width * right.slope
-    return np.maximum.reduce([left.value, first, middle, last, right.value])
+    return max(left.value, first, middle, last, right.value)
 
 
 def falling_zeros(

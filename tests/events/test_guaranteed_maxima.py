@@ -9,7 +9,7 @@ from flint import arb
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from nonsmooth.runtime.events.guaranteed_maxima import Cells, CurveSamples, largest, maximum
+from nonsmooth.runtime.events.guaranteed_maxima import largest, maximum
 from tests.sums import trigonometric
 
 amplitudes = st.floats(-2, 2).map(lambda x: round(x, 6))
@@ -220,14 +220,7 @@ def test_a_sum_rises_where_its_slope_is_surely_positive(arguments, noise, expect
 @pytest.mark.parametrize("cells", [3, 20, 80])
 def test_a_maximum_is_exceeded_by_no_more_than_the_slack(slack, cells):
     for phase in np.random.default_rng(4).uniform(0.5, 2.5, 20).tolist():
-        times = np.linspace(0, 3, cells + 1)
-
-        def jet(time, phase=phase):
-            return math.cos(time - phase), -math.sin(time - phase), -math.cos(time - phase)
-
-        values, slopes, _ = (np.array(part) for part in zip(*map(jet, times), strict=True))
-        excess = np.full(cells, (3 / cells) ** 4 / 144)
-        samples = CurveSamples(values, times, slopes)
-        found = largest(Cells(samples, excess, jet), slack)
-        assert 1 - slack <= found.value <= 1
-        assert found.value == jet(found.time)[0]
+        wave = trigonometric(0.0, 0.0, (math.cos(phase),), (math.sin(phase),), (1.0,))
+        found = largest(wave, np.linspace(0, 3, cells + 1).tolist(), slack)
+        assert 1 - slack <= found.value <= 1 + wave.rounding(3.0)
+        assert found.value == wave(found.time)
