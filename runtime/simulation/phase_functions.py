@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.events.guaranteed_maxima import falling_zeros
+from nonsmooth.runtime.events.crossings_and_maxima import falling_zeros
 from nonsmooth.runtime.model.flows import flow_states, functions_of, parts_of
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.time_functions import derivative_matrix, function_bounds

@@ -9,7 +9,7 @@ from flint import arb
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from nonsmooth.runtime.events.guaranteed_maxima import largest, maximum
+from nonsmooth.runtime.events.crossings_and_maxima import largest, maximum
 from tests.sums import trigonometric
 
 amplitudes = st.floats(-2, 2).map(lambda x: round(x, 6))
