@@ -88,7 +88,7 @@ register(
         "fit_json": "present.answers",
         "found_held": "present.files.found",
         "held_found": "present.files.found",
-        "itinerary_of": "simulation.last_cycle",
+        "itinerary_of": "simulation.recurrence",
         "motion_derivatives": "simulation.derivatives",
         "orbit_derivatives": "orbits.derivatives",
         "orbit_json": "present.report",

@@ -1,7 +1,7 @@
 """Derivatives of a simulated motion by parameters and by its start.
 
 Phase by phase a perturbation at a fixed time is carried by the flow, and grows by what the
-field's change adds (`flow_derivatives`). The boundary's condition, linearised, gives the change
+field's change adds (`moved_phases`). The boundary's condition, linearised, gives the change
 of the transition's time; the reset, its own change and the jump of velocities give the
 perturbation behind it (I. A. Hiskens and M. A. Pai, IEEE Trans. Circuits Syst. I 47, 2000). The
 reverse pass carries one combination of the results backwards; its cost does not depend on the
