@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from nonsmooth.runtime.events.guaranteed_maxima import falling_zeros
+from nonsmooth.runtime.events.crossings_and_maxima import falling_zeros
 
 __all__ = ["Ends", "PhaseWaves", "ends_of", "interior_maxima"]
 

@@ -5,7 +5,7 @@ Inside a configuration a boundary function is
     g(t) = Re sum_m P_m(t) e^(lambda_m t),
 
 P_m polynomials of low degree, beside chains of exponents that nearly meet. Its derivatives are
-bounded in closed form over any interval, so a search (`first_crossing`) can tell that nothing
+bounded in closed form over any interval, so a search (`crossings_and_maxima`) can tell that nothing
 hides between two samples.
 """
 

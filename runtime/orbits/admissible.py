@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.events.guaranteed_maxima import maximum
+from nonsmooth.runtime.events.crossings_and_maxima import maximum
 from nonsmooth.runtime.events.quasi_polynomials import (
     ModeFunctions,
     QuasiPolynomial,

@@ -18,7 +18,7 @@ from functools import cached_property
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.events.guaranteed_maxima import maximum
+from nonsmooth.runtime.events.crossings_and_maxima import maximum
 from nonsmooth.runtime.events.leading_derivative import derivatives, leading, square
 from nonsmooth.runtime.events.quasi_polynomials import ConfigurationTable
 from nonsmooth.runtime.events.transition_choice import Decider, choose

@@ -1,7 +1,7 @@
 """Derivatives of a simulated motion by parameters and by its start.
 
 Phase by phase a perturbation at a fixed time is carried by the flow, and grows by what the
-field's change adds (`flow_derivatives`). The boundary's condition, linearised, gives the change
+field's change adds (`moved_phases`). The boundary's condition, linearised, gives the change
 of the transition's time; the reset, its own change and the jump of velocities give the
 perturbation behind it (I. A. Hiskens and M. A. Pai, IEEE Trans. Circuits Syst. I 47, 2000). The
 reverse pass carries one combination of the results backwards; its cost does not depend on the
@@ -30,7 +30,7 @@ from nonsmooth.runtime.simulation.motion_linearisation import (
     input_names,
 )
 from nonsmooth.runtime.simulation.moved_phases import MovedPhases
-from nonsmooth.runtime.simulation.observables import observe, observed_rows, sticking
+from nonsmooth.runtime.simulation.observables import observe, observed_rows, told_of
 from nonsmooth.runtime.simulation.one_sided import (
     CUT,
     DirectedMotion,
@@ -423,7 +423,7 @@ def _observable_derivatives(found: MotionDerivatives, since: float = 0.0) -> Obs
     boundaries come apart whose times have other derivatives on the other side.
     """
     by, structure, values = found.by, found.trajectory.structure, observe(found.trajectory, since)
-    names, size, contacts = structure.states, len(structure.states), len(structure.contacts)
+    size, contacts = len(structure.states), len(structure.contacts)
     forces = [size + 3 * i for i in range(contacts)]
     lowest, highest = np.empty((2, size + contacts, len(by)))
     moments = np.empty((len(by), size + 3 * contacts, size + 3 * contacts + 1), dtype=complex)
@@ -437,33 +437,9 @@ def _observable_derivatives(found: MotionDerivatives, since: float = 0.0) -> Obs
     duration = stepped(values.duration, found.end, None)
     means = imaginary_parts(moments[..., -1] / duration[:, None], None).T
     squares = np.diagonal(moments, axis1=1, axis2=2)[:, :size] / duration[:, None]
-    fractions = imaginary_parts(spent / duration[:, None], None)
+    fractions = imaginary_parts(spent / duration[:, None], None).T
     with np.errstate(divide="ignore", invalid="ignore"):  # what rests has no slope
         rms = imaginary_parts(squares, None).T / (2 * np.array([*values.rms.values()])[:, None])
-    works = imaginary_parts(moments, None)
-    return ObservableDerivatives(
-        by,
-        found.end,
-        dict(zip(names, lowest[:size], strict=True)),
-        dict(zip(names, highest[:size], strict=True)),
-        dict(zip(names, means[:size], strict=True)),
-        dict(zip(names, rms, strict=True)),
-        dict(zip(structure.configurations, fractions.T, strict=True)),
-        _columns(sticking(structure, part) for part in fractions),
-        {
-            contact.name: ContactDerivatives(
-                lowest[size + i],
-                highest[size + i],
-                means[force],
-                works[:, force, force + 1],
-                works[:, force, force + 2] - works[:, force, force + 1],
-            )
-            for i, (contact, force) in enumerate(zip(structure.contacts, forces, strict=True))
-        },
-    )
-
-
-def _columns(parts: Iterable[dict[str, Any]]) -> dict[str, np.ndarray]:
-    """Arrays (q,) by name, from q dicts of numbers by name."""
-    listed = list(parts)
-    return {name: np.array([part[name] for part in listed]) for name in (listed or [{}])[0]}
+    works = imaginary_parts(np.moveaxis(moments, 0, -1), None)
+    told = told_of(structure, ContactDerivatives, lowest, highest, means, rms, fractions, works)
+    return ObservableDerivatives(by, found.end, *told)

@@ -33,7 +33,7 @@ from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.shooting.shooting_map import Numbers, flows_over
 from nonsmooth.runtime.simulation.phase_functions import Phases, extremes, fastest, phase_states
 
-__all__ = ["Differentiated", "MovedPhases", "PhaseFlows", "flow_matrices", "rule_on", "rule_pieces"]
+__all__ = ["Differentiated", "MovedPhases", "PhaseFlows", "flow_matrices", "moments"]
 
 _NODES = 20  # of an integral, in a piece
 _ANGLE = 10.0  # radians in a piece
@@ -190,18 +190,26 @@ class PhaseFlows:
         return found
 
 
-def rule_pieces(system: PiecewiseLinear, configuration: int, durations: np.ndarray) -> np.ndarray:
-    """Numbers of pieces (n,) on which products of two states have exact integrals."""
+_rule = lru_cache(maxsize=64)(composite_rule)
+
+
+def _ruled(
+    system: PiecewiseLinear, configuration: int, durations: np.ndarray, size: int
+) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
+    """Yield places among durations, with nodes and weights of their integrals over [0, 1].
+
+    These are exact for products of two states. A node takes `size` numbers; not too many are in
+    memory at a time.
+    """
     pieces = 1 + np.floor(fastest(system, configuration) * durations / _ANGLE).astype(int)
     many = pieces > _FEW  # as many as a power of two
     pieces[many] = 2 ** np.ceil(np.log2(pieces[many])).astype(int)
-    return np.asarray(pieces)
-
-
-@lru_cache(maxsize=64)
-def rule_on(pieces: int) -> tuple[np.ndarray, np.ndarray]:
-    """Nodes and weights of an integral over [0, 1] that is cut into equal pieces."""
-    return composite_rule(_NODES, pieces)
+    for piece in np.unique(pieces).tolist():
+        nodes, weights = _rule(_NODES, piece)
+        here = np.flatnonzero(pieces == piece)
+        step = max(1, _CHUNK // (len(nodes) * max(1, size)))
+        for low in range(0, len(here), step):
+            yield here[low : low + step], nodes, weights
 
 
 def _convolutions(
@@ -211,21 +219,51 @@ def _convolutions(
     count = system.structure.functions[configuration]
     products = np.empty((len(durations), count, count))
     integrals = np.empty((len(durations), count))
-    pieces = rule_pieces(system, configuration, durations)
-    for piece in np.unique(pieces).tolist():
-        nodes, weights = rule_on(piece)
-        here = np.flatnonzero(pieces == piece)
-        step = max(1, _CHUNK // (len(nodes) * max(1, count)))
-        for low in range(0, len(here), step):
-            part = here[low : low + step]
+    for part, nodes, weights in _ruled(system, configuration, durations, count):
+        times = durations[part, None] * nodes
+        functions = functions_of(system, configuration, times.ravel())
+        functions = functions.reshape(*times.shape, count)
+        weighted = functions * (durations[part, None] * weights)[..., None]
+        # nodes lie symmetrically: the functions at d - s are those at s backwards
+        products[part] = weighted[:, ::-1].swapaxes(1, 2) @ functions
+        integrals[part] = weighted.sum(axis=1)
+    return products, integrals
+
+
+def _nodes(
+    system: PiecewiseLinear, phases: Phases, size: int
+) -> Iterator[tuple[int, np.ndarray, np.ndarray, np.ndarray]]:
+    """Yield each configuration, phases of nodes (n,), shares of their durations, and weights.
+
+    A node takes `size` numbers.
+    """
+    for configuration in np.unique(phases.configurations).tolist():
+        there = np.flatnonzero(phases.configurations == configuration)
+        for part, nodes, weights in _ruled(system, configuration, phases.durations[there], size):
+            count = len(part)
+            places = np.repeat(there[part], len(nodes))
+            yield configuration, places, np.tile(nodes, count), np.tile(weights, count)
+
+
+def moments(system: PiecewiseLinear, phases: Phases, rows: np.ndarray) -> np.ndarray:
+    """Integrals (K, K + 1) of all products of K affine functions; the last column has their own.
+
+    `rows` (configurations, K, N + 1) are the functions ``n y + c``: n, then c.
+    """
+    total = np.zeros((rows.shape[1], rows.shape[1] + 1))
+    for configuration in np.unique(phases.configurations).tolist():
+        there = np.flatnonzero(phases.configurations == configuration)
+        row, durations = rows[configuration], phases.durations[there]
+        for part, nodes, weights in _ruled(system, configuration, durations, max(rows.shape[1:])):
             times = durations[part, None] * nodes
             functions = functions_of(system, configuration, times.ravel())
-            functions = functions.reshape(*times.shape, count)
-            weighted = functions * (durations[part, None] * weights)[..., None]
-            # nodes lie symmetrically: the functions at d - s are those at s backwards
-            products[part] = weighted[:, ::-1].swapaxes(1, 2) @ functions
-            integrals[part] = weighted.sum(axis=1)
-    return products, integrals
+            factors = parts_of(system, configuration, phases.starts[there[part]]) @ row[:, :-1].T
+            values = functions.reshape(*times.shape, -1) @ factors + row[:, -1]
+            values = values.reshape(times.size, -1)
+            weighted = values * (durations[part, None] * weights).reshape(-1, 1)
+            total[:, :-1] += weighted.T @ values
+            total[:, -1] += weighted.sum(axis=0)
+    return total
 
 
 class Differentiated(NamedTuple):
@@ -411,7 +449,9 @@ class MovedPhases:
         """
         q, _, count, width = rows.shape
         total = np.zeros((q, count, count + 1), dtype=complex)
-        for configuration, places, shares, weights in self._nodes(q * max(count, width)):
+        for configuration, places, shares, weights in _nodes(
+            self.system, self.phases, q * max(count, width)
+        ):
             begins, ends = self.rates[:, :, places]
             durations = self.phases.durations[places]
             times = begins + (ends - begins) * shares
@@ -428,26 +468,3 @@ class MovedPhases:
             alone = slopes * (durations * weights)[:, None] + spread
             total[..., -1] += stepped(weighted.sum(axis=0), alone.sum(axis=1), None)
         return total
-
-    def _nodes(self, size: int) -> Iterator[tuple[int, np.ndarray, np.ndarray, np.ndarray]]:
-        """Yield each configuration, phases of nodes (n,), shares of their durations, and weights.
-
-        A node takes `size` numbers; not too many are in memory at a time.
-        """
-        most = max(1, _CHUNK // max(1, size))
-        for configuration in np.unique(self.phases.configurations).tolist():
-            there = np.flatnonzero(self.phases.configurations == configuration)
-            durations = self.phases.durations[there]
-            pieces = rule_pieces(self.system, configuration, durations)
-            for piece in np.unique(pieces).tolist():
-                nodes, weights = rule_on(piece)
-                own = there[pieces == piece]
-                step = max(1, most // len(nodes))
-                for low in range(0, len(own), step):
-                    part = own[low : low + step]
-                    yield (
-                        configuration,
-                        np.repeat(part, len(nodes)),
-                        np.tile(nodes, len(part)),
-                        np.tile(weights, len(part)),
-                    )

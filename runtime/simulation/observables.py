@@ -1,28 +1,21 @@
 """Observables of a simulated motion: peaks, averages, times in configurations, contact forces.
 
 Peaks are guaranteed (`extremes`). Averages and works are integrals by Gauss and Legendre's
-rule with twelve nodes on pieces of at most two radians of the fastest oscillation, whose
-error is far below rounding.
+rule, whose error is far below rounding.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import unknown_name
-from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import Structure
-from nonsmooth.runtime.simulation.phase_functions import (
-    Extreme,
-    Phases,
-    extremes,
-    panels,
-    phases_of,
-    values_at,
-)
+from nonsmooth.runtime.simulation.moved_phases import moments
+from nonsmooth.runtime.simulation.phase_functions import Extreme, extremes, phases_of
 from nonsmooth.runtime.simulation.trajectory import Trajectory, check_trajectory
 
 __all__ = [
@@ -32,11 +25,8 @@ __all__ = [
     "force_rows",
     "observe",
     "observed_rows",
-    "sticking",
+    "told_of",
 ]
-
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(12)
-_ANGLE = 2.0
 
 
 @dataclass(frozen=True)
@@ -193,37 +183,61 @@ def observe(trajectory: Trajectory, since: float = 0.0) -> Observables:
     rows = observed_rows(structure, system.rows)
     forces = [size + 3 * i for i in range(len(structure.contacts))]
     minima, maxima = extremes(system, phases, rows[:, [*range(size), *forces]])
-    moments = _moments(system, phases, rows)
-    means = moments[:, -1] / duration
-    contacts = {
-        contact.name: ContactObservables(
-            minima[size + i],
-            maxima[size + i],
-            float(means[f]),
-            float(moments[f, f + 1]),
-            float(moments[f, f + 2] - moments[f, f + 1]),
-        )
-        for i, (contact, f) in enumerate(zip(structure.contacts, forces, strict=True))
-    }
+    found = moments(system, phases, rows)
     spent = np.bincount(
         phases.configurations, phases.durations, minlength=len(structure.configurations)
     )
-    return Observables(
-        trajectory,
-        float(since),
-        duration,
-        _named(structure.states, minima[:size]),
-        _named(structure.states, maxima[:size]),
-        _named(structure.states, means[:size].tolist()),
-        _named(structure.states, np.sqrt(np.diag(moments)[:size] / duration).tolist()),
-        _named(structure.configurations, (spent / spent.sum()).tolist()),
-        sticking(structure, spent / spent.sum()),
+    averages = (
+        found[:, -1] / duration,
+        np.sqrt(np.diag(found)[:size] / duration),
+        spent / spent.sum(),
+        found,
+    )
+    told = told_of(structure, ContactObservables, minima, maxima, *(x.tolist() for x in averages))
+    return Observables(trajectory, float(since), duration, *told)
+
+
+def told_of(
+    structure: Structure,
+    contact: Callable[..., Any],
+    minima: Any,
+    maxima: Any,
+    means: Any,
+    rms: Any,
+    fractions: Any,
+    works: Any,
+) -> tuple[dict[str, Any], ...]:
+    """What is told of a motion or of its derivatives, by name.
+
+    It comes in the order of the fields of `Observables`. Minima and maxima are those of the states
+    and of the contacts' forces; means and the integrals `works` of products are those of
+    `observed_rows`. A fraction is that of the time in a configuration. `contact` makes a record.
+    """
+    states, size = structure.states, len(structure.states)
+    held = sorted({position for positions in structure.held for position in positions})
+    contacts = {}
+    for place, (shape, force) in enumerate(
+        zip(structure.contacts, range(size, len(means), 3), strict=True)
+    ):
+        work = works[force]
+        contacts[shape.name] = contact(
+            minima[size + place],
+            maxima[size + place],
+            means[force],
+            work[force + 1],
+            work[force + 2] - work[force + 1],
+        )
+    return (
+        *(dict(zip(states, part, strict=False)) for part in (minima, maxima, means, rms)),
+        dict(zip(structure.configurations, fractions, strict=True)),
+        {
+            states[position]: sum(
+                part for part, own in zip(fractions, structure.held, strict=True) if position in own
+            )
+            for position in held
+        },
         contacts,
     )
-
-
-def _named(names: tuple[str, ...], values: list[Any]) -> dict[str, Any]:
-    return dict(zip(names, values, strict=True))
 
 
 def force_rows(structure: Structure, rows: np.ndarray, contact: int) -> np.ndarray:
@@ -259,32 +273,3 @@ def observed_rows(structure: Structure, rows: np.ndarray) -> np.ndarray:
         found[..., at + 1, :] = rows[..., None, contact.velocity, :]
         found[..., at + 2, :] = rows[..., None, contact.surface, :]
     return found
-
-
-def _moments(system: PiecewiseLinear, phases: Phases, rows: np.ndarray) -> np.ndarray:
-    """Integrals (K, K + 1) of all products of K affine functions; the last column has their own."""
-    total = np.zeros((rows.shape[1], rows.shape[1] + 1))
-    for found in panels(system, phases, rows, _ANGLE):
-        half = (found.right - found.left) / 2
-        times = found.left[:, None] + half[:, None] * (1 + _NODES)
-        values = values_at(system, found, times).reshape(times.size, -1)
-        weighted = values * (half[:, None] * _WEIGHTS).reshape(-1, 1)
-        total[:, :-1] += weighted.T @ values
-        total[:, -1] += weighted.sum(axis=0)
-    return total
-
-
-def sticking(structure: Structure, fractions: np.ndarray) -> dict[str, float]:
-    """Fraction of the time in which each position is held, for those that some configuration holds.
-
-    `fractions` (configurations,) are those of the time in each configuration.
-    """
-    held = sorted({position for positions in structure.held for position in positions})
-    return {
-        structure.states[position]: float(
-            sum(
-                part for part, own in zip(fractions, structure.held, strict=True) if position in own
-            )
-        )
-        for position in held
-    }

@@ -13,12 +13,14 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import accumulate, repeat
+from operator import matmul
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.events.guaranteed_maxima import falling_zeros
+from nonsmooth.runtime.events.crossings_and_maxima import falling_zeros
 from nonsmooth.runtime.model.flows import flow_states, functions_of, parts_of
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.time_functions import derivative_matrix, function_bounds
@@ -29,19 +31,16 @@ if TYPE_CHECKING:
 __all__ = [
     "Extreme",
     "LocalMaximum",
-    "Panels",
     "Phases",
     "boundary_rows",
     "extremes",
     "fastest",
     "local_maxima",
-    "panels",
     "phase_states",
     "phases_of",
-    "values_at",
 ]
 
-_CHUNK = 20_000  # panels whose functions are in memory at a time
+_CHUNK = 100_000  # functions on panels that are in memory at a time
 _ANGLE = 0.6  # radians of the fastest oscillation in a panel
 _HALVINGS = 40  # then a slope that touches zero is none that crosses it
 _ROUNDING = 2.0**-50
@@ -100,7 +99,7 @@ def phase_states(
     return states
 
 
-class Panels(NamedTuple):
+class _Panels(NamedTuple):
     """Pieces of phases of one configuration, short against its fastest oscillation.
 
     K affine functions of the state are, on each, sums of functions of time.
@@ -114,40 +113,32 @@ class Panels(NamedTuple):
     constants: np.ndarray  # (K,) added to the sums
     last: np.ndarray  # (n,) bool: whether it ends its phase
 
-    def at(self, places: np.ndarray) -> Panels:
-        """Those panels at some places (m,)."""
-        phases, left, right = self.phases[places], self.left[places], self.right[places]
-        weights, last = self.weights[places], self.last[places]
-        return Panels(self.configuration, phases, left, right, weights, self.constants, last)
 
-
-def panels(
-    system: PiecewiseLinear, phases: Phases, rows: np.ndarray, angle: float
-) -> Iterator[Panels]:
+def _panels(system: PiecewiseLinear, phases: Phases, rows: np.ndarray) -> Iterator[_Panels]:
     """Yield the phases cut into panels, not too many at a time.
 
-    Each spans at most `angle` radians of the fastest oscillation. `rows` (configurations,
-    K, N + 1) are affine functions ``n y + c``: n, then c.
+    `rows` (configurations, K, N + 1) are affine functions ``n y + c``: n, then c.
     """
+    most = max(1, _CHUNK // max(1, rows.shape[1]))
     for configuration in np.unique(phases.configurations).tolist():
         here = np.flatnonzero(phases.configurations == configuration)
         durations = phases.durations[here]
-        counts = 1 + np.floor(fastest(system, configuration) * durations / angle).astype(int)
+        counts = 1 + np.floor(fastest(system, configuration) * durations / _ANGLE).astype(int)
         ends = np.cumsum(counts)
-        for low in range(0, int(ends[-1]), _CHUNK):
-            index = np.arange(low, min(low + _CHUNK, int(ends[-1])))
+        for low in range(0, int(ends[-1]), most):
+            index = np.arange(low, min(low + most, int(ends[-1])))
             which = np.searchsorted(ends, index, side="right")
             used, place = np.unique(which, return_inverse=True)
-            weights = _weights(system, configuration, phases.starts[here[used]], rows)
+            parts = parts_of(system, configuration, phases.starts[here[used]])
             part = index - (ends - counts)[which]
             width = durations[which] / counts[which]
             last = part + 1 == counts[which]
-            yield Panels(
+            yield _Panels(
                 configuration,
                 here[which],
                 part * width,
                 np.where(last, durations[which], (part + 1) * width),
-                weights[place],
+                (parts @ rows[configuration, :, :-1].T)[place],
                 rows[configuration, :, -1],
                 last,
             )
@@ -157,24 +148,6 @@ def fastest(system: PiecewiseLinear, configuration: int) -> float:
     """Largest modulus of a configuration's exponents, per unit of time; 0 without exponents."""
     exponents = system.exponents[configuration]
     return float(np.hypot(*exponents.T).max()) if len(exponents) else 0.0
-
-
-def values_at(system: PiecewiseLinear, found: Panels, times: np.ndarray) -> np.ndarray:
-    """Values (n, q, K) of the functions on n panels, at times (n, q).
-
-    The times count from the beginnings of the panels' phases.
-    """
-    functions = functions_of(system, found.configuration, times.ravel())
-    shaped = functions.reshape(*times.shape, -1)
-    return np.asarray(shaped @ found.weights + found.constants)
-
-
-def _weights(
-    system: PiecewiseLinear, configuration: int, starts: np.ndarray, rows: np.ndarray
-) -> np.ndarray:
-    """Factors (P, functions, K) of the functions of time in affine functions, along P phases."""
-    parts = parts_of(system, configuration, starts)
-    return np.asarray(parts @ rows[configuration, :, :-1].T)
 
 
 class Extreme(NamedTuple):
@@ -193,29 +166,18 @@ class LocalMaximum(NamedTuple):
     value: float
 
 
-class _Slopes(NamedTuple):
-    """One function on n panels: factors (7, n, functions) of its derivatives, and their bounds."""
-
-    factors: np.ndarray
-    sizes: np.ndarray
-
-    def at(self, places: np.ndarray) -> _Slopes:
-        return _Slopes(self.factors[:, places], self.sizes[:, places])
-
-
 def local_maxima(system: PiecewiseLinear, phases: Phases, rows: np.ndarray) -> list[LocalMaximum]:
     """All local maxima inside phases of K affine functions of the state.
 
     `rows` (configurations, K, N + 1) are the functions ``n y + c``: n, then c.
     """
-    return [
-        LocalMaximum(owner, function, time, value)
-        for found in panels(system, phases, rows, _ANGLE)
-        for function in range(rows.shape[1])
-        for owner, time, value in zip(
-            *(part.tolist() for part in _maxima_on(system, found, function)), strict=True
-        )
-    ]
+    found: list[LocalMaximum] = []
+    for panels in _panels(system, phases, rows):
+        every = np.ones((len(panels.phases), rows.shape[1]), dtype=bool)
+        places, *parts = _maxima_on(system, panels, every)
+        columns = (part.tolist() for part in (panels.phases[places], *parts))
+        found += map(LocalMaximum, *columns)
+    return found
 
 
 def boundary_rows(system: PiecewiseLinear) -> np.ndarray:
@@ -240,60 +202,53 @@ def extremes(
     signed = np.concatenate([-rows, rows], axis=1)
     best = np.full(2 * count, -np.inf)
     times = np.full(2 * count, np.nan)
-    for found in panels(system, phases, signed, _ANGLE):
-        _raise_on(system, phases, signed[found.configuration], found, best, times)
+
+    def raise_to(values: np.ndarray, at: np.ndarray) -> None:
+        np.copyto(times, at, where=values > best)
+        np.maximum(best, values, out=best)
+
+    for panels in _panels(system, phases, signed):
+        row, begins = signed[panels.configuration], phases.begins[panels.phases]
+        tower = _tower(system, panels.configuration, panels.weights.swapaxes(1, 2), 5)
+        sides = (panels.left, panels.right)
+        left, right = (
+            np.einsum("nf,onkf->onk", functions_of(system, panels.configuration, t), tower[:2])
+            for t in sides
+        )
+        sizes = _sizes(system, panels)
+        size, fourth = np.einsum("nf,onkf->onk", sizes, abs(tower[::4]))
+        slack = _ROUNDING * (size + abs(panels.constants))
+        left[0] += panels.constants
+        right[0] += panels.constants
+        # times are sums: the state in front of a transition is known better than its time
+        ends = phases.ends[panels.phases[panels.last]]
+        right[0][panels.last] = ends @ row[:, :-1].T + row[:, -1]
+        _, upper = _range(left, right, (panels.right - panels.left)[:, None], fourth)
+        for values, at in zip((left[0], right[0]), sides, strict=True):
+            top = values.argmax(axis=0)
+            raise_to(values[top, np.arange(len(best))], (begins + at)[top])
+        places, functions, since, values = _maxima_on(system, panels, upper > best + slack)
+        order = np.argsort(values)  # of each function the largest one is written last
+        highest, when = np.full_like(best, -np.inf), np.full_like(times, np.nan)
+        highest[functions[order]] = values[order]
+        when[functions[order]] = (begins[places] + since)[order]
+        raise_to(highest, when)
     every = [
         Extreme(value, time) for value, time in zip(best.tolist(), times.tolist(), strict=True)
     ]
     return [Extreme(0.0 - value, time) for value, time in every[:count]], every[count:]
 
 
-def _raise_on(
-    system: PiecewiseLinear,
-    phases: Phases,
-    row: np.ndarray,
-    found: Panels,
-    best: np.ndarray,
-    times: np.ndarray,
-) -> None:
-    """Raise the best values, and their times, to the maxima of all functions on some panels."""
-    derivative = derivative_matrix(
-        system.structure.shapes[found.configuration], system.exponents[found.configuration]
-    ).T
-    tower = [found.weights]
-    for _ in range(4):
-        tower.append(derivative @ tower[-1])
-    functions = [functions_of(system, found.configuration, t) for t in (found.left, found.right)]
-    left, right = (
-        np.stack([np.einsum("nf,nfk->nk", phi, weights) for weights in tower[:2]])
-        for phi in functions
-    )
-    sizes = _sizes(system, found)
-    slack = _ROUNDING * (np.einsum("nf,nfk->nk", sizes, abs(tower[0])) + abs(found.constants))
-    fourth = np.einsum("nf,nfk->nk", sizes, abs(tower[4]))
-    begins = phases.begins[found.phases]
-    left[0] += found.constants
-    right[0] += found.constants
-    # times are sums: the state in front of a transition is known better than its time
-    right[0][found.last] = phases.ends[found.phases[found.last]] @ row[:, :-1].T + row[:, -1]
-    _, upper = _range(left, right, (found.right - found.left)[:, None], fourth)
-    for k in range(len(best)):
-        for side, at in ((left, found.left), (right, found.right)):
-            _raise(best, times, k, side[0][:, k], begins + at)
-        kept = np.flatnonzero(upper[:, k] > best[k] + slack[:, k])
-        if kept.size:
-            owners, since, values = _maxima_on(system, found.at(kept), k)
-            if values.size:
-                _raise(best, times, k, values, phases.begins[owners] + since)
+def _tower(
+    system: PiecewiseLinear, configuration: int, weights: np.ndarray, count: int
+) -> np.ndarray:
+    """Factors (count, ..., functions) of the derivatives of functions from order 0 on."""
+    structure, exponents = system.structure, system.exponents[configuration]
+    derivative = derivative_matrix(structure.shapes[configuration], exponents)
+    return np.array(list(accumulate(repeat(derivative, count - 1), matmul, initial=weights)))
 
 
-def _raise(best: np.ndarray, times: np.ndarray, k: int, values: np.ndarray, at: np.ndarray) -> None:
-    top = int(np.argmax(values))
-    if values[top] > best[k]:
-        best[k], times[k] = values[top], at[top]
-
-
-def _sizes(system: PiecewiseLinear, found: Panels) -> np.ndarray:
+def _sizes(system: PiecewiseLinear, found: _Panels) -> np.ndarray:
     """Bounds (n, functions) of the absolute values of the functions of time on panels."""
     shapes = system.structure.shapes[found.configuration]
     exponents = system.exponents[found.configuration]
@@ -302,59 +257,59 @@ def _sizes(system: PiecewiseLinear, found: Panels) -> np.ndarray:
 
 
 def _maxima_on(
-    system: PiecewiseLinear, found: Panels, function: int
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Local maxima of one function on panels: phases, times since their start, and values."""
-    configuration = found.configuration
-    shapes, exponents = system.structure.shapes[configuration], system.exponents[configuration]
-    derivative = derivative_matrix(shapes, exponents)
-    tower = [found.weights[..., function]]
-    for _ in range(_ORDERS - 1):
-        tower.append(tower[-1] @ derivative)
-    factors = np.array(tower)
-    sizes = np.einsum("nf,onf->on", _sizes(system, found), abs(factors))
-    # where a function is constant or has one slope, rounding alone gives it maxima
-    moving = np.flatnonzero(sizes[1] > 0)
-    whole = _Slopes(factors, sizes)
-    places, begins, ends = _brackets(system, configuration, whole, moving, found.left, found.right)
-    kept = factors[1:3, places]
+    system: PiecewiseLinear, panels: _Panels, wanted: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Local maxima on panels of the functions that are wanted there, bool (n, K).
+
+    They are told by panels, functions, times since the beginnings of the phases, and values.
+    """
+    configuration = panels.configuration
+    places, functions = np.nonzero(wanted)
+    factors = _tower(system, configuration, panels.weights[places, :, functions], _ORDERS)
+    sizes = np.einsum("nf,onf->on", _sizes(system, panels)[places], abs(factors))
+    left, right = panels.left[places], panels.right[places]
+    at, begins, ends = _brackets(system, configuration, factors, sizes, left, right)
+    kept = factors[1:3, at]
 
     def rates(times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        functions = functions_of(system, configuration, times)
-        slope, curvature = np.einsum("nf,onf->on", functions, kept)
+        slope, curvature = np.einsum("nf,onf->on", functions_of(system, configuration, times), kept)
         return slope, curvature
 
     times = falling_zeros(rates, begins, ends)
-    functions = functions_of(system, configuration, times)
-    values = (functions * factors[0, places]).sum(axis=1) + found.constants[function]
-    return found.phases[places], times, values
+    values = (functions_of(system, configuration, times) * factors[0, at]).sum(axis=1)
+    return places[at], functions[at], times, values + panels.constants[functions[at]]
 
 
 def _brackets(
     system: PiecewiseLinear,
     configuration: int,
-    whole: _Slopes,
-    places: np.ndarray,
+    factors: np.ndarray,
+    sizes: np.ndarray,
     low: np.ndarray,
     high: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Panels on which the slope falls through zero once, and intervals that contain the zero."""
+    """Functions on panels whose slope falls through zero once, and intervals around the zero.
+
+    `factors` (7, n, functions) are those of their derivatives, `sizes` (7, n) bounds on these.
+    """
+    # where a function is constant or has one slope, rounding alone gives it maxima
+    places = np.flatnonzero(sizes[1] > 0)
     left, right = low[places], high[places]
     kept: list[tuple[np.ndarray, np.ndarray, np.ndarray]] = []
     for turn in range(_HALVINGS + 1):
         if not places.size:
             break
-        here, width = whole.at(places), right - left
+        width, size = right - left, sizes[:, places]
         ends = [
-            np.einsum("nf,onf->on", functions_of(system, configuration, t), here.factors[1:4])
+            np.einsum("nf,onf->on", functions_of(system, configuration, t), factors[1:4, places])
             for t in (left, right)
         ]
-        least, most = _range(ends[0][:2], ends[1][:2], width, here.sizes[5])
-        slack = _ROUNDING * here.sizes[1]
+        least, most = _range(ends[0][:2], ends[1][:2], width, size[5])
+        slack = _ROUNDING * size[1]
         flat = (most <= slack) & (least >= -slack)
         crossing = ~flat & (least <= slack) & (most >= -slack)
-        bent = _range(ends[0][1:], ends[1][1:], width, here.sizes[6])
-        slack = _ROUNDING * here.sizes[2]
+        bent = _range(ends[0][1:], ends[1][1:], width, size[6])
+        slack = _ROUNDING * size[2]
         single = (bent[1] < -slack) | (bent[0] > slack) | (turn == _HALVINGS)
         falls = crossing & single & (ends[0][0] > 0) & (ends[1][0] <= 0)
         kept.append((places[falls], left[falls], right[falls]))

@@ -405,17 +405,15 @@ def _with_starts(
                 + [sign(row) <= 0 for row in bounds]
                 + [sign(row) == 0 for row in vanishing]
             )
-            for regime, (bounds, vanishing) in part.items()
+            # what holds comes first: a configuration with more constraints takes the state
+            for regime, (bounds, vanishing) in sorted(
+                part.items(), key=lambda item: -len(item[1][1])
+            )
         }
         for part in growth.starts
     ]
-    # what holds comes first: a configuration with more constraints takes the state
-    order = [_holding_first(part) for part in growth.starts]
     options = {
-        tuple(
-            tuple(r for r in regimes if found[r][k])
-            for regimes, found in zip(order, fits, strict=True)
-        ): k
+        tuple(tuple(r for r, fit in found.items() if fit[k]) for found in fits): k
         for k in range(len(states))
     }
     first = {growth.first_of(regimes): k for regimes, k in options.items()}
@@ -424,10 +422,6 @@ def _with_starts(
         if any(len(each) > 1 for each in regimes):
             kernels = _at_rest(kernels, growth, point, whole[k], regimes)
     return kernels
-
-
-def _holding_first(part: dict[str, tuple[list[int], list[int]]]) -> list[str]:
-    return sorted(part, key=lambda regime: -len(part[regime][1]))
 
 
 def _at_rest(
@@ -455,9 +449,7 @@ def _at_rest(
             left = []
             for index, boundary in enumerate(structure.boundaries[c]):
                 row = system.rows[boundary.row][None]
-                found = orders_along(system.fields[c][None], row, whole[None])
-                value, error = start = next(found)
-                if value[0] > error[0] or leading_signs(chain([start], found))[0] > 0:
+                if leading_signs(orders_along(system.fields[c][None], row, whole[None]))[0] > 0:
                     left.append(index)
             stays = stays or not left
             for transition in structure.transitions[c]:

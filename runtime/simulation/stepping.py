@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.events.first_crossing import Series, Start, first_crossing
+from nonsmooth.runtime.events.crossings_and_maxima import Series, Start, first_crossing
 from nonsmooth.runtime.events.leading_derivative import Located, dot, leading, rows_of
 from nonsmooth.runtime.events.quasi_polynomials import (
     BoundaryTable,

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from flint import arb, ctx
 
-from nonsmooth.runtime.events.guaranteed_maxima import maximum
+from nonsmooth.runtime.events.crossings_and_maxima import maximum
 from tests.compiled_c import COMPILER, library_of, needs_compiler, pointer
 from tests.sums import trigonometric
 

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from flint import arb, arb_mat, ctx
 
-from nonsmooth.runtime.events.guaranteed_maxima import maximum
+from nonsmooth.runtime.events.crossings_and_maxima import maximum
 from nonsmooth.runtime.events.quasi_polynomials import ModeFunctions, QuasiPolynomial, row_factors
 from nonsmooth.runtime.model.modes.numeric_modes import numeric_modes
 from tests.places import CHECKOUT

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from nonsmooth import InputError
-from nonsmooth.runtime.events.first_crossing import Start, _Search, first_crossing
+from nonsmooth.runtime.events.crossings_and_maxima import Start, _Search, first_crossing
 from tests.sums import plain_sum
 
 HIGH = mp.MPContext()

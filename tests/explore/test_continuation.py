@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 import nonsmooth
+from nonsmooth.runtime.events.crossings_and_maxima import maximum
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.event import KINDS, Event
 from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
@@ -105,7 +106,7 @@ def test_grazing_names_the_boundary_that_is_touched() -> None:
     assert event.time is not None
     assert abs(function(event.time)) < 1e-11
     assert abs(function.derivative()(event.time)) < 1e-6
-    assert function.maximum(at.values["tau"]).value < 1e-9
+    assert maximum(function, at.values["tau"]).value < 1e-9
     limits = admissible_intervals("dry-friction/symmetric", "V", 0.5, 0.8, points=200)
     assert min(abs(event.value - interval.lower) for interval in limits) < 1e-9
     before, behind = math.floor(event.place), math.ceil(event.place)
