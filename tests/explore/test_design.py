@@ -13,6 +13,8 @@ from nonsmooth.runtime.explore.design.optimum import Design
 from nonsmooth.runtime.explore.design.quantities import radius_rows
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.multipliers import MapDerivatives, multiplier_derivatives
+from tests.explore.test_continuation_forced import branch as struck
+from tests.explore.test_continuation_forced import closed_forms
 from tests.places import GALLERY
 
 IMPACTS = f"{GALLERY / 'impact_oscillator.py'}:one-period"
@@ -382,3 +384,11 @@ def test_the_optimum_does_not_depend_on_where_it_begins() -> None:
         assert design.converged, orbit
         assert design.after["V"] == pytest.approx(3)
         assert design.after["eta"] == pytest.approx(4.23229159609, abs=1e-7)
+
+
+def test_a_design_ends_where_its_branch_turns_back() -> None:
+    values = struck().parameter_values
+    begin = struck().orbit_at(int(np.argmax(values[: values.argmin()] < -1)))
+    found = ns.design(begin, solve={"v0": -4}, over={"sigma": (-2, 0.14)}, admissible=False)
+    assert found.message == "v0=-4 not reached: the branch turns back (a fold)"
+    assert found.after["sigma"] == pytest.approx(closed_forms()[0], abs=1e-8)

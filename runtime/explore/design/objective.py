@@ -274,32 +274,9 @@ def optimality(
     """
     from scipy.optimize import lsq_linear
 
-    level = aim.variables(point)[-1]
-    size = len(names) + aim.levelled
-    texts, slopes, units, free = [], [], [], []
-    for member, condition in product(point.members, aim.conditions):
-        rows, grown = aim.condition_rows(member, condition), aim.relaxing(member, condition)
-        for value, slope, unit in zip(*rows, grown.tolist(), strict=True):
-            if condition.relation == "=" or abs(value) <= _ACTIVE:
-                texts.append(condition.text + where(member))
-                slopes.append(slope)
-                units.append(unit)
-                free.append(condition.relation == "=")
-    for member in point.members if aim.margins else ():
-        margins = aim.margin_rows(member)
-        for (key, unit), value, slope in zip(aim.margins.items(), *margins, strict=True):
-            if abs(value) <= _ACTIVE:
-                away = f"{key.boundary} stays away in phase {key.phase + 1}"
-                texts.append(away + where(member))
-                slopes.append(slope)
-                units.append(1 / unit)
-                free.append(False)
-    for place, sign, text in _sides(point, names, bounds):
-        texts.append(text)
-        slopes.append(sign * np.eye(size)[place])
-        units.append(1 / float(aim.lengths[place]))
-        free.append(False)
-    told, corner = len(texts), ""
+    level, corner = aim.variables(point)[-1], ""
+    acting = [*_acting(aim, point, names, bounds, where)]
+    slopes = [each.slope for each in acting]
     worst_at: list[DesignPoint] = []
     for member in point.members if aim.levelled else ():
         levels = aim.level_rows(member, level)
@@ -315,7 +292,6 @@ def optimality(
             aim.scale / aim.lengths,
         )
         slopes.extend(levels.slopes[near])
-        free.extend([False] * int(near.sum()))
     if len(worst_at) > 1:
         corner = "; ".join(
             [f"as bad at {len(worst_at)} places of the branch", *filter(None, [corner])]
@@ -323,14 +299,48 @@ def optimality(
     gradient = aim.slope(point)
     if not slopes:
         return Optimality((), float(np.abs(gradient).max()), corner, tuple(worst_at))
-    lower = np.where(free, -np.inf, 0.0)
+    lower = np.zeros(len(slopes))
+    lower[: len(acting)][[each.equation for each in acting]] = -np.inf
     found = lsq_linear(np.array(slopes).T, gradient, (lower, np.full(len(slopes), np.inf)))
     left = float(np.abs(found.fun).max())
     factors: dict[str, float] = {}  # a conjugate pair meets one condition twice
-    for text, factor, unit in zip(texts, found.x[:told], units, strict=True):
-        factors[text] = factors.get(text, 0.0) + float(factor) * aim.scale * unit
+    for (text, _, unit, _), factor in zip(acting, found.x.tolist(), strict=False):
+        factors[text] = factors.get(text, 0.0) + factor * aim.scale * unit
     limits = tuple(ActiveLimit(text=text, multiplier=each) for text, each in factors.items())
     return Optimality(limits, left, corner, tuple(worst_at))
+
+
+class _Acting(NamedTuple):
+    """A condition or a bound that holds with equality."""
+
+    text: str
+    slope: np.ndarray  # (n,)
+    unit: float  # by how much it grows per unit of its limit
+    equation: bool = False
+
+
+def _acting(
+    aim: Aim,
+    point: Trial,
+    names: Sequence[str],
+    bounds: np.ndarray,
+    where: Callable[[DesignPoint], str],
+) -> Iterator[_Acting]:
+    for member, condition in product(point.members, aim.conditions):
+        equation = condition.relation == "="
+        rows, grown = aim.condition_rows(member, condition), aim.relaxing(member, condition)
+        for value, slope, unit in zip(*rows, grown.tolist(), strict=True):
+            if equation or abs(value) <= _ACTIVE:
+                yield _Acting(condition.text + where(member), slope, unit, equation)
+    for member in point.members if aim.margins else ():
+        margins = aim.margin_rows(member)
+        for (key, unit), value, slope in zip(aim.margins.items(), *margins, strict=True):
+            if abs(value) <= _ACTIVE:
+                away = f"{key.boundary} stays away in phase {key.phase + 1}"
+                yield _Acting(away + where(member), slope, 1 / unit)
+    units = np.eye(len(names) + aim.levelled)
+    for place, sign, text in _sides(point, names, bounds):
+        yield _Acting(text, sign * units[place], 1 / float(aim.lengths[place]))
 
 
 def bounds_met(point: Trial, names: Sequence[str], bounds: np.ndarray) -> tuple[ActiveLimit, ...]:

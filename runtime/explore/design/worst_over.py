@@ -245,7 +245,7 @@ class BranchPoints:
         It is the zero of the slope along the branch, by Newton's method.
         """
         part, row, bend = watch
-        member = self.member(place, part)
+        member = _member_at(self.points, place, part)
         for _ in range(_STEPS if bend > 0 else 0):
             slope = self._slope(member, row)
             step = float(np.clip(-slope / bend, -_LONGEST, _LONGEST))
@@ -253,7 +253,7 @@ class BranchPoints:
             if not abs(following - part) > _STILL:  # also where there is no derivative
                 break
             try:
-                other = self.member(place, following)
+                other = _member_at(self.points, place, following)
             except Beyond:
                 break
             found = (self._slope(other, row) - slope) / (following - part)
@@ -263,13 +263,6 @@ class BranchPoints:
 
     def _slope(self, member: DesignPoint, row: int) -> float:
         return float(_alarms(self._aim, member, self.points.lengths[-1])[1][row])
-
-    def member(self, place: np.ndarray, part: float) -> DesignPoint:
-        """The orbit at parameters `place` (q,) and at a part (0 to 1) of the branch's interval.
-
-        Raises `Beyond` if it does not exist.
-        """
-        return _member_at(self.points, place, part)
 
     def where(self, member: DesignPoint) -> str:
         """Position of an orbit on the branch, in words."""
@@ -341,7 +334,7 @@ def optimise_worst(
                 continue
             good = place
             if not worse:
-                members = tuple(points.member(place, watch.part) for watch in worst)
+                members = tuple(_member_at(inner, place, watch.part) for watch in worst)
                 return Ended(_BranchPoint(place, members, tuple(worst)), ended.reason), points
             watches = (*watches, *worse)
             points = BranchPoints(inner, aim, place, watches)
@@ -361,7 +354,9 @@ def _looked(points: BranchPoints, aim: Aim, point: Trial) -> tuple[list[_Place],
         worst = _worst_places(inner, aim, point.place, _scanned(inner, point.place, begin, count))
         worse = []
         for watch in worst:
-            there = _BranchPoint(point.place, (points.member(point.place, watch.part),), (watch,))
+            there = _BranchPoint(
+                point.place, (_member_at(inner, point.place, watch.part),), (watch,)
+            )
             if aim.value(there) > level + _WORSE or aim.missed(there) > missed + _WORSE:
                 worse.append(watch)
         if worse:
