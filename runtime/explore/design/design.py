@@ -175,14 +175,13 @@ def design(
     begin: Trial = trials.visited[0]
     _check_dependence(names, begin, aim)
     if isinstance(trials, BranchPoints):
-        ended, trials = optimise_worst(trials, aim, iterations, history)
+        ended = optimise_worst(trials, aim, iterations, history)
     else:
         ended = optimise(points, aim, iterations, history)
     if question.aim == "solve":
         left, status = _solved(aim, ended.point, names, bounds)
     else:
-        where = trials.where if isinstance(trials, BranchPoints) else _nowhere
-        left = optimality(aim, ended.point, names, bounds, where)
+        left = optimality(aim, ended.point, names, bounds, trials.where)
         met = left.residual <= _OPTIMAL and aim.missed(ended.point) <= _MET
         status = CONVERGED if met else NOT_REACHED
     stopped = ended.reason == INTERRUPTED
@@ -216,10 +215,6 @@ def design(
     if stopped:
         raise Interrupted(found)
     return found
-
-
-def _nowhere(_: DesignPoint) -> str:
-    return ""
 
 
 def _worst_at(

@@ -181,11 +181,16 @@ class Aim:
             rows = radius_rows(measured.derivatives, wanted)
             values, slopes = rows.values, rows.by_parameters
         else:
-            sign = -1.0 if condition.relation == "<=" else 1.0
-            values = np.array([sign * (measured.values[condition.quantity] - wanted)])
-            slopes = sign * measured.slopes[condition.quantity][None]
+            value, slope = self.distance(member, condition)
+            values, slopes = np.array([value]), slope[None]
         size = self.size(condition)
         return Rows(values / size, self._with_level(self._by_places(slopes) / size))
+
+    def distance(self, member: DesignPoint, condition: DesignCondition) -> tuple[float, np.ndarray]:
+        """How far a quantity is inside of a condition, and the derivatives by all parameters."""
+        measured, sign = member.quantities, -1.0 if condition.relation == "<=" else 1.0
+        value = measured.values[condition.quantity] - float(condition.value)
+        return sign * value, sign * measured.slopes[condition.quantity]
 
     def _with_level(self, slopes: np.ndarray) -> np.ndarray:
         """Derivatives extended by that by the level, which is zero."""
@@ -205,17 +210,25 @@ class Aim:
             found = np.ones(1)
         return found / self.size(condition)
 
-    def margin_rows(self, member: DesignPoint) -> Rows:
-        """Scaled distances from the boundaries; 1 where one has no maximum inside its phase."""
-        margins = member.quantities.derivatives.margins
-        there = {MarginKey(m.phase, m.boundary): m for m in margins}
-        count = len(self.lengths)
-        values, slopes = np.ones(len(self.margins)), np.zeros((len(self.margins), count))
+    def distances(self, member: DesignPoint) -> tuple[np.ndarray, np.ndarray]:
+        """Scaled distances (m,) from the boundaries, and their derivatives by all parameters.
+
+        A distance is 1 where there is no maximum inside the phase.
+        """
+        derivatives = member.quantities.derivatives
+        there = {MarginKey(m.phase, m.boundary): m for m in derivatives.margins}
+        values = np.ones(len(self.margins))
+        slopes = np.zeros((len(self.margins), len(derivatives.by)))
         for place, (key, unit) in enumerate(self.margins.items()):
             if key in there:
-                values[place] = float(there[key].value) / unit - _INSIDE
-                slopes[place] = self._by_places(np.asarray(there[key].rates, dtype=float)) / unit
-        return Rows(values, self._with_level(slopes))
+                values[place] = float(there[key].value) / unit
+                slopes[place] = np.asarray(there[key].rates, dtype=float) / unit
+        return values, slopes
+
+    def margin_rows(self, member: DesignPoint) -> Rows:
+        """The conditions that an orbit crosses none of the boundaries."""
+        values, slopes = self.distances(member)
+        return Rows(values - _INSIDE, self._with_level(self._by_places(slopes)))
 
     def rows(self, point: Trial, level: float, *, equal: bool) -> Rows:
         """The rows of all equations (`equal`), or of all other conditions, of a trial.
@@ -264,7 +277,7 @@ def optimality(
     point: Trial,
     names: tuple[str, ...],
     bounds: np.ndarray,
-    where: Callable[[DesignPoint], str] = lambda _: "",
+    where: Callable[[DesignPoint], str],
 ) -> Optimality:
     """The multipliers that leave as little as possible of the gradient at a trial.
 
