@@ -13,7 +13,6 @@ from nonsmooth.runtime.explore.design.objective import (
     MarginKey,
     Optimality,
     Trial,
-    bounds_met,
     optimality,
     watched_margins,
 )
@@ -178,12 +177,9 @@ def design(
         ended = optimise_worst(trials, aim, iterations, history)
     else:
         ended = optimise(points, aim, iterations, history)
-    if question.aim == "solve":
-        left, status = _solved(aim, ended.point, names, bounds)
-    else:
-        left = optimality(aim, ended.point, names, bounds, trials.where)
-        met = left.residual <= _OPTIMAL and aim.missed(ended.point) <= _MET
-        status = CONVERGED if met else NOT_REACHED
+    left = optimality(aim, ended.point, names, bounds, trials.where)
+    met = left.residual <= (_OPTIMAL if quantity else _SOLVED) and aim.missed(ended.point) <= _MET
+    status = CONVERGED if met else NOT_REACHED
     stopped = ended.reason == INTERRUPTED
     if stopped and len(history) < 2:
         raise KeyboardInterrupt
@@ -241,14 +237,6 @@ def _check_dependence(names: Sequence[str], first: Trial, aim: Aim) -> None:
     for place, name in enumerate(names):
         if largest[place] <= _NO_SLOPE:
             raise InputError(f"nothing that is asked for depends on {name}")
-
-
-def _solved(
-    aim: Aim, point: Trial, names: Sequence[str], bounds: np.ndarray
-) -> tuple[Optimality, int]:
-    left = aim.missed(point)
-    status = CONVERGED if left <= _SOLVED else NOT_REACHED
-    return Optimality(bounds_met(point, names, bounds), left, ""), status
 
 
 def _values_of(

@@ -34,7 +34,6 @@ __all__ = [
     "Optimality",
     "Rows",
     "Trial",
-    "bounds_met",
     "optimality",
     "watched_margins",
 ]
@@ -281,12 +280,17 @@ def optimality(
 ) -> Optimality:
     """The multipliers that leave as little as possible of the gradient at a trial.
 
+    Where nothing is optimised they are zero, and conditions that are missed are what is left.
+
     They solve a linear least-squares problem with bounds, whatever optimiser was used. `bounds`
     (q, 2) are those of the parameters `names`; `where` puts an orbit's place on a branch into
     words.
     """
     from scipy.optimize import lsq_linear
 
+    if not aim.quantity:
+        met = [ActiveLimit(text=text, multiplier=0.0) for *_, text in _sides(point, names, bounds)]
+        return Optimality(tuple(met), aim.missed(point), "")
     level, corner = aim.variables(point)[-1], ""
     acting = [*_acting(aim, point, names, bounds, where)]
     slopes = [each.slope for each in acting]
@@ -354,13 +358,6 @@ def _acting(
     units = np.eye(len(names) + aim.levelled)
     for place, sign, text in _sides(point, names, bounds):
         yield _Acting(text, sign * units[place], 1 / float(aim.lengths[place]))
-
-
-def bounds_met(point: Trial, names: Sequence[str], bounds: np.ndarray) -> tuple[ActiveLimit, ...]:
-    """The bounds at which a trial lies, with zero multipliers, where nothing is optimised."""
-    return tuple(
-        ActiveLimit(text=text, multiplier=0.0) for *_, text in _sides(point, names, bounds)
-    )
 
 
 def _sides(
