@@ -13,6 +13,8 @@ from nonsmooth.runtime.explore.design.optimum import Design
 from nonsmooth.runtime.explore.design.quantities import radius_rows
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.multipliers import MapDerivatives, multiplier_derivatives
+from tests.explore.test_continuation_forced import branch as struck
+from tests.explore.test_continuation_forced import closed_forms
 from tests.places import GALLERY
 
 IMPACTS = f"{GALLERY / 'impact_oscillator.py'}:one-period"
@@ -48,17 +50,11 @@ def impacts() -> Orbit:
     return ns.solve(IMPACTS)
 
 
-@cache
-def scanned() -> tuple[np.ndarray, np.ndarray]:
-    values = np.linspace(2.6, 2.9, 301)
-    scan = [ns.solve("dry-friction/symmetric", {"V": value}).multipliers for value in values]
-    return values, np.abs(scan).max(axis=-1)
-
-
 @pytest.mark.slow
 def test_the_stablest_orbit_is_that_of_a_scan() -> None:
-    found = ns.design(symmetric(), minimise="spectral_radius", over={"V": (0.3, 3)})
-    values, radius = scanned()
+    found, values = stablest(), np.linspace(2.6, 2.9, 301)
+    scan = [ns.solve("dry-friction/symmetric", {"V": value}).multipliers for value in values]
+    radius = np.abs(scan).max(axis=-1)
     assert found.converged
     assert not found.active
     assert not found.corner
@@ -382,3 +378,11 @@ def test_the_optimum_does_not_depend_on_where_it_begins() -> None:
         assert design.converged, orbit
         assert design.after["V"] == pytest.approx(3)
         assert design.after["eta"] == pytest.approx(4.23229159609, abs=1e-7)
+
+
+def test_a_design_ends_where_its_branch_turns_back() -> None:
+    values = struck().parameter_values
+    begin = struck().orbit_at(int(np.argmax(values[: values.argmin()] < -1)))
+    found = ns.design(begin, solve={"v0": -4}, over={"sigma": (-2, 0.14)}, admissible=False)
+    assert found.message == "v0=-4 not reached: the branch turns back (a fold)"
+    assert found.after["sigma"] == pytest.approx(closed_forms()[0], abs=1e-8)

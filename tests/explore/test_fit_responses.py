@@ -366,13 +366,12 @@ def test_derivatives_of_accelerations_are_those_of_differences() -> None:
 
 
 def test_a_sample_at_an_impact_is_refused_with_words() -> None:
-    point = {"c": 0.05, "k": 2.5, "r": 0.7, "w": 2.1, "F": 1.0}
-    motion = ns.simulate(IMPACTING, point, {"x": -0.6, "v": 0}, until=8)
+    motion = ns.simulate(IMPACTING, POINT, {"x": -0.6, "v": 0}, until=8)
     at = float(motion.times[1])
     data = {"t": np.sort(np.r_[np.linspace(0.1, 7.9, 20), at]), "a": np.zeros(21)}
     with pytest.raises(InputError, match=r"a jumps at .* at wall-reaches-stop: leave out"):
         ns.fit(
-            IMPACTING, data, parameters=point, free=["c"], start={"x": -0.6, "v": 0},
+            IMPACTING, data, parameters=POINT, free=["c"], start={"x": -0.6, "v": 0},
             outputs={"a": "acceleration:x"},
         )  # fmt: skip
 

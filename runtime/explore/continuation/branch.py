@@ -14,9 +14,8 @@ from nonsmooth.runtime.core.json_codec import AnyComplexTable, AnyRow, Flags, Ro
 from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.explore.continuation.energy import energy_of
 from nonsmooth.runtime.explore.continuation.event import Event, checked_event, point_of
-from nonsmooth.runtime.explore.continuation.next_itineraries import next_itineraries
+from nonsmooth.runtime.explore.continuation.next_orbits import next_itineraries, other_branch
 from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily, composed_family
-from nonsmooth.runtime.explore.continuation.switching import other_branch
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.motion import Motion

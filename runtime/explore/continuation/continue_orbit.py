@@ -225,7 +225,7 @@ def _branch(curve: OrbitFamily, path: Path) -> Branch:
         parameter_values=points[:, -1],
         unknown_names=curve.names,
         unknowns=points[:, :-1],
-        period=curve.order * _period(curve, points),
+        period=curve.order * curve.dwell(points).sum(axis=-1),
         multipliers=multipliers**curve.order,
         trace=curve.traces(points),
         stability=tuple(_verdict(row, curve.conservative) for row in multipliers),
@@ -235,10 +235,6 @@ def _branch(curve: OrbitFamily, path: Path) -> Branch:
         start=path.start,
         orbit=curve.orbit,
     )
-
-
-def _period(curve: OrbitFamily, points: np.ndarray) -> np.ndarray:
-    return np.asarray(curve.dwell(points).sum(axis=-1))
 
 
 def _with_meetings(curve: OrbitFamily, found: list[Event], path: Path) -> list[Event]:

@@ -9,7 +9,7 @@ constants, and fixes M up to a factor wherever the masses are coupled.
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from collections.abc import Mapping
 
 import numpy as np
 
@@ -86,34 +86,34 @@ def _energies(
     ]
 
 
-class _Guess(NamedTuple):
-    """A mass matrix, and the constants of the potentials by configuration."""
-
-    mass: np.ndarray
-    constants: dict[int, float]
-
-
 def _forms(cycle: ItineraryShape, numbers: Numbers, size: int) -> dict[int, np.ndarray] | None:
     """Symmetric matrices H of the energies (y, 1) H (y, 1) / 2, by configuration."""
     visited, count = sorted(set(cycle.configurations)), size // 2
     if size % 2 or not all(_undamped(numbers.fields[c], count) for c in visited):
         return None
-    pairs = [(i, j) for i in range(count) for j in range(i + 1)]
-    units = np.eye(len(pairs) + len(visited))
-    guesses = [_guess(unit, pairs, visited, count) for unit in units]
-    missed = np.array([_missed(cycle, numbers, guess) for guess in guesses]).T
+    lower = np.tril_indices(count)
+    pairs = len(lower[0])
+
+    def forms(values: np.ndarray) -> dict[int, np.ndarray]:
+        """Those of a mass matrix and of the potentials' constants."""
+        mass = np.zeros((count, count))
+        mass[lower] = mass.T[lower] = values[:pairs]
+        constants = zip(visited, values[pairs:].tolist(), strict=True)
+        return {c: _form(numbers.fields[c], mass, constant) for c, constant in constants}
+
+    units = np.eye(pairs + len(visited))
+    missed = np.array([_missed(cycle, numbers, forms(unit)) for unit in units]).T
     _, values, right = np.linalg.svd(missed)
     rank = int(np.count_nonzero(values > _ZERO * max(1.0, float(values[0]))))
     kept = right[rank:]
-    wanted = np.array([float(i == j) for i, j in pairs])
     # without masses a constant that all potentials share is left, and roundings
-    masses = np.where(np.abs(kept[:, : len(pairs)]) > _ZERO, kept[:, : len(pairs)], 0.0)
+    masses = np.where(np.abs(kept[:, :pairs]) > _ZERO, kept[:, :pairs], 0.0)
+    wanted = (lower[0] == lower[1]).astype(float)
     found = np.linalg.lstsq(masses.T, wanted, rcond=_ZERO)[0] @ kept
-    best = _guess(found, pairs, visited, count)
-    if np.linalg.eigvalsh(best.mass)[0] <= _ZERO:
+    mass = forms(found)[visited[0]][count:-1, count:-1]
+    if np.linalg.eigvalsh(mass)[0] <= _ZERO:
         return None
-    best = _guess(found / best.mass[0, 0], pairs, visited, count)
-    return {c: _form(numbers.fields[c], best, c) for c in visited}
+    return forms(found / mass[0, 0])
 
 
 def _undamped(field: np.ndarray, count: int) -> bool:
@@ -122,33 +122,20 @@ def _undamped(field: np.ndarray, count: int) -> bool:
     return bool(np.array_equal(field[:count], kinematics) and not field[count:, count:-1].any())
 
 
-def _guess(
-    values: np.ndarray, pairs: list[tuple[int, int]], visited: list[int], count: int
-) -> _Guess:
-    mass = np.zeros((count, count))
-    for (i, j), value in zip(pairs, values, strict=False):
-        mass[i, j] = mass[j, i] = value
-    return _Guess(mass, dict(zip(visited, values[len(pairs) :].tolist(), strict=True)))
-
-
-def _form(field: np.ndarray, guess: _Guess, configuration: int) -> np.ndarray:
-    count = len(guess.mass)
+def _form(field: np.ndarray, mass: np.ndarray, constant: float) -> np.ndarray:
+    """The matrix of an energy, which is symmetric if the stiffness is."""
+    count = len(mass)
     form = np.zeros((2 * count + 1, 2 * count + 1))
-    stiffness = -guess.mass @ field[count:, :count]
-    form[:count, :count] = (stiffness + stiffness.T) / 2
-    form[count:-1, count:-1] = guess.mass
-    form[-1, :count] = form[:count, -1] = -guess.mass @ field[count:, -1]
-    form[-1, -1] = guess.constants[configuration]
+    form[:count, :count] = -mass @ field[count:, :count]
+    form[count:-1, count:-1] = mass
+    form[-1, :count] = form[:count, -1] = -mass @ field[count:, -1]
+    form[-1, -1] = constant
     return form
 
 
-def _missed(cycle: ItineraryShape, numbers: Numbers, guess: _Guess) -> np.ndarray:
-    """Residuals of the conditions for a conserved energy, linear in the guess."""
-    count, missed = len(guess.mass), []
-    forms = {c: _form(numbers.fields[c], guess, c) for c in guess.constants}
-    for configuration in forms:
-        stiffness = guess.mass @ numbers.fields[configuration][count:, :count]
-        missed.append((stiffness - stiffness.T).ravel())
+def _missed(cycle: ItineraryShape, numbers: Numbers, forms: Mapping[int, np.ndarray]) -> np.ndarray:
+    """Residuals of the conditions for a conserved energy, linear in its forms."""
+    missed = [(form - form.T).ravel() for form in forms.values()]
     for place, transition in enumerate(cycle.transitions):
         before = forms[cycle.configurations[place]]
         after = forms[cycle.configurations[(place + 1) % len(cycle)]]
@@ -157,7 +144,8 @@ def _missed(cycle: ItineraryShape, numbers: Numbers, guess: _Guess) -> np.ndarra
         )
         row = numbers.rows[cycle.rows[place]]
         on = np.linalg.svd(row[None])[2][1:].T
-        missed.append((on.T @ (reset.T @ after @ reset - before) @ on).ravel())
+        jump = on.T @ (reset.T @ after @ reset - before) @ on
+        missed.append((jump + jump.T).ravel())
     return np.concatenate(missed)
 
 

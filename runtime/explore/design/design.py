@@ -13,7 +13,6 @@ from nonsmooth.runtime.explore.design.objective import (
     MarginKey,
     Optimality,
     Trial,
-    bounds_met,
     optimality,
     watched_margins,
 )
@@ -175,16 +174,12 @@ def design(
     begin: Trial = trials.visited[0]
     _check_dependence(names, begin, aim)
     if isinstance(trials, BranchPoints):
-        ended, trials = optimise_worst(trials, aim, iterations, history)
+        ended = optimise_worst(trials, aim, iterations, history)
     else:
         ended = optimise(points, aim, iterations, history)
-    if question.aim == "solve":
-        left, status = _solved(aim, ended.point, names, bounds)
-    else:
-        where = trials.where if isinstance(trials, BranchPoints) else _nowhere
-        left = optimality(aim, ended.point, names, bounds, where)
-        met = left.residual <= _OPTIMAL and aim.missed(ended.point) <= _MET
-        status = CONVERGED if met else NOT_REACHED
+    left = optimality(aim, ended.point, names, bounds, trials.where)
+    met = left.residual <= (_OPTIMAL if quantity else _SOLVED) and aim.missed(ended.point) <= _MET
+    status = CONVERGED if met else NOT_REACHED
     stopped = ended.reason == INTERRUPTED
     if stopped and len(history) < 2:
         raise KeyboardInterrupt
@@ -218,10 +213,6 @@ def design(
     return found
 
 
-def _nowhere(_: DesignPoint) -> str:
-    return ""
-
-
 def _worst_at(
     left: Optimality, branch: tuple[str, tuple[float, float]] | None
 ) -> tuple[float, ...]:
@@ -246,14 +237,6 @@ def _check_dependence(names: Sequence[str], first: Trial, aim: Aim) -> None:
     for place, name in enumerate(names):
         if largest[place] <= _NO_SLOPE:
             raise InputError(f"nothing that is asked for depends on {name}")
-
-
-def _solved(
-    aim: Aim, point: Trial, names: Sequence[str], bounds: np.ndarray
-) -> tuple[Optimality, int]:
-    left = aim.missed(point)
-    status = CONVERGED if left <= _SOLVED else NOT_REACHED
-    return Optimality(bounds_met(point, names, bounds), left, ""), status
 
 
 def _values_of(

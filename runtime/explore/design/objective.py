@@ -34,7 +34,6 @@ __all__ = [
     "Optimality",
     "Rows",
     "Trial",
-    "bounds_met",
     "optimality",
     "watched_margins",
 ]
@@ -181,11 +180,16 @@ class Aim:
             rows = radius_rows(measured.derivatives, wanted)
             values, slopes = rows.values, rows.by_parameters
         else:
-            sign = -1.0 if condition.relation == "<=" else 1.0
-            values = np.array([sign * (measured.values[condition.quantity] - wanted)])
-            slopes = sign * measured.slopes[condition.quantity][None]
+            value, slope = self.distance(member, condition)
+            values, slopes = np.array([value]), slope[None]
         size = self.size(condition)
         return Rows(values / size, self._with_level(self._by_places(slopes) / size))
+
+    def distance(self, member: DesignPoint, condition: DesignCondition) -> tuple[float, np.ndarray]:
+        """How far a quantity is inside of a condition, and the derivatives by all parameters."""
+        measured, sign = member.quantities, -1.0 if condition.relation == "<=" else 1.0
+        value = measured.values[condition.quantity] - float(condition.value)
+        return sign * value, sign * measured.slopes[condition.quantity]
 
     def _with_level(self, slopes: np.ndarray) -> np.ndarray:
         """Derivatives extended by that by the level, which is zero."""
@@ -205,17 +209,25 @@ class Aim:
             found = np.ones(1)
         return found / self.size(condition)
 
-    def margin_rows(self, member: DesignPoint) -> Rows:
-        """Scaled distances from the boundaries; 1 where one has no maximum inside its phase."""
-        margins = member.quantities.derivatives.margins
-        there = {MarginKey(m.phase, m.boundary): m for m in margins}
-        count = len(self.lengths)
-        values, slopes = np.ones(len(self.margins)), np.zeros((len(self.margins), count))
+    def distances(self, member: DesignPoint) -> tuple[np.ndarray, np.ndarray]:
+        """Scaled distances (m,) from the boundaries, and their derivatives by all parameters.
+
+        A distance is 1 where there is no maximum inside the phase.
+        """
+        derivatives = member.quantities.derivatives
+        there = {MarginKey(m.phase, m.boundary): m for m in derivatives.margins}
+        values = np.ones(len(self.margins))
+        slopes = np.zeros((len(self.margins), len(derivatives.by)))
         for place, (key, unit) in enumerate(self.margins.items()):
             if key in there:
-                values[place] = float(there[key].value) / unit - _INSIDE
-                slopes[place] = self._by_places(np.asarray(there[key].rates, dtype=float)) / unit
-        return Rows(values, self._with_level(slopes))
+                values[place] = float(there[key].value) / unit
+                slopes[place] = np.asarray(there[key].rates, dtype=float) / unit
+        return values, slopes
+
+    def margin_rows(self, member: DesignPoint) -> Rows:
+        """The conditions that an orbit crosses none of the boundaries."""
+        values, slopes = self.distances(member)
+        return Rows(values - _INSIDE, self._with_level(self._by_places(slopes)))
 
     def rows(self, point: Trial, level: float, *, equal: bool) -> Rows:
         """The rows of all equations (`equal`), or of all other conditions, of a trial.
@@ -264,9 +276,11 @@ def optimality(
     point: Trial,
     names: tuple[str, ...],
     bounds: np.ndarray,
-    where: Callable[[DesignPoint], str] = lambda _: "",
+    where: Callable[[DesignPoint], str],
 ) -> Optimality:
     """The multipliers that leave as little as possible of the gradient at a trial.
+
+    Where nothing is optimised they are zero, and conditions that are missed are what is left.
 
     They solve a linear least-squares problem with bounds, whatever optimiser was used. `bounds`
     (q, 2) are those of the parameters `names`; `where` puts an orbit's place on a branch into
@@ -274,32 +288,12 @@ def optimality(
     """
     from scipy.optimize import lsq_linear
 
-    level = aim.variables(point)[-1]
-    size = len(names) + aim.levelled
-    texts, slopes, units, free = [], [], [], []
-    for member, condition in product(point.members, aim.conditions):
-        rows, grown = aim.condition_rows(member, condition), aim.relaxing(member, condition)
-        for value, slope, unit in zip(*rows, grown.tolist(), strict=True):
-            if condition.relation == "=" or abs(value) <= _ACTIVE:
-                texts.append(condition.text + where(member))
-                slopes.append(slope)
-                units.append(unit)
-                free.append(condition.relation == "=")
-    for member in point.members if aim.margins else ():
-        margins = aim.margin_rows(member)
-        for (key, unit), value, slope in zip(aim.margins.items(), *margins, strict=True):
-            if abs(value) <= _ACTIVE:
-                away = f"{key.boundary} stays away in phase {key.phase + 1}"
-                texts.append(away + where(member))
-                slopes.append(slope)
-                units.append(1 / unit)
-                free.append(False)
-    for place, sign, text in _sides(point, names, bounds):
-        texts.append(text)
-        slopes.append(sign * np.eye(size)[place])
-        units.append(1 / float(aim.lengths[place]))
-        free.append(False)
-    told, corner = len(texts), ""
+    if not aim.quantity:
+        met = [ActiveLimit(text=text, multiplier=0.0) for *_, text in _sides(point, names, bounds)]
+        return Optimality(tuple(met), aim.missed(point), "")
+    level, corner = aim.variables(point)[-1], ""
+    acting = [*_acting(aim, point, names, bounds, where)]
+    slopes = [each.slope for each in acting]
     worst_at: list[DesignPoint] = []
     for member in point.members if aim.levelled else ():
         levels = aim.level_rows(member, level)
@@ -315,7 +309,6 @@ def optimality(
             aim.scale / aim.lengths,
         )
         slopes.extend(levels.slopes[near])
-        free.extend([False] * int(near.sum()))
     if len(worst_at) > 1:
         corner = "; ".join(
             [f"as bad at {len(worst_at)} places of the branch", *filter(None, [corner])]
@@ -323,21 +316,48 @@ def optimality(
     gradient = aim.slope(point)
     if not slopes:
         return Optimality((), float(np.abs(gradient).max()), corner, tuple(worst_at))
-    lower = np.where(free, -np.inf, 0.0)
+    lower = np.zeros(len(slopes))
+    lower[: len(acting)][[each.equation for each in acting]] = -np.inf
     found = lsq_linear(np.array(slopes).T, gradient, (lower, np.full(len(slopes), np.inf)))
     left = float(np.abs(found.fun).max())
     factors: dict[str, float] = {}  # a conjugate pair meets one condition twice
-    for text, factor, unit in zip(texts, found.x[:told], units, strict=True):
-        factors[text] = factors.get(text, 0.0) + float(factor) * aim.scale * unit
+    for (text, _, unit, _), factor in zip(acting, found.x.tolist(), strict=False):
+        factors[text] = factors.get(text, 0.0) + factor * aim.scale * unit
     limits = tuple(ActiveLimit(text=text, multiplier=each) for text, each in factors.items())
     return Optimality(limits, left, corner, tuple(worst_at))
 
 
-def bounds_met(point: Trial, names: Sequence[str], bounds: np.ndarray) -> tuple[ActiveLimit, ...]:
-    """The bounds at which a trial lies, with zero multipliers, where nothing is optimised."""
-    return tuple(
-        ActiveLimit(text=text, multiplier=0.0) for *_, text in _sides(point, names, bounds)
-    )
+class _Acting(NamedTuple):
+    """A condition or a bound that holds with equality."""
+
+    text: str
+    slope: np.ndarray  # (n,)
+    unit: float  # by how much it grows per unit of its limit
+    equation: bool = False
+
+
+def _acting(
+    aim: Aim,
+    point: Trial,
+    names: Sequence[str],
+    bounds: np.ndarray,
+    where: Callable[[DesignPoint], str],
+) -> Iterator[_Acting]:
+    for member, condition in product(point.members, aim.conditions):
+        equation = condition.relation == "="
+        rows, grown = aim.condition_rows(member, condition), aim.relaxing(member, condition)
+        for value, slope, unit in zip(*rows, grown.tolist(), strict=True):
+            if equation or abs(value) <= _ACTIVE:
+                yield _Acting(condition.text + where(member), slope, unit, equation)
+    for member in point.members if aim.margins else ():
+        margins = aim.margin_rows(member)
+        for (key, unit), value, slope in zip(aim.margins.items(), *margins, strict=True):
+            if abs(value) <= _ACTIVE:
+                away = f"{key.boundary} stays away in phase {key.phase + 1}"
+                yield _Acting(away + where(member), slope, 1 / unit)
+    units = np.eye(len(names) + aim.levelled)
+    for place, sign, text in _sides(point, names, bounds):
+        yield _Acting(text, sign * units[place], 1 / float(aim.lengths[place]))
 
 
 def _sides(

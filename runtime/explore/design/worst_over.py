@@ -54,20 +54,18 @@ def _alarms(aim: Aim, member: DesignPoint, length: float) -> tuple[np.ndarray, n
     conditions, then to the margins. The branch's parameter is the last of the member's, and
     `length` is that of its interval.
     """
-    measured = member.quantities
-    values = [-aim.sign * measured.values[aim.quantity] / aim.scale]
-    slopes = [-aim.sign * float(measured.slopes[aim.quantity][-1]) * length / aim.scale]
+    measured, margins = member.quantities, aim.distances(member)
+    scale = -aim.sign / aim.scale
+    values = [scale * measured.values[aim.quantity]]
+    slopes = [scale * float(measured.slopes[aim.quantity][-1])]
     for condition in aim.conditions:
-        sign = -1.0 if condition.relation == "<=" else 1.0
-        size = aim.size(condition)
-        values.append(sign * (measured.values[condition.quantity] - float(condition.value)) / size)
-        slopes.append(sign * float(measured.slopes[condition.quantity][-1]) * length / size)
-    margins = {(m.phase, m.boundary): m for m in measured.derivatives.margins}
-    for key, unit in aim.margins.items():
-        there = margins.get((key.phase, key.boundary))
-        values.append(1.0 if there is None else float(there.value) / unit)
-        slopes.append(0.0 if there is None else float(there.rates[-1]) * length / unit)
-    return np.array(values), np.array(slopes)
+        value, slope = aim.distance(member, condition)
+        values.append(value / aim.size(condition))
+        slopes.append(float(slope[-1]) / aim.size(condition))
+    return (
+        np.concatenate([values, margins[0]]),
+        np.concatenate([slopes, margins[1][:, -1]]) * length,
+    )
 
 
 class _Scan(NamedTuple):
@@ -215,11 +213,6 @@ class BranchPoints:
         self.points, self._aim = points, aim
         self.visited: list[_BranchPoint] = [self._found(begin, tuple(watches))]
 
-    @property
-    def name(self) -> str:
-        """Name of the branch's parameter."""
-        return self.points.names[-1]
-
     def at(self, place: np.ndarray) -> _BranchPoint:
         """The orbits at a place (q,) in units of the bounds; raises `Beyond` without one."""
         for known in reversed(self.visited):
@@ -245,7 +238,7 @@ class BranchPoints:
         It is the zero of the slope along the branch, by Newton's method.
         """
         part, row, bend = watch
-        member = self.member(place, part)
+        member = _member_at(self.points, place, part)
         for _ in range(_STEPS if bend > 0 else 0):
             slope = self._slope(member, row)
             step = float(np.clip(-slope / bend, -_LONGEST, _LONGEST))
@@ -253,7 +246,7 @@ class BranchPoints:
             if not abs(following - part) > _STILL:  # also where there is no derivative
                 break
             try:
-                other = self.member(place, following)
+                other = _member_at(self.points, place, following)
             except Beyond:
                 break
             found = (self._slope(other, row) - slope) / (following - part)
@@ -264,16 +257,10 @@ class BranchPoints:
     def _slope(self, member: DesignPoint, row: int) -> float:
         return float(_alarms(self._aim, member, self.points.lengths[-1])[1][row])
 
-    def member(self, place: np.ndarray, part: float) -> DesignPoint:
-        """The orbit at parameters `place` (q,) and at a part (0 to 1) of the branch's interval.
-
-        Raises `Beyond` if it does not exist.
-        """
-        return _member_at(self.points, place, part)
-
     def where(self, member: DesignPoint) -> str:
         """Position of an orbit on the branch, in words."""
-        return f" at {self.name} = {float(member.orbit.given[self.name]):.6g}"
+        name = self.points.names[-1]
+        return f" at {name} = {float(member.orbit.given[name]):.6g}"
 
 
 def spread(points: DesignPoints, aim: Aim) -> tuple[Aim, BranchPoints]:
@@ -315,8 +302,8 @@ def optimise_worst(
     aim: Aim,
     most: int,
     history: list[Trial],
-) -> tuple[Ended, BranchPoints]:
-    """The trial that minimises the worst value along a branch, with its watched places.
+) -> Ended:
+    """The trial that minimises the worst value along a branch.
 
     The optimiser works with the orbits at the watched places. After each of its rounds the
     whole branch is scanned, in the end four times as finely, and places that are worse are
@@ -341,13 +328,13 @@ def optimise_worst(
                 continue
             good = place
             if not worse:
-                members = tuple(points.member(place, watch.part) for watch in worst)
-                return Ended(_BranchPoint(place, members, tuple(worst)), ended.reason), points
+                members = tuple(_member_at(inner, place, watch.part) for watch in worst)
+                return Ended(_BranchPoint(place, members, tuple(worst)), ended.reason)
             watches = (*watches, *worse)
             points = BranchPoints(inner, aim, place, watches)
     except KeyboardInterrupt:
         ended = Ended(ended.point, INTERRUPTED)
-    return ended, points
+    return ended
 
 
 def _looked(points: BranchPoints, aim: Aim, point: Trial) -> tuple[list[_Place], list[_Place]]:
@@ -361,7 +348,9 @@ def _looked(points: BranchPoints, aim: Aim, point: Trial) -> tuple[list[_Place],
         worst = _worst_places(inner, aim, point.place, _scanned(inner, point.place, begin, count))
         worse = []
         for watch in worst:
-            there = _BranchPoint(point.place, (points.member(point.place, watch.part),), (watch,))
+            there = _BranchPoint(
+                point.place, (_member_at(inner, point.place, watch.part),), (watch,)
+            )
             if aim.value(there) > level + _WORSE or aim.missed(there) > missed + _WORSE:
                 worse.append(watch)
         if worse:

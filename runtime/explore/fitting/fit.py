@@ -207,7 +207,7 @@ def _each(data: Any) -> list[Any]:
 def _check_count(problem: FitProblem) -> None:
     count = problem.data + len(problem.unknowns.priors)
     needed = len(problem.unknowns.names)
-    estimated = any(np.isnan(series.sigma).any() for _, series in problem.series)
+    estimated = any(np.isnan(series.sigma).any() for series in problem.series)
     if count < needed + estimated:
         what = "one more, as the noise is estimated too" if estimated else "so many"
         raise InputError(

@@ -19,7 +19,14 @@ from nonsmooth.runtime.explore.fitting.outputs import KINDS, output_of, response
 from nonsmooth.runtime.explore.fitting.tables import TIMES, read_table
 from nonsmooth.runtime.model.structure import Structure
 
-__all__ = ["Experiment", "Measured", "MeasuredSeries", "boundary_named", "measured"]
+__all__ = [
+    "Experiment",
+    "Measured",
+    "MeasuredSeries",
+    "boundary_named",
+    "measured",
+    "usual_size",
+]
 
 _SIGMA = "sigma_"
 _CONSTANT = 1e-12
@@ -328,6 +335,11 @@ def _constant(column: str, values: np.ndarray) -> float:
     if not len(found) or np.ptp(found) > _CONSTANT * abs(found).max():
         raise InputError(f"column {column!r} is a parameter, and not constant")
     return float(found[0])
+
+
+def usual_size(values: np.ndarray) -> float:
+    """Spread of measured values (m,), or where they are all equal their size; never zero."""
+    return float(np.std(values)) or float(abs(values).max()) or 1.0
 
 
 def boundary_named(structure: Structure, name: str) -> str:

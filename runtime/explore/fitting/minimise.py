@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted, NoConvergence, NonsmoothError
-from nonsmooth.runtime.explore.fitting.measurements import Measured, MeasuredSeries
+from nonsmooth.runtime.explore.fitting.measurements import Measured, MeasuredSeries, usual_size
 from nonsmooth.runtime.explore.fitting.prediction import Prediction, predict
 from nonsmooth.runtime.explore.fitting.statistics import loss_of
 from nonsmooth.runtime.explore.fitting.steady_responses import (
@@ -77,14 +77,14 @@ class FitProblem:
     responses: KnownResponses = field(default_factory=dict)
 
     @property
-    def series(self) -> tuple[tuple[int, MeasuredSeries], ...]:
-        """All series, each with the number of its experiment."""
-        return tuple((n, each) for n, e in enumerate(self.experiments) for each in e.series)
+    def series(self) -> tuple[MeasuredSeries, ...]:
+        """All series, experiment by experiment."""
+        return tuple(series for each in self.experiments for series in each.series)
 
     @property
     def data(self) -> int:
         """Number of measured values."""
-        return sum(len(series.values) for _, series in self.series)
+        return sum(len(series.values) for series in self.series)
 
     @property
     def passed(self) -> np.ndarray:
@@ -355,32 +355,21 @@ def _inside(point: np.ndarray, lower: np.ndarray, upper: np.ndarray) -> np.ndarr
 
 def _spreads(problem: FitProblem) -> dict[str, float]:
     """A first estimate of the noise of columns without standard deviations."""
-    found: dict[str, float] = {}
-    for name, values in _without(problem).items():
-        spread = float(np.std(values))
-        found[name] = spread or float(abs(values).max()) or 1.0
-    return found
-
-
-def _without(problem: FitProblem) -> dict[str, np.ndarray]:
-    """Values of columns without standard deviations, over all experiments."""
-    found: dict[str, list[np.ndarray]] = {}
-    for _, series in problem.series:
+    columns: dict[str, list[np.ndarray]] = {}
+    for series in problem.series:
         if np.isnan(series.sigma).all():
-            found.setdefault(series.name, []).append(series.values)
-    return {name: np.concatenate(values) for name, values in found.items()}
+            columns.setdefault(series.name, []).append(series.values)
+    return {name: usual_size(np.concatenate(values)) for name, values in columns.items()}
 
 
 def _noise(problem: FitProblem, residuals: Residuals, noise: Noise, loss: str) -> dict[str, float]:
     """Estimated noise of each column in `noise`, from its residuals; robust where the loss is."""
-    counts = [len(series.values) for _, series in problem.series]
-    which = np.repeat(np.arange(len(counts)), counts)
+    names = np.repeat([s.name for s in problem.series], [len(s.values) for s in problem.series])
     values = residuals.values[: problem.data]
     leverage = _leverage(residuals.jacobian)[: problem.data]
     spreads, found = _spreads(problem), {}
     for name in noise:
-        own = [place for place, (_, series) in enumerate(problem.series) if series.name == name]
-        here = np.isin(which, own)
+        here = names == name
         if loss == "linear":
             freedom = max(float((1 - leverage[here]).sum()), 1e-3)
             size = float(np.sqrt((values[here] ** 2).sum() / freedom))

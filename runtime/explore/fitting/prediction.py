@@ -56,29 +56,33 @@ def predict(
     """
     condition = unknowns.condition(point, number)
     motion = _motion_under(kernels, experiment, condition)
-    outputs = [series for series in experiment.series if series.kind == "output"]
-    clocks = np.unique(np.concatenate([np.empty(0), *(series.times for series in outputs)]))
+    outputs = {
+        series.name: output_of(series.expression, motion.structure)
+        for series in experiment.series
+        if series.kind == "output"
+    }
+    sampled = [series for series in experiment.series if series.name in outputs]
+    clocks = np.unique(np.concatenate([np.empty(0), *(series.times for series in sampled)]))
     times = np.minimum(clocks - condition.offset, motion.end)
     columns, clock = unknowns.columns(number), unknowns.clock(number)
     by, free = [*columns], [*columns.values()]
-    for series in outputs:
+    for series in sampled:
         own = times[np.searchsorted(clocks, series.times)]
-        _check_jumps(
-            experiment, series, output_of(series.expression, motion.structure), motion, own
-        )
+        _check_jumps(experiment, series, outputs[series.name], motion, own)
     states = motion(times)
     derivatives = motion.derivatives(by, times=times) if by else None
     if derivatives is not None:
         stepped_states = stepped(states, np.moveaxis(derivatives.states, -1, 0), None)
-    rates = _rates(motion, times, states) if clock is not None and len(times) else None
     phases = np.searchsorted(motion.times, times, side="right") - 1
+    fields = motion.system.fields[motion.run.configurations[phases]]
+    rates = np.einsum("mij,mj->mi", fields[..., :-1], states) + fields[..., -1]
     extended = np.concatenate([states, np.ones((len(times), 1))], axis=1)
     values, jacobians = [], []
     for series in experiment.series:
         jacobian = np.zeros((len(series.values), len(point)))
         if series.kind == "output":
             places = np.searchsorted(clocks, series.times)
-            output = output_of(series.expression, motion.structure)
+            output = outputs[series.name]
             where = motion.run.configurations[phases[places]]
             rows = _rows(output, motion)[where]
             values.append(np.einsum("mn,mn->m", rows, extended[places]))
@@ -87,7 +91,7 @@ def predict(
                 own = output.in_configurations(motion.structure, fields, moved)[:, where]
                 found = (own[..., :-1] * stepped_states[:, places]).sum(axis=-1) + own[..., -1]
                 jacobian[:, free] = imaginary_parts(found, None).T
-            if clock is not None and rates is not None:
+            if clock is not None:
                 jacobian[:, clock] = -np.einsum("mn,mn->m", rows[:, :-1], rates[places])
         else:
             reached = times_of_events(motion, series.expression)[series.places]
@@ -180,10 +184,3 @@ def _check_jumps(
                 f"{experiment.name}: {series.name} jumps at {clock:.12g}, at"
                 f" {' and '.join(motion.boundaries[entry])}: leave out what was measured there"
             )
-
-
-def _rates(motion: Trajectory, times: np.ndarray, states: np.ndarray) -> np.ndarray:
-    """Derivatives of the states by time, (m, N)."""
-    phases = np.searchsorted(motion.times, times, side="right") - 1
-    fields = motion.system.fields[motion.run.configurations[phases]]
-    return np.asarray(np.einsum("mij,mj->mi", fields[..., :-1], states) + fields[..., -1])

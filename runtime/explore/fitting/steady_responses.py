@@ -21,7 +21,7 @@ from nonsmooth.runtime.explore.finding.primitive import add_orbit, primitive_orb
 from nonsmooth.runtime.explore.finding.start_box import start_box
 from nonsmooth.runtime.explore.finding.steady import responses
 from nonsmooth.runtime.explore.fitting.fit_record import Fit
-from nonsmooth.runtime.explore.fitting.measurements import Measured
+from nonsmooth.runtime.explore.fitting.measurements import Measured, usual_size
 from nonsmooth.runtime.explore.fitting.outputs import ResponseQuantity, response_quantity
 from nonsmooth.runtime.explore.fitting.prediction import Prediction
 from nonsmooth.runtime.explore.fitting.unknowns import Unknowns
@@ -120,7 +120,7 @@ def predict_steady(
     scales = np.ones_like(measured)
     for place, series in enumerate(experiment.series):
         measured[series.places, place] = series.values
-        usual = float(np.std(series.values)) or float(abs(series.values).max()) or 1.0
+        usual = usual_size(series.values)
         scales[series.places, place] = np.where(np.isnan(series.sigma), usual, series.sigma)
     told = np.zeros_like(measured)
     rates = np.zeros((*measured.shape, len(columns)))

@@ -206,8 +206,7 @@ def _bounds(
     lower, upper, base = -math.inf, math.inf, entry.base
     if base in bounds:
         low, high = bounds[base]
-        lower = -math.inf if low is None or _infinite(low) else float(as_value(low))
-        upper = math.inf if high is None or _infinite(high) else float(as_value(high))
+        lower, upper = _end(low, lower), _end(high, upper)
         if not lower < upper:
             raise InputError(
                 f"the bounds of {base}, {lower:.12g} and {upper:.12g}, are not in order"
@@ -222,8 +221,11 @@ def _bounds(
     return lower, upper
 
 
-def _infinite(number: object) -> bool:
-    return isinstance(number, float) and math.isinf(number)
+def _end(given: object, infinite: float) -> float:
+    """A bound, which is infinite where it is None or infinity."""
+    if given is None or (isinstance(given, float) and math.isinf(given)):
+        return infinite
+    return float(as_value(given))
 
 
 def _prior(name: str, given: tuple[object, object]) -> tuple[float, float]:

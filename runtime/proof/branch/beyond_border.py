@@ -26,7 +26,7 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.event import Event
-from nonsmooth.runtime.explore.continuation.next_itineraries import (
+from nonsmooth.runtime.explore.continuation.next_orbits import (
     canonical_itinerary,
     orbits_beside,
 )

@@ -1,8 +1,12 @@
-"""The itineraries on the other side of a border collision.
+"""Orbits that begin at an event of a branch: of other itineraries, and on branches that meet it.
 
-Next to it phases are inserted, dropped or exchanged. Every way through the system's
-transitions that replaces one or two phases at the collision is tried, and a simulation from
-there; what converges near the orbit and is a motion of the real system is returned.
+Next to a border collision phases are inserted, dropped or exchanged. Every way through the
+system's transitions that replaces one or two phases at the collision is tried, and a simulation
+from there; what converges near the orbit and is a motion of the real system is returned.
+
+Where two branches meet, at twice the period, a lost symmetry or a crossing, the equations of the
+other family leave two directions open. One is the tangent of the branch that is known; the other
+one leads, at first order, to the other branch.
 """
 
 from __future__ import annotations
@@ -13,18 +17,23 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.explore.continuation.event import Event
-from nonsmooth.runtime.explore.continuation.orbit_family import SystemAt, composed_family
+from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth.runtime.core.values import Value, as_value, parse
+from nonsmooth.runtime.explore.continuation.event import Event, point_of
+from nonsmooth.runtime.explore.continuation.orbit_family import (
+    OrbitFamily,
+    SystemAt,
+    composed_family,
+)
+from nonsmooth.runtime.explore.continuation.stepping import correct, scaled_rows
 from nonsmooth.runtime.explore.finding.primitive import repeated_part
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import FORCING_PHASE, Structure
-from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.shooting.closure_conditions import closing
-from nonsmooth.runtime.shooting.newton import CONVERGED
+from nonsmooth.runtime.shooting.newton import CONVERGED, SINGULAR
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, itinerary_shape
 from nonsmooth.runtime.shooting.symmetry import whole_shape
 from nonsmooth.runtime.shooting.table_newton import solve_shape
@@ -34,7 +43,7 @@ from nonsmooth.runtime.simulation.simulate import simulate_one
 if TYPE_CHECKING:
     from nonsmooth.runtime.explore.continuation.branch import Branch
 
-__all__ = ["canonical_itinerary", "next_itineraries", "orbits_beside"]
+__all__ = ["canonical_itinerary", "next_itineraries", "orbits_beside", "other_branch"]
 
 _CLOSE = (1e-5, 1e-4)  # from the collision, in units of the branch's range: very near
 _DISTANCES = (1e-3, 1e-2)  # from the collision, in units of the branch's range
@@ -45,6 +54,10 @@ _SHORTEST = 1e-9  # of the period: what lasts less is no phase
 _SAME = 1e-6  # of the period: how near the dwell times of one orbit are
 _NEAR = 0.3  # of the period: how much another orbit's may differ
 _TRANSITIONS = 400
+_LENGTHS = (0.02, 0.005, 0.05, 0.1, 0.001)  # of the step from one branch to the other
+_CORRECTED = 10.0  # of a step to another branch: how far the corrector may go
+_APART = 0.5  # of such a step: how far from the meeting point an orbit has to be
+_OPEN = 1e-3  # largest singular value, relative, of a direction that is open
 
 _Phases = tuple[tuple[str, str], ...]
 
@@ -61,9 +74,10 @@ def next_itineraries(
     """
     if not event.border_collision:
         raise InputError(f"{event.kind} is no border collision: the itinerary goes on")
-    base, system_at = _neighbour(branch, event, parameters)
+    place = _beside(branch, event)
+    base, system_at = composed_family(branch, place, parameters)
     span = float(np.ptp(branch.parameter_values)) or abs(event.value) or 1.0
-    side = _side(branch, event)
+    side = 1 if branch.parameter_values[place] < event.value else -1  # where it is no motion
     found: dict[_Phases, Orbit] = {}
     own = canonical_itinerary(base.itinerary)
     ways = _candidates(base, event)
@@ -98,7 +112,7 @@ def orbits_beside(
     which one begins at the collision. `parameters` are those of the system that the orbit
     leaves open; absent ones are chosen.
     """
-    base, system_at = _neighbour(branch, event, parameters)
+    base, system_at = composed_family(branch, _beside(branch, event), parameters)
     span = float(np.ptp(branch.parameter_values)) or abs(event.value) or 1.0
     own, found = canonical_itinerary(base.itinerary), list[Orbit]()
     ways = _candidates(base, event)
@@ -117,30 +131,13 @@ def orbits_beside(
     )
 
 
-def _neighbour(
-    branch: Branch, event: Event, chosen: Mapping[str, Any] | None
-) -> tuple[Orbit, SystemAt]:
-    """The composed orbit at the branch's point beside the event, and a `SystemAt`.
-
-    The point is one where the orbit is admissible, if possible. The `SystemAt` gives the
-    physical parameters, and the period if it is given, at other values of the parameter.
-    """
+def _beside(branch: Branch, event: Event) -> int:
+    """Number of the branch's point beside an event at which it is a motion, if one of them is."""
     places = [math.floor(event.place), math.ceil(event.place)]
     if places[0] == places[1]:  # the end of the branch
         places = [places[0] - 1, places[0] + 1]
     places = [place for place in places if 0 <= place < len(branch)]
-    place = next((k for k in places if branch.admissible[k]), places[0])
-    return composed_family(branch, place, chosen)
-
-
-def _side(branch: Branch, event: Event) -> int:
-    """Side of the event on which the branch is no motion any more: 1 above, -1 below."""
-    before, behind = int(np.floor(event.place)), int(np.ceil(event.place))
-    last = len(branch) - 1
-    inside = before if before == behind == last or branch.admissible[before] else behind
-    if before == behind:
-        inside = before - 1 if before == last else before + 1
-    return 1 if branch.parameter_values[inside] < event.value else -1
+    return next((place for place in places if branch.admissible[place]), places[0])
 
 
 class _Way(NamedTuple):
@@ -354,3 +351,127 @@ def canonical_itinerary(itinerary: Sequence[tuple[str, str]]) -> _Phases:
     """
     phases = tuple(itinerary)
     return min(phases[k:] + phases[:k] for k in range(len(phases)))
+
+
+def other_branch(
+    branch: Branch, event: Event, parameters: Mapping[str, Any] | None = None
+) -> Orbit:
+    """An orbit near an event on the branch that meets this one there, admissible if possible.
+
+    At a flip it has twice the itinerary, and nearly twice the period; at a symmetry breaking it
+    is solved for without the symmetry; at a branch point it has the same itinerary. It may exist
+    on either side of the event, and be no motion of the real system (`admissibility` says).
+    `parameters` are those that the orbit leaves open; absent ones are chosen. Raises
+    `InputError` for another kind of event or a parameter that is none of the system's, and
+    `NoConvergence` if no such orbit is found.
+    """
+    if not event.switches:
+        raise InputError(f"no other branch meets this one at a {event.kind}: {event.text}")
+    base, system_at = composed_family(branch, _away(event), parameters)
+    parameter = branch.parameter if branch.parameter in base.parameters else PERIOD
+    if parameter == PERIOD and base.given_period is None:
+        raise InputError(
+            f"{branch.parameter} is no parameter of {base.system.name}: follow one that is"
+        )
+    curve = OrbitFamily(base, parameter, lengths=np.ptp(branch.parameter_values) or 1.0)
+    meeting = _meeting(branch, event, curve, system_at)
+    if event.kind == "branch-point":
+        other, copies = curve, 1
+    else:
+        copies = curve.order * (2 if event.kind == "flip" else 1)
+        unfolded = _unfolded(base, copies // curve.order)
+        other = OrbitFamily(unfolded, parameter, lengths=curve.sizes[-1])
+    times = copies // curve.order if parameter == PERIOD else 1
+    start = _repeated(curve, meeting, copies, times)
+    along = _repeated(curve, curve.first - meeting, copies, times)
+    direction = _open_direction(other, start, along / other.sizes)
+    signs = (1, -1) if event.kind == "branch-point" else (1,)
+    tried = [(sign * direction, length) for length in _LENGTHS for sign in signs]
+    found = [orbit for each in tried if (orbit := _at_distance(other, start, *each)) is not None]
+    if not found:
+        raise NoConvergence(f"no orbit was found on the other branch: {event.text}")
+    if not any(orbit.converged for orbit in found):
+        raise NoConvergence(
+            f"the other branch has one value of {parameter} only, which does not tell its orbits"
+            f" apart: {event.text}"
+        )
+    found.sort(key=lambda orbit: not orbit.converged or orbit.admissibility.verdict is not True)
+    return found[0]
+
+
+def _away(event: Event) -> int:
+    """Number of the branch point beside the event that is not too near to it."""
+    before = math.floor(event.place)
+    if event.place == before:
+        return before - 1 if before else 1
+    return before if event.place - before > 0.5 else before + 1
+
+
+def _meeting(branch: Branch, event: Event, curve: OrbitFamily, system_at: SystemAt) -> np.ndarray:
+    """The meeting point of the branches, as a point of the family over all physical parameters."""
+    if branch.unknown_names == curve.names:
+        return point_of(event)
+    base, orbit = curve.orbit, branch.orbit_at(event)
+    parameters, period = system_at(event.value)
+    dwell = [float(time) for time in orbit.dwell_times if time > 0]
+    found = solve_itinerary(base.system, parameters, base.itinerary, dwell, period=period)
+    if not found.converged:
+        raise InputError(f"{base.name} at {event.parameter} = {event.value:.10g}: {found.message}")
+    value = float(found.period) if branch.parameter not in parameters else event.value
+    return np.array([*found.dwell_times, *found.states[0], value])
+
+
+def _unfolded(base: Orbit, periods: int) -> Orbit:
+    """The same orbit without its symmetry, over `periods` periods."""
+    period = base.given_period
+    return solve_itinerary(
+        base.system,
+        base.parameters,
+        base.itinerary * periods,
+        np.tile(base.dwell_times.astype(float), periods).tolist(),
+        base.states[0].astype(float).tolist(),
+        period=None if period is None else _times(period, periods),
+    )
+
+
+def _times(period: Value, count: int) -> Value:
+    """A multiple of a period, exactly."""
+    if period.exact is not None:
+        return as_value(period.exact * count)
+    return parse(f"{count}*({period.text})")
+
+
+def _repeated(curve: OrbitFamily, z: np.ndarray, copies: int, times: int) -> np.ndarray:
+    """The point for `copies` repetitions of a part, with the parameter multiplied by `times`."""
+    count = len(curve.dwell_names)
+    return np.concatenate([np.tile(z[:count], copies), z[count:-1], times * z[-1:]])
+
+
+def _open_direction(curve: OrbitFamily, z: np.ndarray, along: np.ndarray) -> np.ndarray:
+    """Unit vector, in the curve's units, of the open direction across the known branch."""
+    rows, _ = scaled_rows(curve.equations(z)[1] * curve.sizes)
+    _, values, right = np.linalg.svd(rows)
+    values = np.pad(values, (0, len(right) - len(values)))
+    if values[-2] > _OPEN * values[0]:
+        raise NoConvergence("the equations leave no direction open: no other branch meets here")
+    first, second = right[-2:] @ along
+    across = second * right[-2] - first * right[-1]
+    return np.asarray(across / np.linalg.norm(across))
+
+
+def _at_distance(
+    curve: OrbitFamily, start: np.ndarray, direction: np.ndarray, length: float
+) -> Orbit | None:
+    """An orbit at a distance from the meeting point along a direction, or None."""
+    guess = start + length * direction * curve.sizes
+    found = correct(curve, guess, direction)
+    if found is None or not (curve.dwell(found[0][None]) > 0).all():
+        return None
+    if np.linalg.norm((found[0] - guess) / curve.sizes) > _CORRECTED * length:
+        return None
+    orbit = curve.at(found[0])
+    if orbit.status not in (CONVERGED, SINGULAR):
+        return None
+    dwell = orbit.dwell_times[: len(curve.dwell_names)]
+    reached = np.concatenate([dwell, orbit.states[0]]).astype(float) - start[:-1]
+    return orbit if np.linalg.norm(reached / curve.sizes[:-1]) > _APART * length else None
