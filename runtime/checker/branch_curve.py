@@ -8,7 +8,7 @@ from flint import arb, ctx
 
 from nonsmooth.runtime.checker.declared import StatedSystem
 from nonsmooth.runtime.checker.exact import Failure, demand
-from nonsmooth.runtime.checker.orbit import CheckedOrbit, krawczyk_step, newton
+from nonsmooth.runtime.checker.orbit import CheckedOrbit, krawczyk, newton
 from nonsmooth.runtime.checker.parameters import number_at
 from nonsmooth.runtime.checker.short import Short, short_phase
 from nonsmooth.runtime.core.jets import Jet, jet, part_of
@@ -140,10 +140,8 @@ class CheckedCurve:
         If it lies inside the box, there is exactly one root in it for each value of the
         coordinate at `place` (Krawczyk 1969).
         """
-        found = self._moved(place, value, centre, radii)
-        if found is None or not all(abs(d) < r for d, r in zip(found, radii, strict=True)):
-            return None
-        return [x + d for x, d in zip(centre, found, strict=True)]
+        image, inside = self._image(place, value, centre, radii)
+        return image if inside else None
 
     def nearer(
         self, place: int, value: Any, centre: Sequence[Any], radii: Sequence[Any]
@@ -152,25 +150,18 @@ class CheckedCurve:
 
         None is returned where the slopes are singular.
         """
-        found = self._moved(place, value, centre, radii)
-        return None if found is None else [x + d for x, d in zip(centre, found, strict=True)]
+        return self._image(place, value, centre, radii)[0]
 
-    def _moved(
+    def _image(
         self, place: int, value: Any, centre: Sequence[Any], radii: Sequence[Any]
-    ) -> list[Any] | None:
-        """Return how far Krawczyk's map leads from a box's centre: every root of the box is there.
-
-        None is returned where the slopes are singular.
-        """
-        box = [x + arb(0, r) for x, r in zip(centre, radii, strict=True)]
+    ) -> tuple[list[Any] | None, bool]:
         middle = with_entry(place, value, centre)
-        values, square = self.square(place, middle)
-        try:
-            y = square.mid().inv().mid()
-        except ZeroDivisionError:
-            return None
-        _, over = self.square(place, with_entry(place, value, box), middle)
-        return krawczyk_step(values, y, over, [arb(0, r) for r in radii])
+
+        def at(point: Sequence[Any]) -> tuple[Any, Any]:
+            known = None if point is centre else middle
+            return self.square(place, with_entry(place, value, point), known)
+
+        return krawczyk(at, centre, radii)
 
     def jets(self, place: int, point: Sequence[Any], order: int) -> list[Any]:
         """Return all coordinates as jets: their derivatives by one of them, at enclosed roots."""

@@ -25,7 +25,16 @@ from nonsmooth.runtime.checker.exact import (
 )
 from nonsmooth.runtime.core.rational_functions import RationalFunction
 
-__all__ = ["StatedBoundary", "StatedPhase", "StatedSystem", "Step", "Transition", "Way", "gauge_of"]
+__all__ = [
+    "StatedBoundary",
+    "StatedPhase",
+    "StatedSystem",
+    "StatedTables",
+    "Step",
+    "Transition",
+    "Way",
+    "gauge_of",
+]
 
 _FORCING_PHASE = "forcing-phase"  # ends the one phase of a motion that reaches no boundary
 
@@ -101,8 +110,8 @@ class StatedPhase(NamedTuple):
     decided: bool  # whether a law's steps are decided and its reset moves nothing
 
 
-class StatedSystem:
-    """The system, itinerary and closing of a certificate, in exact numbers.
+class StatedTables:
+    """The configurations and transitions that a file declares, in exact numbers.
 
     `values` has all parameters that the file names; entries of the declaration are
     functions of them. `constants` are the irrational numbers of the declaration, in its
@@ -110,17 +119,15 @@ class StatedSystem:
     """
 
     def __init__(
-        self, content: dict[str, Any], values: Mapping[str, Any], constants: Sequence[Any] = ()
+        self, declared: dict[str, Any], values: Mapping[str, Any], constants: Sequence[Any] = ()
     ) -> None:
-        declared, self.closing = content["declaration"], content["closing"]
         names, self.poles, self.exactly = declared["parameters"], list[Any](), Elimination()
         self.rational = not _has_balls(declared)
         self.bound = sorted(names) == sorted(values)
         demand(self.bound or not names, "the declaration is not over the parameters that are named")
         self.variables = [*(values[name] for name in names), *constants]
-        self.size, self.forcing = len(declared["states"]), declared["forcing"]
-        self.start, self.dwell = declared["start"], [p["dwell_time"] for p in declared["phases"]]
-        self._check_names(declared["states"])
+        self.states, self.size = declared["states"], len(declared["states"])
+        self.forcing = declared["forcing"]
         told = [k for pair in self.forcing for k in pair]
         demand({*told} <= {*range(self.size)} and len({*told}) == len(told), "no such forcing")
         zero = (fmpq(0),) * self.size
@@ -142,6 +149,35 @@ class StatedSystem:
         ]
         along = {other for way in self.transitions for _, other, _ in way.conditions}
         demand(along <= self.fields.keys(), "a condition is along no declared configuration")
+
+    def number(self, entry: Any) -> Any:
+        """Return a file's entry as a fraction, ball, or rational function of the parameters."""
+        found = number_of(entry, self.variables)
+        if isinstance(found, RationalFunction) and not found.below.is_one():
+            self.poles.append(found)
+        return found
+
+    def row(self, entries: list[Any]) -> tuple[Any, ...]:
+        """Return an affine function of the state as a row (N + 1) that acts on (y, 1)."""
+        demand(len(entries) == self.size + 1, "a row of another size")
+        return tuple(map(self.number, entries))
+
+    def rows(self, entries: list[Any]) -> list[Any]:
+        """Return N rows (N + 1), one for each state."""
+        demand(len(entries) == self.size, "a matrix of another size")
+        return [*map(self.row, entries)]
+
+
+class StatedSystem(StatedTables):
+    """The system, itinerary and closing of a certificate, in exact numbers."""
+
+    def __init__(
+        self, content: dict[str, Any], values: Mapping[str, Any], constants: Sequence[Any] = ()
+    ) -> None:
+        declared, self.closing = content["declaration"], content["closing"]
+        super().__init__(declared, values, constants)
+        self.start, self.dwell = declared["start"], [p["dwell_time"] for p in declared["phases"]]
+        self._check_names(declared["states"])
         self.lawful: list[Any] = []
         if "law" in declared and self.rational:
             self._lawful(declared)
@@ -232,23 +268,6 @@ class StatedSystem:
         ]
         staying = Transition((name, _FORCING_PHASE), [], identity, name)
         return Step(name, self.fields[name], row, staying, name, identity)
-
-    def number(self, entry: Any) -> Any:
-        """Return a file's entry as a fraction, ball, or rational function of the parameters."""
-        found = number_of(entry, self.variables)
-        if isinstance(found, RationalFunction) and not found.below.is_one():
-            self.poles.append(found)
-        return found
-
-    def row(self, entries: list[Any]) -> tuple[Any, ...]:
-        """Return an affine function of the state as a row (N + 1) that acts on (y, 1)."""
-        demand(len(entries) == self.size + 1, "a row of another size")
-        return tuple(map(self.number, entries))
-
-    def rows(self, entries: list[Any]) -> list[Any]:
-        """Return N rows (N + 1), one for each state."""
-        demand(len(entries) == self.size, "a matrix of another size")
-        return [*map(self.row, entries)]
 
     def closes(self) -> dict[str, Any]:
         """Prove that the cycle closes in what is no equation; return each configuration's energy.

@@ -26,7 +26,7 @@ from nonsmooth.runtime.checker.branch_curve import (
 from nonsmooth.runtime.checker.branch_tile import CheckedTile
 from nonsmooth.runtime.checker.exact import Failure, check_sum, demand, exact, inside
 from nonsmooth.runtime.checker.motion import admissibility
-from nonsmooth.runtime.checker.orbit import CheckedOrbit, flows_over, krawczyk_step, newton
+from nonsmooth.runtime.checker.orbit import CheckedOrbit, flows_over, krawczyk, newton
 from nonsmooth.runtime.checker.parameters import number_at
 from nonsmooth.runtime.checker.shape import DOUBLING, check_shape
 from nonsmooth.runtime.checker.stability import CORNER, characteristic, passing, stability
@@ -296,17 +296,8 @@ class DoubledEquations:
 
         If it is inside, there is exactly one solution in the box for each amplitude.
         """
-        values, slopes = self.at(a, centre)
-        try:
-            y = slopes.mid().inv().mid()
-        except ZeroDivisionError:
-            return None
-        box = [x + arb(0, r) for x, r in zip(centre, radii, strict=True)]
-        _, over = self.at(a, box)
-        found = krawczyk_step(values, y, over, [arb(0, r) for r in radii])
-        if not all(abs(d) < r for d, r in zip(found, radii, strict=True)):
-            return None
-        return [x + d for x, d in zip(centre, found, strict=True)]
+        image, inside = krawczyk(lambda point: self.at(a, point), centre, radii)
+        return image if inside else None
 
     def at(self, a: Any, unknowns: Sequence[Any]) -> tuple[Any, Any]:
         """Return values (2 n, 1) of the equations and their derivatives (2 n, 2 n)."""

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from flint import arb, arb_mat, ctx, fmpq
 
+from nonsmooth.runtime.checker.declared import Transition
 from nonsmooth.runtime.checker.exact import Elimination, demand, leading, product, reduced
 from nonsmooth.runtime.checker.exits import negative, rounded
 from nonsmooth.runtime.checker.portions import (
@@ -236,7 +237,7 @@ class ManyMotions:
             stays = [tuple(fmpq(int(i == j)) for j in range(size + 1)) for i in range(size + 1)]
             ways = iter([(stays, here, end.portions, end.facts, signs)])
         else:
-            orders = self.system.transitions.get((here, end.names), [[]])
+            orders = self.system.orders.get((here, end.names), [[]])
             ways = chain.from_iterable(self._chosen(x, end, signs, remaining) for x in orders)
         section = self.section
         for reset, target, portions, before, now in ways:
@@ -266,7 +267,7 @@ class ManyMotions:
             yield KnownStart(target, tuple(facts), below, turns), own, arrived
 
     def _chosen(
-        self, listed: list[Any], end: Departure, signs: frozenset[Any], remaining: Remaining
+        self, listed: list[Transition], end: Departure, signs: frozenset[Any], remaining: Remaining
     ) -> Iterator[tuple[Any, str, Portions, Any, frozenset[Any]]]:
         """Yield resets and targets of the first transitions whose conditions hold.
 
@@ -282,11 +283,11 @@ class ManyMotions:
             if number == len(listed):
                 remaining.lose(portions.origin)
                 continue
-            conditions, reset, target = listed[number]
-            if place == len(conditions):
-                yield reset, target, portions, facts, now
+            way = listed[number]
+            if place == len(way.conditions):
+                yield way.reset, way.target, portions, facts, now
                 continue
-            row, along, holds = conditions[place]
+            row, along, holds = way.conditions[place]
             _, first = leading(row, self.system.fields[along], facts, 0)
             after = {True: (number, place + 1), False: (number + 1, 0)}
             if first is None:  # it is zero, and not positive

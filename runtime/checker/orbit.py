@@ -32,6 +32,7 @@ __all__ = [
     "PhaseNumbers",
     "flows_over",
     "followed",
+    "krawczyk",
     "krawczyk_step",
     "lower",
     "newton",
@@ -430,6 +431,28 @@ def krawczyk_step(values: Any, inverse: Any, slopes: Any, offsets: Sequence[Any]
     """
     inside = (unit_matrix(len(offsets)) - inverse * slopes) * arb_mat([[d] for d in offsets])
     return list((inside - inverse * values).entries())
+
+
+def krawczyk(
+    equations: Callable[[Sequence[Any]], tuple[Any, Any]],
+    centre: Sequence[Any],
+    radii: Sequence[Any],
+) -> tuple[list[Any] | None, bool]:
+    """Return Krawczyk's image of a box, which holds all of its roots, and if it is inside the box.
+
+    If it is inside, there is exactly one root. `equations` gives their values (n, 1) and
+    derivatives (n, n) at the middle and over the box. The image is None where these are singular.
+    """
+    values, slopes = equations(centre)
+    try:
+        inverse = slopes.mid().inv().mid()
+    except ZeroDivisionError:
+        return None, False
+    offsets = [arb(0, r) for r in radii]
+    _, over = equations([x + d for x, d in zip(centre, offsets, strict=True)])
+    moved = krawczyk_step(values, inverse, over, offsets)
+    inside = all(abs(d) < r for d, r in zip(moved, radii, strict=True))
+    return [x + d for x, d in zip(centre, moved, strict=True)], inside
 
 
 def _inverse(slopes: Any) -> Any:

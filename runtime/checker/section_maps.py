@@ -116,7 +116,7 @@ class SectionMap:
         back = section.source, section.boundary, section.configuration
         for source, boundary, target in way:
             demand(source == here, "a way does not lead from configuration to configuration")
-            stated = (source, frozenset({boundary})) in self.system.transitions
+            stated = (source, frozenset({boundary})) in self.system.orders
             demand(stated, "no such transition")
             known = boundary in self.system.boundaries.get(source, {})
             demand(known, f"{source} has no boundary {boundary}")
@@ -268,13 +268,13 @@ class _Entry:
         owner, phase, found = self._owner, self._owner.phases[self.here], []
         own = phase.rows[boundary]
         facts = owner.exactly.echelon([*self.lasting, own])
-        orders = owner.system.transitions[self.here, frozenset({boundary})]
+        orders = owner.system.orders[self.here, frozenset({boundary})]
         demand(len(orders) == 1, "a transition of another kind")
-        for conditions, reset, leads in orders[0]:
+        for way in orders[0]:
             signs = []
-            for row, along, holds in conditions:
+            for row, along, holds in way.conditions:
                 _, first = leading(row, owner.system.fields[along], facts, int(row == own))
                 signs.append((None if first is None else phase.timed(first), holds))
-            behind = echelon_behind(owner.exactly, facts, reset)
-            found.append((signs, matrix_of(reset, runs=False), _Entry(owner, leads, behind)))
+            entry = _Entry(owner, way.target, echelon_behind(owner.exactly, facts, way.reset))
+            found.append((signs, matrix_of(way.reset, runs=False), entry))
         return found

@@ -10,62 +10,39 @@ from typing import Any, NamedTuple
 
 from flint import fmpq
 
-from nonsmooth.runtime.checker.exact import Elimination, demand, exact, number_of, reduced
+from nonsmooth.runtime.checker.declared import StatedTables, Transition
+from nonsmooth.runtime.checker.exact import Elimination, demand, exact, reduced
 from nonsmooth.runtime.checker.parameters import values_of
 
 __all__ = ["StatedSection", "SwitchingSystem", "echelon_behind"]
 
 
-class SwitchingSystem:
+class SwitchingSystem(StatedTables):
     """The system of a file whose sets may divide, in exact rows.
 
-    `fields` has an (N + 1, N + 1) field for each configuration, `boundaries` its rows by
-    name (negative inside), and `held` the rows that vanish in it. `transitions` leads
-    from a source and its boundaries to lists of (conditions, reset, target), first come
-    first: one list for each order in which stops that are reached together may act.
-    `forcing` has the places of each cosine and sine. The declaration has no contact law,
-    and all its numbers are rational.
+    `boundaries` has the rows of each configuration by name (negative inside), and `held` the rows
+    that vanish in it. `orders` leads from a source and its boundaries to lists of transitions,
+    first come first: one list for each order in which stops that are reached together may act.
+    The declaration has no contact law, and all its numbers are rational.
     """
 
     def __init__(self, declared: dict[str, Any], parameters: Mapping[str, str]) -> None:
-        demand("law" not in declared, "sets with a contact law are not checked")
+        steps = any("steps" in entry for entry in declared["transitions"])
+        demand("law" not in declared and not steps, "sets with a contact law are not checked")
         values, stated, constants = values_of(dict(parameters), (), declared.get("constants", []))
         demand(not constants, "a parameter is not rational")
-        names = declared["parameters"]
-        bound = sorted(names) == sorted(values)
-        demand(bound, "the declaration is not over the parameters that are named")
-        self._variables = [*(values[name] for name in names), *stated]
-        self.states, self.size = declared["states"], len(declared["states"])
+        super().__init__(declared, values, stated)
+        demand(self.bound, "the declaration is not over the parameters that are named")
+        demand(self.rational, "the declaration is not rational")
         demand(len({*self.states}) == self.size, "two states have one name")
-        last = (fmpq(0),) * self.size
-        self.fields, self.boundaries, self.held = {}, {}, {}
-        for name, entry in declared["configurations"].items():
-            self.fields[name] = [*self._rows(entry["field"]), (*last, fmpq(0))]
-            self.boundaries[name] = {b: self._row(r) for b, r in entry["boundaries"].items()}
-            self.held[name] = [*map(self._row, entry["held"])]
-        taken: dict[tuple[str, frozenset[str]], list[Any]] = {}
-        for entry in declared["transitions"]:
-            demand("steps" not in entry, "a transition of another kind")
-            conditions = [(self._row(r), along, holds) for r, along, holds in entry["conditions"]]
-            told = all(along in self.fields for _, along, _ in conditions)
-            demand(told, "a configuration is missing")
-            key = entry["source"], frozenset(entry["boundaries"])
-            demand(len(key[1]) == len(entry["boundaries"]), "a boundary is named twice")
-            reset = [*self._rows(entry["reset"]), (*last, fmpq(1))]
-            way = conditions, reset, entry["target"]
-            taken.setdefault(key, []).append((entry.get("order", 0), way))
-        self.transitions = {key: _in_orders(ways) for key, ways in taken.items()}
-        self.forcing = [tuple(pair) for pair in declared["forcing"]]
-
-    def _row(self, entries: list[Any]) -> tuple[Any, ...]:
-        demand(len(entries) == self.size + 1, "a row of another size")
-        found = tuple(number_of(entry, self._variables) for entry in entries)
-        demand(all(isinstance(x, fmpq) for x in found), "the declaration is not rational")
-        return found
-
-    def _rows(self, entries: list[Any]) -> list[Any]:
-        demand(len(entries) == self.size, "a matrix of another size")
-        return [*map(self._row, entries)]
+        self.boundaries = {name: rows for name, (rows, _) in self.configurations.items()}
+        self.held = {name: held for name, (_, held) in self.configurations.items()}
+        taken: dict[tuple[str, frozenset[str]], list[Transition]] = {}
+        for way in self.transitions:
+            source, *reached = way.begins
+            demand(len({*reached}) == len(reached), "a boundary is named twice")
+            taken.setdefault((source, frozenset(reached)), []).append(way)
+        self.orders = {key: _in_orders(ways) for key, ways in taken.items()}
 
     def speed(self) -> Any:
         """Return the angular frequency of the one forcing, which every motion keeps.
@@ -83,10 +60,8 @@ class SwitchingSystem:
         for field in self.fields.values():
             even = [*field[c]] == [-speed * x for x in unit[s]]
             demand(even and [*field[s]] == [speed * x for x in unit[c]], "an uneven forcing")
-        for _, reset, _ in (
-            way for orders in self.transitions.values() for ways in orders for way in ways
-        ):
-            demand(all([*reset[k]] == unit[k] for k in (c, s)), "a reset forcing")
+        for way in self.transitions:
+            demand(all([*way.reset[k]] == unit[k] for k in (c, s)), "a reset forcing")
         return abs(speed)
 
 
@@ -118,8 +93,8 @@ class StatedSection(NamedTuple):
         demand(here in system.fields, "the section's configuration is not declared")
         if not system.forcing:
             demand(not self.phase, "a phase of no forcing")
-            orders = system.transitions.get((self.source, self.boundaries), [])
-            ways = [reset for own in orders for _, reset, target in own if target == here]
+            orders = system.orders.get((self.source, self.boundaries), [])
+            ways = [way.reset for own in orders for way in own if way.target == here]
             rows = system.boundaries.get(self.source, {})
             demand(ways and self.boundaries <= rows.keys(), "no such transition")
             reached = [rows[name] for name in sorted(self.boundaries)]
@@ -142,16 +117,16 @@ class StatedSection(NamedTuple):
         return found[0], forced
 
 
-def _in_orders(ways: list[tuple[int, Any]]) -> list[list[Any]]:
-    """Return the ways (order, way) as one list for each order; 0 belongs to all of them.
+def _in_orders(ways: list[Transition]) -> list[list[Transition]]:
+    """Return transitions as one list for each order; 0 belongs to all of them.
 
     Stops that are reached together act in all orders: where some are not stated nothing is.
     """
-    numbers = sorted({number for number, _ in ways if number})
+    numbers = sorted({way.order for way in ways if way.order})
     full = len(numbers) in (factorial(n) for n in range(2, len(numbers) + 2))
     if numbers and not (full and numbers == [*range(1, len(numbers) + 1)]):
         return [[]]
-    return [[way for order, way in ways if order in (0, number)] for number in numbers or [0]]
+    return [[way for way in ways if way.order in (0, number)] for number in numbers or [0]]
 
 
 def echelon_behind(exactly: Elimination, facts: Any, reset: Any) -> list[Any]:

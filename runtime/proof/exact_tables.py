@@ -31,7 +31,6 @@ __all__ = [
     "irrational_texts",
     "rational_of",
     "rational_tables",
-    "tables_of",
     "tables_over",
 ]
 
@@ -91,28 +90,15 @@ class _Rationals:
         raise NotRational(name)
 
 
-def tables_of(kernels: SystemKernels, values: Sequence[Value], bits: int) -> Tables:
+def exact_tables(kernels: SystemKernels, values: Sequence[Value], bits: int) -> Tables:
     """Return the tables of a system at the values of all its parameters, in their order.
 
-    They are exact where all values are rational and the declaration takes no roots; else their
-    entries are balls of the working precision, which is `bits`.
+    They are exact: rational, or functions of irrational numbers. Where the declaration takes a root
+    or a sine of its parameters, the entries are balls of `bits`.
     """
-    exactly = tuple(value.exact for value in values)
-    if None not in exactly:
-        with suppress(NotRational):
-            return rational_tables(kernels, exactly)
+    with suppress(NotRational, ArithmeticError):
+        return _symbolic(kernels, tuple(values))
     return _tables(kernels, [value.ball(bits) for value in values], Balls(), exact=False)
-
-
-def exact_tables(kernels: SystemKernels, values: Sequence[Value], bits: int) -> Tables:
-    """Return the tables as `tables_of`, but exact in irrational numbers too: functions of these.
-
-    Where the declaration takes a root or a sine of its parameters, the entries are balls of `bits`.
-    """
-    if declared_constants(kernels) or any(value.exact is None for value in values):
-        with suppress(NotRational, ArithmeticError):
-            return _symbolic(kernels, tuple(values))
-    return tables_of(kernels, values, bits)
 
 
 @lru_cache(maxsize=64)

@@ -12,10 +12,11 @@ from flint import arb, arb_mat, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from nonsmooth.runtime.checker.exact import Elimination, product
 from nonsmooth.runtime.core.rational_functions import Extension, symbols
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.motion.exact_rows import Invariants, left_kernel, product
+from nonsmooth.runtime.proof.motion.exact_rows import Invariants
 
 SPACES = [(1, 1), (1, 4), (2, 1), (2, 3), (3, 2)]
 
@@ -145,7 +146,8 @@ def test_facts_over_rational_functions() -> None:
     assert invariants.pivots == (0, 1)
     assert not any(invariants.reduce((one + V, zero, -V * ETA)))
     assert any(invariants.reduce((one, zero, -V)))
-    kernel = left_kernel([(V, ETA), (V * V, V * ETA), (1, 0)])
+    rows = [(V, ETA), (V * V, V * ETA), (fmpq(1), fmpq(0))]
+    kernel = Elimination().left_kernel(rows)
     assert len(kernel) == 1
     assert not any(product(kernel[0], [(V, ETA), (V * V, V * ETA), (one, zero)]))
 

@@ -17,7 +17,7 @@ from nonsmooth.runtime.model.saved_system import KeptOrbitName
 from nonsmooth.runtime.proof.certificate import Decided
 from nonsmooth.runtime.proof.chaos.h_sets import HSet
 from nonsmooth.runtime.proof.sets.runs import Flags, Numbers
-from nonsmooth.runtime.proof.sets.section_record import StatedSection
+from nonsmooth.runtime.proof.sets.section_record import SectionRecord
 
 __all__ = ["BasinCertificate"]
 
@@ -38,7 +38,7 @@ def _flags(found: VerdictEntries) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class BasinCertificate(StatedSection):
+class BasinCertificate(SectionRecord):
     """Starts from which every motion tends to one periodic orbit, the one through the core.
 
     P is the map from a section to itself. It contracts the core, so that there is one orbit

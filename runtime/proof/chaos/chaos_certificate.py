@@ -14,7 +14,7 @@ from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.proof.certificate import Decided
 from nonsmooth.runtime.proof.chaos.cone_conditions import ConeCondition
 from nonsmooth.runtime.proof.chaos.h_sets import HSet
-from nonsmooth.runtime.proof.sets.section_record import StatedSection
+from nonsmooth.runtime.proof.sets.section_record import SectionRecord
 
 __all__ = ["ChaosCertificate"]
 
@@ -22,7 +22,7 @@ _MOST_STEPS = 512  # of a word
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class ChaosCertificate(StatedSection):
+class ChaosCertificate(SectionRecord):
     """Symbolic dynamics of a system at one parameter point, proved by covering relations.
 
     P is the map from a section to itself: over one period of the forcing, or from one passage

@@ -15,7 +15,7 @@ from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.proof.certificate import Decided
 from nonsmooth.runtime.proof.graphs.box_graphs import BoxGraph
 from nonsmooth.runtime.proof.graphs.graph_entries import GraphEntries, entries_of, graph_of
-from nonsmooth.runtime.proof.sets.section_record import StatedSection
+from nonsmooth.runtime.proof.sets.section_record import SectionRecord
 
 __all__ = ["Component", "GraphCertificate"]
 
@@ -32,7 +32,7 @@ class Component:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class GraphCertificate(StatedSection):
+class GraphCertificate(SectionRecord):
     """A rigorous outer approximation of a section's map on a region, at one parameter point.
 
     P is the map from a section to its next return: over periods of the forcing, or from one

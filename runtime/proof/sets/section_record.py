@@ -15,11 +15,11 @@ from nonsmooth.runtime.proof.certificate import Declaration
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
 from nonsmooth.runtime.proof.sets.sections import MapSection
 
-__all__ = ["StatedSection", "named_way", "stated_section"]
+__all__ = ["SectionRecord", "named_way", "stated_section"]
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class StatedSection(Certified):
+class SectionRecord(Certified):
     """A record of a section's map, at one parameter point.
 
     Attributes
@@ -60,7 +60,7 @@ class StatedSection(Certified):
 
 
 def stated_section(system: EnclosedSystem, section: MapSection) -> dict[str, Any]:
-    """Return the attributes of `StatedSection` for a section, but for the declaration."""
+    """Return the attributes of `SectionRecord` for a section, but for the declaration."""
     structure, forced = system.structure, section.phase is not None
     names = structure.configurations
     shapes = () if forced else structure.boundaries[section.source]
