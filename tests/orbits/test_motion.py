@@ -1,12 +1,10 @@
 """The motion along an orbit, against integration of the phases' vector fields."""
 
-from dataclasses import replace
 from functools import cache
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
-from scipy.integrate import solve_ivp
 
 import nonsmooth
 from nonsmooth import InputError
@@ -60,28 +58,6 @@ def test_motion_solves_the_equations_of_each_phase(
         assert_allclose(motion(times), exact, atol=1e-12 * max(1, np.abs(exact).max()))
 
 
-@pytest.mark.parametrize("name", orbit_names())
-def test_motion_is_that_of_an_integrator(name: str) -> None:
-    motion, begin = orbit(name).motion(), 0.0
-    state = np.append(motion.starts[0], 1)
-    for piece, end in zip(Declared(orbit(name)).pieces, motion.breaks[1:], strict=True):
-        times = np.linspace(begin, end, 25, endpoint=False)
-        if end > begin:
-            solution = solve_ivp(
-                lambda _, z, a=piece.field: a @ z,
-                (begin, end),
-                state,
-                method="DOP853",
-                t_eval=[*times, end],
-                rtol=1e-12,
-                atol=1e-13,
-            )
-            assert_allclose(motion(times), solution.y.T[:-1, :-1], atol=1e-10)
-            state = solution.y[:, -1]
-        state, begin = piece.jump @ state, end
-    assert_allclose(state[:-1], motion.starts[0], atol=1e-10)
-
-
 def test_motion_passes_transitions_by_their_resets(each: Motion) -> None:
     pieces = Declared(orbit(each.name)).pieces
     for index, time in enumerate(each.breaks):
@@ -92,15 +68,6 @@ def test_motion_passes_transitions_by_their_resets(each: Motion) -> None:
         if each.name != "rigid-stop/one-impact":
             assert_allclose(left, here, atol=1e-13)
     assert_allclose(each(each.breaks[:-1]), each.starts, atol=1e-13)
-
-
-def test_velocity_is_the_derivative_of_the_position(each: Motion) -> None:
-    motion, step = each, 1e-6
-    lengths = np.diff(motion.breaks)
-    begins = motion.breaks[:-1, None][lengths > 0]
-    times = (begins + lengths[lengths > 0, None] * [0.2, 0.5, 0.8]).ravel()
-    slopes = (motion(times + step) - motion(times - step)) / (2 * step)
-    assert_allclose(slopes[:, :2], motion(times)[:, 2:], atol=1e-8)
 
 
 def test_motion_is_periodic(each: Motion) -> None:
@@ -186,17 +153,6 @@ def test_few_samples_keep_starts_and_ends(motion: Motion) -> None:
     assert_array_equal(samples.times, np.repeat(motion.breaks, [1, 2, 2, 2, 1]))
     assert_array_equal(samples.states[::2], motion.starts)
     assert_allclose(samples.states[1::2], np.roll(motion.starts, -1, axis=0), atol=1e-13)
-
-
-def test_samples_show_a_jump_before_and_behind(motion: Motion) -> None:
-    starts = motion.starts.copy()
-    starts[2, 2] += 1
-    jumping = replace(motion, starts=starts)
-    samples = jumping.sample(50)
-    (place,) = np.flatnonzero((np.diff(samples.times) == 0) & (samples.phases[:-1] == 1))
-    before, behind = samples.states[place : place + 2]
-    assert_allclose(behind - before, [0, 0, 1, 0], atol=1e-13)
-    assert_array_equal(jumping(jumping.breaks[2]), starts[2])
 
 
 def test_motion_of_many_digits_and_of_an_exchange() -> None:
