@@ -58,8 +58,8 @@ def admissible_intervals(
     kernels, others, grid = _line(orbit, parameter, lower, upper, parameters, points)
 
     def allowed(values: np.ndarray) -> np.ndarray:
-        found = solve(orbit, others | {parameter: values})
-        return np.asarray(found.admissible)
+        many: Any = solve(orbit, others | {parameter: values})
+        return np.asarray(many.admissible)
 
     inside = allowed(grid)
     changes = np.flatnonzero(inside[1:] != inside[:-1])

@@ -442,9 +442,9 @@ def solve(
         raise InputError(f"{' and '.join(wrong)}: of {points} only")
     if several:
         options: Any = {"admissibility": admissibility, "threads": threads}
-        found = _solve_many(orbit, values, guess, itinerary, fixed, multipliers, chunk, **options)
+        many = _solve_many(orbit, values, guess, itinerary, fixed, multipliers, chunk, **options)
         by = one_or_several(derivatives)
-        return replace(found, derivatives=derivatives_of_many(found, by, threads)) if by else found
+        return replace(many, derivatives=derivatives_of_many(many, by, threads)) if by else many
     named, swapped = cast("Any", orbit), one_or_several(unknown)
     if itinerary is not None:
         system, period = kernels_of(named), period_in(swapped, fixed)

@@ -263,13 +263,17 @@ def first_limits(
             expected &= ends.last_configurations[:, 1] == cycle.configurations[(place + 1) % count]
             if cycle.boundaries[place] is None:  # the forcing's phase begins anew: none is reached
                 expected = np.isin(ends.status, (Status.UNTIL, Status.QUIET))
-            close = np.where((reached & own) != 0, _EARLY, _CLOSE) * times
-            lowest = lowest_of(np.where(moved, reached, 1))
-            at_once = when <= _CLOSE * times
-            rises = _rises(cycle, configuration, numbers[rows], starts[rows, place], lowest, times)
-            crossed = moved & (when < times - close) & ((when > close) | (at_once & rises))
-            limit[rows[crossed]] = first + lowest[crossed]
-            unsure[rows[~(expected | crossed)]] = True
+            unsure[rows[~expected]] = True
+            early = np.flatnonzero(moved & ~expected)
+            if len(early):
+                rows, reached, when, times = rows[early], reached[early], when[early], times[early]
+                close = np.where((reached & own) != 0, _EARLY, _CLOSE) * times
+                lowest, at_once = lowest_of(reached), when <= _CLOSE * times
+                rises = _rises(
+                    cycle, configuration, numbers[rows], starts[rows, place], lowest, times
+                )
+                crossed = (when < times - close) & ((when > close) | (at_once & rises))
+                limit[rows[crossed]], unsure[rows[crossed]] = first + lowest[crossed], False
         first += len(cycle.structure.boundaries[configuration])
     for row in np.flatnonzero(unsure).tolist():
         limit[row] = _guaranteed(system, cycle, points[row], dwell[row], starts[row, 0])

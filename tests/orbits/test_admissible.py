@@ -75,16 +75,6 @@ def test_a_violation_is_reported_in_full(roots):
         assert float(violation["excess"]) > 0
 
 
-def test_batches_judge_as_the_single_orbit(roots):
-    points, found = (np.array(x) for x in zip(*roots, strict=True))
-    limit, bounds = kernel_limits(load_orbit(ORBIT), points, found)
-    allowed = limit == NEITHER
-    verdicts = [record(p, u).admissibility.verdict for p, u in roots]
-    assert list(allowed) == [v == "conditional" for v in verdicts]
-    assert 0 < allowed.sum() < len(allowed)
-    assert np.isnan(bounds[~allowed]).all()
-
-
 def test_an_open_parameter_is_above_its_bound_to_the_last_bit():
     """At the bound an orbit is not admissible, at the next number above it is."""
     fast = dict(zip(PARAMETERS, (0.63, 0.66, 3.45, 3.16, 0.82), strict=True))

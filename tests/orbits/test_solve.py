@@ -129,20 +129,6 @@ def test_the_orbit_does_not_depend_on_the_guess(reference):
         assert_allclose([by_order.unknowns[n] for n in UNKNOWNS], expected, atol=1e-12)
 
 
-def test_digits_bound_the_error(orbits):
-    for orbit in orbits:
-        names = list(orbit.unknowns)
-        solution = root(
-            lambda x, o=orbit, n=names: equations(o.values | dict(zip(n, x, strict=True))),
-            list(orbit.unknowns.values()),
-            tol=1e-14,
-        ).x
-        found = np.array(list(orbit.unknowns.values()))
-        error = np.abs(found - solution) / np.maximum(np.abs(found), 1)
-        assert orbit.digits >= 10
-        assert error.max() <= 10.0**-orbit.digits + 1e-12  # the other route's own error
-
-
 def test_an_exact_parameter_is_taken_as_written():
     for text, number in (("1/3", 1 / 3), ("2*pi/13", 2 * math.pi / 13), (" 0.45 ", 0.45)):
         orbit = solve(ORBIT, {"chi": text})
@@ -398,6 +384,7 @@ def test_without_throw_the_status_says_it():
 def test_each_status_suggests_a_remedy():
     remedies = ("give", "change", "domain")
     for status, text in STATUS.items():
+        assert "\n" not in text
         assert status == CONVERGED or any(word in text for word in remedies)
 
 

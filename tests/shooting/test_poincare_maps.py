@@ -71,12 +71,6 @@ def test_saltation_matrices_are_those_of_the_declaration(name):
             assert_allclose(found, matrix, rtol=1e-9, atol=1e-9)
 
 
-def test_the_field_is_continuous_at_an_elastic_stop():
-    """Its spring begins without a force: there is no jump to correct for."""
-    for orbit in orbits("elastic-stop/one-contact"):
-        assert_allclose(orbit.saltations, np.stack([np.eye(4)] * 2), atol=1e-11)
-
-
 def test_the_saltation_matrix_of_an_impact_in_closed_form():
     """Newton's law reflects position and velocity, and shears by the difference of the forces."""
     for orbit in orbits("rigid-stop/one-impact"):

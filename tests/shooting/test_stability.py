@@ -7,7 +7,6 @@ import pytest
 from numpy.testing import assert_allclose
 
 from nonsmooth import poincare_map, refine, simulate, solve
-from tests.two_masses import RUBBING
 
 ORBIT = "dry-friction/global-stick"
 PARAMETERS = ("chi", "eta", "V", "e1", "e2")
@@ -90,6 +89,22 @@ def test_the_jacobian_is_that_of_the_simulated_map(orbits, unstable):
         assert abs(np.linalg.det(found)) < 1e-6 * scale**2
 
 
+def distances(orbit, moved, count):
+    """From the orbit, after each of so many turns from a moved start."""
+    mapped, start = simulated_map(orbit)
+    there, found = start + np.array([*moved, 0, 0]), []
+    for _ in range(count):
+        there = mapped(there)
+        found.append((there - start)[0])
+    return np.array(found)
+
+
+def test_perturbations_change_by_the_trace_each_period(orbits, unstable):
+    for orbit in (*orbits, *unstable):
+        found = distances(orbit, (1e-6, 2e-6), 6)
+        assert_allclose(found[1:] / found[:-1], orbit.trace, rtol=1e-3)
+
+
 def test_batches_have_the_same_trace_and_both_verdicts_occur():
     points = LOWER + (UPPER - LOWER) * np.random.default_rng(12).random((120, 5))
     many = solve(ORBIT, dict(zip(PARAMETERS, points.T, strict=True)))
@@ -169,16 +184,3 @@ def test_multipliers_come_by_decreasing_size(name, digits):
     assert (sizes[found.rank :] == 0).all()
     assert (sizes[: found.rank] > 0).all()
     assert [m.trivial for m in found.multipliers] == sorted(m.trivial for m in found.multipliers)
-
-
-def test_multipliers_of_composed_orbits_come_by_decreasing_size():
-    named = solve("dry-friction/symmetric")
-    composed = solve(
-        "dry-friction",
-        RUBBING,
-        [*named.dwell_times],
-        itinerary=named.itinerary,
-    )
-    sizes = [abs(complex(m.real, m.imaginary)) for m in composed.stability.multipliers]
-    assert sizes == sorted(sizes, reverse=True)
-    assert sizes[0] > 1.1 * sizes[1]
