@@ -45,6 +45,7 @@ __all__ = [
     "StatedOrbits",
     "Unknown",
     "ball_of",
+    "check_same_orbits",
     "file_json",
     "precise",
 ]
@@ -203,18 +204,19 @@ class StatedOrbits(Certified):
     declaration: Declaration = field(repr=False)
     closing: Declaration = field(repr=False)
 
-    def check_same(self, known: StatedOrbits, *names: str) -> None:
-        """Refuse to go on with a state of other orbits, or over another range.
 
-        `names` are those of attributes that say which range it is.
-        """
-        told = ("orbit", "itinerary", *names, "chosen", *self.parameters, "declaration", "closing")
-        # a file calls the system by its data, and holds it
-        asked, found = (
-            {**vars(each), **each.parameters, "orbit": each.orbit.removeprefix(each.system)}
-            for each in (self, known)
-        )
-        check_same_question("state", {name: asked[name] for name in told}, found)
+def check_same_orbits(asked: StatedOrbits, known: StatedOrbits, *names: str) -> None:
+    """Refuse to go on with a state of other orbits, or over another range.
+
+    `names` are those of attributes that say which range it is.
+    """
+    told = ("orbit", "itinerary", *names, "chosen", *asked.parameters, "declaration", "closing")
+    # a file calls the system by its data, and holds it
+    wanted, found = (
+        {**vars(each), **each.parameters, "orbit": each.orbit.removeprefix(each.system)}
+        for each in (asked, known)
+    )
+    check_same_question("state", {name: wanted[name] for name in told}, found)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)

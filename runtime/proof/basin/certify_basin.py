@@ -29,7 +29,7 @@ from nonsmooth.runtime.proof.basin.starting_tiles import next_tiles
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
 from nonsmooth.runtime.proof.kept_state import KeptState
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
-from nonsmooth.runtime.proof.sets.section_record import named_way, stated_section
+from nonsmooth.runtime.proof.sets.section_record import named_way, section_entries, stated_section
 from nonsmooth.runtime.proof.sets.visited_declaration import (
     listed_declaration,
     refused_as_input,
@@ -348,7 +348,7 @@ def _entries(found: BasinCertificate) -> dict[str, Any]:
     more = ("iterates", "itinerary", "contraction", "widest", "most", "bits")
     core = found.core and {"centre": found.core.centre, "sides": found.core.sides}
     ranks = [(int(rank), 1) for rank in found.ranks]
-    told = {**found.entries(*more), "coordinates": list(found.coordinates)}
+    told = {**section_entries(found, *more), "coordinates": list(found.coordinates)}
     return {**told, "core": core, "ranks": ranks, **grids}
 
 

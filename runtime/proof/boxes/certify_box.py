@@ -30,7 +30,7 @@ from nonsmooth.runtime.proof.boxes.tile import Anchor, TileProof, is_same, prove
 from nonsmooth.runtime.proof.boxes.tile_event import Fold, TileEvent
 from nonsmooth.runtime.proof.boxes.tile_fold import FoldSearch
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
-from nonsmooth.runtime.proof.certificate import CLAIMS, Stated
+from nonsmooth.runtime.proof.certificate import CLAIMS, Stated, check_same_orbits
 from nonsmooth.runtime.proof.exact_tables import rational_of
 from nonsmooth.runtime.proof.kept_state import KeptState
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
@@ -116,10 +116,10 @@ def certify_box(
     except NotCovered as reason:
         nothing = record(None, [unproved(whole, str(reason), looked_at=True)])
         if resume is not None:
-            nothing.check_same(resume, "box")
+            check_same_orbits(nothing, resume, "box")
         return nothing
     if resume is not None:
-        empty.check_same(resume, "box")
+        check_same_orbits(empty, resume, "box")
     work = _Work(region, resume or empty, refusals)
     with KeptState(lambda: whole_map(record(region, work.stated())), keep) as state:
         for looked_at in range(_looked_at(work.state) + 1, tiles + 1):

@@ -26,6 +26,7 @@ from nonsmooth.runtime.proof.branch.beyond_border import BordersOfBranch
 from nonsmooth.runtime.proof.branch.certified_branch import BranchTile, CertifiedBranch
 from nonsmooth.runtime.proof.branch.march import BranchStep, MarchPlace, march, place_behind
 from nonsmooth.runtime.proof.branch.tiles import REFUSED, checked_curve, checked_tile, stated_branch
+from nonsmooth.runtime.proof.certificate import check_same_orbits
 from nonsmooth.runtime.proof.exact_tables import rational_of
 from nonsmooth.runtime.proof.kept_state import KeptState
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
@@ -120,10 +121,10 @@ def certify_branch(
         found = stated_branch(orbit, box, (), None)
         found = replace(found, ends=(str(reason),) * 2)
         if resume is not None:
-            found.check_same(resume, "parameter", "interval")
+            check_same_orbits(found, resume, "parameter", "interval")
         return found
     if resume is not None:
-        empty.check_same(resume, "parameter", "interval")
+        check_same_orbits(empty, resume, "parameter", "interval")
     work = _Following(curve, begin, resume or empty, branch)
     until = time.monotonic() + seconds
     with KeptState(lambda: work.state, keep) as state:

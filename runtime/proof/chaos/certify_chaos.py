@@ -22,7 +22,7 @@ from nonsmooth.runtime.proof.chaos.h_sets import HSet, outline
 from nonsmooth.runtime.proof.chaos.search import Horseshoe, candidates, orbits_on
 from nonsmooth.runtime.proof.chaos.section_choice import sampled_sections
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
-from nonsmooth.runtime.proof.sets.section_record import named_way, stated_section
+from nonsmooth.runtime.proof.sets.section_record import named_way, section_entries, stated_section
 from nonsmooth.runtime.proof.sets.sections import MapSection
 from nonsmooth.runtime.proof.sets.visited_declaration import (
     PassedTransition,
@@ -305,7 +305,7 @@ class _ChaosQuestion:
 def _entries(found: ChaosCertificate) -> dict[str, Any]:
     """What the checker takes of a certificate, as its file states it."""
     more = ("iterates", "coordinates", "itineraries", "coverings", "growth", "entropy")
-    told = found.entries(*more)
+    told = section_entries(found, *more)
     return {**told, "h_sets": [encode(own) for own in found.h_sets]}
 
 

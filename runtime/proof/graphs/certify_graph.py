@@ -26,7 +26,7 @@ from nonsmooth.runtime.proof.graphs.box_graphs import BoxGraph
 from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
 from nonsmooth.runtime.proof.kept_state import KeptState
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
-from nonsmooth.runtime.proof.sets.section_record import stated_section
+from nonsmooth.runtime.proof.sets.section_record import section_entries, stated_section
 from nonsmooth.runtime.proof.sets.visited_declaration import (
     listed_declaration,
     refused_as_input,
@@ -176,7 +176,7 @@ def certify_graph(
                 most=max(parts, resume.most),
                 longest=max(transitions, resume.longest),
             )
-    question = known.entries("widest", "most", "longest", "bits")
+    question = section_entries(known, "widest", "most", "longest", "bits")
     with refused_as_input():
         return _BoxImages(question, known, workers, progress, keep).refined(levels)
 

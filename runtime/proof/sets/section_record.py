@@ -15,7 +15,7 @@ from nonsmooth.runtime.proof.certificate import Declaration
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
 from nonsmooth.runtime.proof.sets.sections import MapSection
 
-__all__ = ["SectionRecord", "named_way", "stated_section"]
+__all__ = ["SectionRecord", "named_way", "section_entries", "stated_section"]
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
@@ -49,14 +49,15 @@ class SectionRecord(Certified):
     coordinates: tuple[str, ...]
     declaration: Declaration = field(repr=False)
 
-    def entries(self, *more: str) -> dict[str, Any]:
-        """Return the section, and other attributes, as entries of a file.
 
-        They are data that the checker and other processes take.
-        """
-        names = "configuration", "phase", "source", "boundary", "declaration", *more
-        parameters = {name: value.text for name, value in self.parameters.items()}
-        return {"parameters": parameters, **{name: getattr(self, name) for name in names}}
+def section_entries(record: SectionRecord, *more: str) -> dict[str, Any]:
+    """Return the section of a record, and other attributes, as entries of a file.
+
+    They are data that the checker and other processes take.
+    """
+    names = "configuration", "phase", "source", "boundary", "declaration", *more
+    parameters = {name: value.text for name, value in record.parameters.items()}
+    return {"parameters": parameters, **{name: getattr(record, name) for name in names}}
 
 
 def stated_section(system: EnclosedSystem, section: MapSection) -> dict[str, Any]:
