@@ -34,7 +34,7 @@ from nonsmooth.runtime.core.parallel import check_workers
 from nonsmooth.runtime.core.registry import Shown
 from nonsmooth.runtime.core.result_files import WRONG_SHAPE, parsed
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.model.kernels import load_orbit, load_system
+from nonsmooth.runtime.model.kernels import SystemKernels, load_orbit, load_system
 from nonsmooth.runtime.model.saved_system import same_system
 from nonsmooth.runtime.present.checking.compare_declarations import check_domains, compare
 from nonsmooth.runtime.present.files.kept import format_named
@@ -164,6 +164,7 @@ def check_certificate(
     (True, 'proved')
     """
     check_workers(workers)
+    system = None if declared is None else _declared_system(declared)
     place = path_of(path)
     try:
         content = parsed(read_file(place, _MOST, "certificate"))
@@ -185,8 +186,11 @@ def check_certificate(
         if isinstance(found, EventCertificates):
             found = found.events
         compared = compare(content)
-        if declared is not None:
-            _compare_declared(content, declared)
+        if system is not None and not all(
+            same_system(system, load_system(name))
+            for name in dict.fromkeys(entry["system"] for entry in _told(content))
+        ):
+            raise Failure(f"the declaration of {declared} is not that of the file, or has changed")
     except Malformed as problem:
         raise InputError(f"{os.fspath(path)}: {problem}") from None
     except (Failure, InputError) as problem:
@@ -216,15 +220,12 @@ def _without_reasons(found: Any) -> Any:
     return replace(found, **changed) if changed else found
 
 
-def _compare_declared(content: Mapping[str, Any], declared: str) -> None:
-    """Raise `Failure` unless a declaration, given by name, has the same tables as the file."""
+def _declared_system(declared: str) -> SystemKernels:
+    """The system that a declaration names, alone or with an orbit."""
     try:
-        system = load_system(declared)
+        return load_system(declared)
     except InputError:
-        system = load_orbit(declared).system
-    for name in dict.fromkeys(entry["system"] for entry in _told(content)):
-        if not same_system(system, load_system(name)):
-            raise Failure(f"the declaration of {declared} is not that of the file, or has changed")
+        return load_orbit(declared).system
 
 
 def _told(content: Mapping[str, Any]) -> list[Mapping[str, Any]]:
