@@ -167,7 +167,10 @@ def period_in(
 
 
 def guess_by_name(
-    guess: Sequence[float] | Mapping[str, float] | None, names: Sequence[str], of: str, least: int
+    guess: Sequence[Any] | np.ndarray | Mapping[str, Any] | None,
+    names: Sequence[str],
+    of: str,
+    least: int,
 ) -> Mapping[str, float]:
     """Return a guess by the names of the unknowns, of all or of the first `least` of them.
 
@@ -216,7 +219,7 @@ def whole_names(kernels: OrbitKernels, count: int) -> tuple[str, ...]:
 def solve_declared(
     kernels: OrbitKernels,
     parameters: Mapping[str, object],
-    guess: Sequence[float] | Mapping[str, float] | None = None,
+    guess: Sequence[Any] | np.ndarray | Mapping[str, Any] | None = None,
     *,
     unknown: Iterable[str] = (),
     given: Mapping[str, object] | None = None,
@@ -304,7 +307,7 @@ def _followed(
 
 def _named(
     kernels: OrbitKernels,
-    guess: Sequence[float] | Mapping[str, float] | None,
+    guess: Sequence[Any] | np.ndarray | Mapping[str, Any] | None,
     reference: Mapping[str, str],
 ) -> dict[str, float]:
     """Return a guess by the unknowns' names; a start's coordinate may have its state's name."""

@@ -14,7 +14,7 @@ from nonsmooth.runtime.core.values import real_number
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
 from nonsmooth.runtime.simulation.engines import Trajectories
 from nonsmooth.runtime.simulation.recurrence import recurrent_lengths, scales_of
-from nonsmooth.runtime.simulation.trajectory import Trajectory, check_trajectory
+from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["Recurrence", "itinerary_of"]
 
@@ -88,7 +88,6 @@ def itinerary_of(
     >>> solve("dry-friction", data, itinerary=recurrence).converged
     True
     """
-    check_trajectory(trajectory)
     since = real_number("since", since)
     period = None if period is None else real_number("period", period)
     if not 0 <= since <= trajectory.end:

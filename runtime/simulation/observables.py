@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from nonsmooth.runtime.core.arguments import checked_methods
 from nonsmooth.runtime.core.errors import unknown_name
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import Structure
@@ -23,7 +24,7 @@ from nonsmooth.runtime.simulation.phase_functions import (
     phases_of,
     values_at,
 )
-from nonsmooth.runtime.simulation.trajectory import Trajectory, check_trajectory
+from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = [
     "ContactObservables",
@@ -59,6 +60,7 @@ class ContactObservables:
         return max(abs(self.minimum.value), abs(self.maximum.value))
 
 
+@checked_methods
 @dataclass(frozen=True, eq=False)
 class Observables:
     """Observables of a motion from a time on.
@@ -185,7 +187,6 @@ def observe(trajectory: Trajectory, since: float = 0.0) -> Observables:
     >>> ns.observe(motion).duration > 0
     True
     """
-    check_trajectory(trajectory)
     system, structure = trajectory.system, trajectory.structure
     phases = phases_of(trajectory, since)
     duration = trajectory.end - float(since)

@@ -13,14 +13,13 @@ from dataclasses import dataclass
 from itertools import combinations
 from typing import TYPE_CHECKING, Annotated
 
-from nonsmooth.runtime.core.errors import InputError, one_line
 from nonsmooth.runtime.core.json_codec import FromOne, one_of
 from nonsmooth.runtime.core.registry import Shown
 
 if TYPE_CHECKING:
     import numpy as np
 
-__all__ = ["KINDS", "Event", "EventKind", "OrbitKind", "checked_event"]
+__all__ = ["KINDS", "Event", "EventKind", "OrbitKind"]
 
 _NEAR = 1e-6  # how near to the unit circle a pair of multipliers has to be at its event
 _NEAR_ONE = 1e-3  # how near to -1 or 1 a multiplier has to be: there it may be double
@@ -176,10 +175,3 @@ class Event(Shown):
     def switches(self) -> bool:
         """Whether another branch meets this one here: `Branch.switch` leads to it."""
         return KINDS[self.kind].switches and not self.touching
-
-
-def checked_event(given: object) -> Event:
-    """What is given, where it is an event; `InputError` otherwise."""
-    if not isinstance(given, Event):
-        raise InputError(f"{one_line(repr(given))} is no event: a branch has them as .events")
-    return given

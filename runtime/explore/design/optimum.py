@@ -112,17 +112,6 @@ class Design(Kept):
         """Values of the parameters that varied, where it ended."""
         return {name: self.after[name] for name in self.parameters}
 
-    def to_json(self) -> dict[str, Any]:
-        """Give the design as JSON.
-
-        Returns
-        -------
-        dict of str to JSON value
-            Numbers are decimal strings with all their digits; one that is not known is null.
-        """
-        told: dict[str, Any] = registered("design_json")(self)
-        return told
-
     def plot(self, axes: Any = None) -> Any:
         """Draw the quantities over the iterates, and along each parameter around the end.
 

@@ -69,8 +69,6 @@ class DesignQuestion:
 
     def check_resumed(self, known: Design) -> None:
         """Refuse to resume the design of another question; the message names what differs."""
-        if not isinstance(known, Design):
-            raise InputError(f"{type(known).__name__} is no design, such as nonsmooth.design gives")
         branch = next(iter(known.worst_over.items()), None)
         same = (known.aim, known.quantity, known.parameters, known.bounds, known.conditions, branch)
         other = DesignQuestion(known.orbit, *same)
@@ -124,7 +122,7 @@ def _aim_of(
 
 def _bounds_of(orbit: Any, over: Any) -> tuple[tuple[str, ...], np.ndarray]:
     check_converged(orbit, "designed")
-    if not isinstance(over, Mapping) or not over:
+    if not over:
         raise InputError('over gives the bounds of parameters, such as {"V": (0.6, 1.3)}')
     opened = {table.name for table in orbit.system.parameters} - {*orbit.given, *orbit.unknowns}
     for name in over:

@@ -102,8 +102,6 @@ def certify_box(
     if isinstance(tiles, bool) or not isinstance(tiles, int) or tiles < 1:
         raise InputError(f"tiles = {tiles!r} is not a positive integer")
     ends = checked_box(orbit, box)
-    if not isinstance(resume, BoxCertificate | None):
-        raise InputError(f"{resume!r} is no state to resume: `load` reads one")
     whole = Place(((0, 0),) * len(ends))
 
     def record(region: Region | None, tiles: Sequence[Tile]) -> BoxCertificate:

@@ -90,8 +90,6 @@ def certify_event(branch: Branch, event: Event, bits: int = 128) -> EventCertifi
     """
     if isinstance(bits, bool) or not isinstance(bits, int) or not FEWEST_BITS <= bits <= MOST_BITS:
         raise InputError(f"bits = {bits!r} is not an integer from {FEWEST_BITS} to {MOST_BITS}")
-    if not isinstance(branch, Branch) or not isinstance(event, Event):
-        raise InputError("certify.event takes a branch and one of its events")
     if event not in branch.events:
         raise InputError(f"{event.text}: this is no event of the branch")
     undecided = _undecided(branch, event, bits)
