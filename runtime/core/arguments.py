@@ -87,31 +87,20 @@ def checked(function: _Checked) -> _Checked:
     if isinstance(function, type):
         function.__init__ = checked(function.__init__)  # type: ignore[misc]
         return function
-    arguments: dict[str, _Argument] = {}
-    places: list[_Argument] = []
-    several: list[_Argument] = []  # the one that takes all further values, if there is one
-
-    def read() -> None:
-        """Read the annotations."""
-        names = _Names(function.__globals__)
-        for name, parameter in inspect.signature(function).parameters.items():
-            taken = _Argument(name, _taken(parameter.annotation, names))
-            arguments[name] = taken
-            if parameter.kind in (parameter.POSITIONAL_ONLY, parameter.POSITIONAL_OR_KEYWORD):
-                places.append(taken)
-            elif parameter.kind is parameter.VAR_POSITIONAL:
-                several.append(taken)
+    known: _Arguments | None = None
 
     @wraps(function)
     def call(*given: Any, **named: Any) -> Any:
-        if not arguments:
-            read()
+        nonlocal known
+        if known is None:
+            known = _arguments(function)
+        arguments, places, rest = known
         for argument, value in zip(places, given, strict=False):
             if type(value) not in argument.types:
                 argument.check(value)
-        for argument in several:
+        if rest is not None:
             for value in given[len(places) :]:
-                argument.check(value)
+                rest.check(value)
         for name, value in named.items():
             if name in arguments and type(value) not in arguments[name].types:
                 arguments[name].check(value)
@@ -151,6 +140,27 @@ class _Argument:
         parts = (f"{kind.name}{s}" for kind in self.taken for s in ("", "s") if kind.name)
         part = next((f"; it has .{part}" for part in parts if hasattr(value, part)), "")
         raise InputError(f"{self.name} takes {words}, not {_shown(value)}{part}")
+
+
+class _Arguments(NamedTuple):
+    """The arguments of a function."""
+
+    named: dict[str, _Argument]
+    places: list[_Argument]  # those that may be given by their places
+    rest: _Argument | None  # what takes all further places, if anything does
+
+
+def _arguments(function: Callable[..., Any]) -> _Arguments:
+    """The arguments of a function, as its annotations describe them."""
+    names = _Names(function.__globals__)
+    found, places, rest = dict[str, _Argument](), list[_Argument](), None
+    for name, parameter in inspect.signature(function).parameters.items():
+        found[name] = _Argument(name, _taken(parameter.annotation, names))
+        if parameter.kind in (parameter.POSITIONAL_ONLY, parameter.POSITIONAL_OR_KEYWORD):
+            places.append(found[name])
+        elif parameter.kind is parameter.VAR_POSITIONAL:
+            rest = found[name]
+    return _Arguments(found, places, rest)
 
 
 def _taken(annotation: Any, names: _Names) -> tuple[_Taken, ...] | None:
@@ -194,11 +204,7 @@ def _kind(cls: Any, inner: list[tuple[_Taken, ...] | None]) -> _Taken:
     if isinstance(cls, type) and issubclass(cls, Mapping):
         return _Taken(
             f"{_plural(each)} by names",
-            lambda value: (
-                isinstance(value, Mapping)
-                and all(isinstance(name, str) for name in value)
-                and _all_fit(each, value.values())
-            ),
+            lambda value: _is_by_name(value) and _all_fit(each, value.values()),
             False,
         )
     if cls is tuple and inner:
@@ -222,6 +228,7 @@ def _kind(cls: Any, inner: list[tuple[_Taken, ...] | None]) -> _Taken:
 
 _COUNTS = {2: "two", 3: "three"}
 _PLURALS = {"a text": "texts", "a number": "numbers", "an integer": "integers"}
+_TEXT = frozenset({str})
 _CONTAINERS = ("builtins", "collections.abc")
 
 
@@ -230,6 +237,14 @@ def _listed(value: Any) -> bool:
     if isinstance(value, str | Mapping):
         return False
     return isinstance(value, Sequence) or (hasattr(value, "__array__") and bool(value.ndim))
+
+
+def _is_by_name(value: Any) -> bool:
+    """Tell whether a value holds others by names."""
+    if type(value) is not dict and not isinstance(value, Mapping):
+        return False
+    kinds = {*map(type, value)}
+    return kinds <= _TEXT or all(issubclass(kind, str) for kind in kinds)
 
 
 def _is_several(value: Any, cls: type, each: tuple[_Taken, ...] | None) -> bool:
