@@ -32,7 +32,7 @@ KNOWN = {
     "nonsmooth event certificate": (6, "89c3683b9584"),
     "nonsmooth fit": (3, "06c6752de145"),
     "nonsmooth found orbits": (7, "5fd322d3dc16"),
-    "nonsmooth graph certificate": (6, "5999d5f4af94"),
+    "nonsmooth region certificate": (6, "5999d5f4af94"),
     "nonsmooth locus": (3, "0e044381135f"),
     "nonsmooth orbit": (5, "1e25f945e98f"),
     "nonsmooth sweep": (4, "61d447ca3040"),

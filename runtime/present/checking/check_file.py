@@ -50,7 +50,7 @@ from nonsmooth.runtime.proof.events.event_certificate import (
     EventCertificates,
     events_claim,
 )
-from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
+from nonsmooth.runtime.proof.graphs.graph_certificate import RegionCertificate
 
 __all__ = ["Check", "check_certificate"]
 
@@ -62,7 +62,7 @@ Proven = (
     | Census
     | ChaosCertificate
     | BasinCertificate
-    | GraphCertificate
+    | RegionCertificate
     | tuple[EventCertificate, ...]
 )
 _MOST = 500_000_000  # bytes of a file
@@ -82,7 +82,7 @@ class Check(Shown):
     note : str or None
         What is not compared, or not proved again.
     certificate : Certificate, BoxCertificate, CertifiedBranch, CertifiedDoubling, Census,
-        ChaosCertificate, BasinCertificate, GraphCertificate, tuple, or None
+        ChaosCertificate, BasinCertificate, RegionCertificate, tuple, or None
         What was read, of events a tuple of EventCertificate; None if something is wrong with it.
         Its reasons why something is undecided are left out: nothing proves them. Which
         parameters were chosen is as the file says.
@@ -108,7 +108,7 @@ _CHECKS: dict[str, Callable[..., None]] = {
     "nonsmooth event certificate": check_events,
     "nonsmooth census": check_census,
     "nonsmooth basin certificate": check_basin,
-    "nonsmooth graph certificate": check_graph,
+    "nonsmooth region certificate": check_graph,
     "nonsmooth chaos certificate": check_chaos,
 }
 _DIVIDED = "nonsmooth basin certificate"  # whose check takes processes, and tells how far it is
@@ -132,7 +132,7 @@ def check_certificate(
     ----------
     path : str or path
         What `save` of a `Certificate`, `BoxCertificate`, `CertifiedBranch`, `CertifiedDoubling`,
-        `EventCertificate`, `ChaosCertificate`, `BasinCertificate`, `GraphCertificate` or `Census`
+        `EventCertificate`, `ChaosCertificate`, `BasinCertificate`, `RegionCertificate` or `Census`
         wrote.
     declared : str, optional
         A system or an orbit by name, such as ``FILE.py:ORBIT``: its tables have to be those of

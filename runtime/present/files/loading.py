@@ -40,13 +40,13 @@ def load(path: str | os.PathLike[str]) -> Any:
     path : str or path
         JSON of an orbit, found orbits, a branch, a curve of events, a design, a sweep, a fit, a
         certificate, a proven map, a proven branch or doubling, certificates of events, a
-        certificate of chaos, a basin or a graph of boxes, or a census; .npz or .csv of a motion;
+        certificate of chaos, a basin or a region, or a census; .npz or .csv of a motion;
         the folder of a chart; ``FILE.json:N``, the N-th of found orbits.
 
     Returns
     -------
     Orbit, Found, Branch, Locus, Design, Sweep, Fit, Certificate, BoxCertificate, \
-BasinCertificate, CertifiedBranch, CertifiedDoubling, ChaosCertificate, GraphCertificate, Census, \
+BasinCertificate, CertifiedBranch, CertifiedDoubling, ChaosCertificate, RegionCertificate, Census, \
 Trajectory, tuple of EventCertificate or xarray.Dataset
         The result that was saved. A chart may be incomplete, `status` being -128 where nothing
         is computed yet, and its numbers are read when they are used.
