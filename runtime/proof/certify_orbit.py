@@ -89,7 +89,7 @@ def certify(
     >>> round(float(rates["trace"]["eta"]), 12)
     0.027461473206
     """
-    if isinstance(bits, bool) or not isinstance(bits, int) or not FEWEST_BITS <= bits <= MOST_BITS:
+    if not FEWEST_BITS <= bits <= MOST_BITS:
         raise InputError(f"bits = {bits!r} is not an integer from {FEWEST_BITS} to {MOST_BITS}")
     check_converged(orbit, "certified")
     by = asked_parameters(orbit, derivatives)

@@ -194,7 +194,7 @@ class Trajectory(Kept):
         InputError
             For a count that is no positive integer, or far too large.
         """
-        if isinstance(points, bool) or not isinstance(points, int | np.integer) or points < 1:
+        if points < 1:
             raise InputError(f"points = {points!r} is not a positive integer")
         times, states = [], []
         breaks = [*self.times.tolist(), max(self.end, float(self.times[-1]))]

@@ -132,11 +132,7 @@ def certify_basin(
         ("most", most, 1, 100_000),
         ("bits", bits, 64, 4096),
     ):
-        if (
-            isinstance(number, bool)
-            or not isinstance(number, int)
-            or not least <= number <= largest
-        ):
+        if not least <= number <= largest:
             raise InputError(f"{name} = {number!r} is not an integer from {least} to {largest}")
     for name, length in (("side", side), ("widest", widest)):
         if length is not None and not (np.isfinite(length) and length > 0):

@@ -99,7 +99,7 @@ def certify_box(
     >>> found.proved, found.enclosures["trace"].upper < -0.9
     (True, True)
     """
-    if isinstance(tiles, bool) or not isinstance(tiles, int) or tiles < 1:
+    if tiles < 1:
         raise InputError(f"tiles = {tiles!r} is not a positive integer")
     ends = checked_box(orbit, box)
     whole = Place(((0, 0),) * len(ends))

@@ -100,7 +100,7 @@ def certify_branch(
     >>> [event.kind for event in found.events], found.events[1].enclosures["V"].mid[:20]
     (['grazing', 'flip'], '1.080588074177112019')
     """
-    if isinstance(tiles, bool) or not isinstance(tiles, int) or tiles < 1:
+    if tiles < 1:
         raise InputError(f"tiles = {tiles!r} is not a positive integer")
     if not seconds > 0:
         raise InputError(f"seconds = {seconds!r} is not a positive number")

@@ -119,7 +119,7 @@ def certify_chaos(
         ("parts", parts, 16, 1_000_000),
         ("bits", bits, _FEWEST_BITS, _MOST_BITS),
     ):
-        if isinstance(number, bool) or not isinstance(number, int) or not least <= number <= most:
+        if not least <= number <= most:
             raise InputError(f"{name} = {number!r} is not an integer from {least} to {most}")
     kernels = kernels_of(system)
     at = enclosed_system(kernels, parameters)

@@ -109,7 +109,7 @@ def certify_doubling(
     ('subcritical', 'above', 'unstable')
     """
     for name, count in (("flip", flip), ("tiles", tiles)):
-        if isinstance(count, bool) or not isinstance(count, int) or count < 1:
+        if count < 1:
             raise InputError(f"{name} = {count!r} is not a positive integer")
     if not seconds > 0:
         raise InputError(f"seconds = {seconds!r} is not a positive number")

@@ -88,7 +88,7 @@ def certify_event(branch: Branch, event: Event, bits: int = 128) -> EventCertifi
     >>> found.proved, abs(float(found.value) - flip.value) < 1e-9
     (True, True)
     """
-    if isinstance(bits, bool) or not isinstance(bits, int) or not FEWEST_BITS <= bits <= MOST_BITS:
+    if not FEWEST_BITS <= bits <= MOST_BITS:
         raise InputError(f"bits = {bits!r} is not an integer from {FEWEST_BITS} to {MOST_BITS}")
     if event not in branch.events:
         raise InputError(f"{event.text}: this is no event of the branch")

@@ -151,7 +151,7 @@ def certify_graph(
         ("bits", bits, _FEWEST_BITS, _MOST_BITS),
         ("levels", levels, 0, _MOST_LEVELS),
     ):
-        if isinstance(number, bool) or not isinstance(number, int) or not least <= number <= most:
+        if not least <= number <= most:
             raise InputError(f"{name} = {number!r} is not an integer from {least} to {most}")
     check_workers(workers)
     kernels = kernels_of(system)

@@ -89,7 +89,7 @@ def validate(
         ("bits", bits, _FEWEST_BITS),
         ("most_bits", most_bits, _FEWEST_BITS),
     ):
-        if isinstance(number, bool) or not isinstance(number, int) or number < least:
+        if number < least:
             raise InputError(f"{name} = {number!r} is not an integer of {least} or more")
     at = enclosed_system(system, parameters)
     structure = at(bits).structure
