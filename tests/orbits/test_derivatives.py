@@ -140,7 +140,6 @@ def test_what_was_not_given_is_refused():
     ("names", "told"),
     [
         ([], "is named|etta"),
-        (5, "text"),
         ([5, "eta"], "text"),
         (["etta"], "'etta'"),
     ],

@@ -185,7 +185,6 @@ def test_an_unstable_orbit_is_not_left() -> None:
         (np.zeros((4, 4)), "permutation"),
         (np.eye(3), "4 x 4"),
         (2 * np.eye(4), "4 x 4"),
-        ("mirror", "symmetry takes"),
     ],
 )
 def test_what_is_no_symmetry(symmetry, match) -> None:
