@@ -70,7 +70,7 @@ class Commands(TyperGroup):
     def resolve_command(self, ctx: Any, args: list[str]) -> Any:
         """Find the command of the first word."""
         name = args[0] if args else ""
-        proofs: Any = ctx.find_root().command.commands["certify"]
+        proofs: Any = ctx.find_root().command.commands.get("certify", self)
         if name not in self.commands and (name in _MOVED or name in proofs.commands):
             place = _MOVED.get(name, f"certify {name}")
             raise _UsageError(f"no such command '{name}'; in its place: nonsmooth {place}", ctx)
@@ -174,9 +174,10 @@ def _reason(problem: BaseException) -> tuple[int, str]:
 def _wrong_value(problem: Any) -> str:
     """What an option or argument takes that has a value of another type; empty for others."""
     parameter = getattr(problem, "param", None)
-    if parameter is None or problem.ctx is None:
+    if type(problem) is not typer.BadParameter or parameter is None or problem.ctx is None:
         return ""
-    own = inspect.signature(problem.ctx.command.callback).parameters
+    callback: Any = problem.ctx.command.callback
+    own = inspect.signature(callback).parameters
     kind, *details = get_args(own[parameter.name].annotation)
     while inner := [each for each in get_args(kind) if each is not type(None)]:
         kind = inner[0]
