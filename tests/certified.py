@@ -38,7 +38,7 @@ from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
 from nonsmooth.runtime.proof.doubling.certified_doubling import CertifiedDoubling
-from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
+from nonsmooth.runtime.proof.graphs.graph_certificate import RegionCertificate
 
 __all__ = [
     "FORCED",
@@ -212,7 +212,7 @@ def prove_doubling() -> CertifiedDoubling:
     return ns.certify.doubling(ns.continue_orbit(orbit, "V", (1.07, 1.09)), tiles=1)
 
 
-def prove_graph() -> GraphCertificate:
+def prove_graph() -> RegionCertificate:
     """Of speeds of the kicked mass, which tend to one."""
     data = {"k": 1, "r": "1/2", "a": 10}
     return ns.certify.region(kicked(), data, [0, 1.5], region={"v": (0.5, 4)}, boxes=16, levels=1)

@@ -5,6 +5,7 @@ length, (shape, ...) for one of this length, {name: shape} for exactly these nam
 any names, `Maybe` for an entry that may be missing, and `Either` for one of several.
 """
 
+import math
 import re
 from collections.abc import Iterable
 from typing import Any, NamedTuple
@@ -450,6 +451,12 @@ def check_sharp(box: list[dict[str, str]], bits: int) -> None:
         raise Failure(f"{bits} bits are more than the {digits} digits of its unknowns are for")
 
 
+def _apart(entry: Any, shape: Any) -> float:
+    """By how many names an entry differs from a shape; infinity where one of them has none."""
+    both = isinstance(entry, dict) and isinstance(shape, dict)
+    return len(entry.keys() ^ shape.keys()) if both else math.inf
+
+
 def _misfit(entry: Any, shape: Any) -> tuple[str, ...]:
     """Return what is wrong with an entry, then where, from the inside out; () if nothing is."""
     parts: Iterable[tuple[Any, Any, Any]] = ()
@@ -464,11 +471,9 @@ def _misfit(entry: Any, shape: Any) -> tuple[str, ...]:
     elif kind is Maybe:
         return _misfit(entry, shape.shape)
     elif kind is Either:
-        found = _WRONG
-        for each in shape.shapes:
-            if not (found := _misfit(entry, each)):
-                break
-        return found
+        if any(not _misfit(entry, each) for each in shape.shapes):
+            return ()
+        return _misfit(entry, min(shape.shapes, key=lambda each: _apart(entry, each)))
     elif kind is Named:
         fits = isinstance(entry, dict)
         parts = ((name, part, shape.shape) for name, part in entry.items()) if fits else ()

@@ -7,13 +7,15 @@ met, 130 when it was interrupted, 141 when nobody reads the answer any more.
 
 from __future__ import annotations
 
+import inspect
 import json
 import os
 import sys
 import traceback
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from typing import Annotated, Any, NoReturn
+from enum import Enum
+from typing import Annotated, Any, NoReturn, get_args
 
 import typer
 from typer.core import TyperGroup
@@ -27,6 +29,7 @@ __all__ = [
     "PURPOSES",
     "UNANSWERED",
     "WRONG_INPUT",
+    "Commands",
     "app",
     "fail",
     "is_unread",
@@ -35,6 +38,18 @@ __all__ = [
 
 ANSWERED, UNANSWERED, WRONG_INPUT, NOT_MET = 0, 1, 2, 3
 _UNREAD = 141  # as of a program that the closed pipe's signal ends
+_WORDS = {int: "an integer", float: "a number"}
+# what has another place than in versions before
+_MOVED = {
+    "--bits": "--digits",
+    "--box": "a range, V=0.9:1.1",
+    "--phase": "--at forcing-phase=pi/2",
+    "--region": "a range, x2=2:13",
+    "--simulate": "--from, with a system",
+    "--threads": "--workers",
+    "graph": "certify region",
+    "trapping": "certify region",
+}
 _UsageError: Any = typer.BadParameter.__base__  # Typer has a Click of its own, or shares it
 
 
@@ -49,7 +64,20 @@ PURPOSES = {
 }
 
 
-class _Door(TyperGroup):
+class Commands(TyperGroup):
+    """A group of commands that says where one is that it has not."""
+
+    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
+        """Find the command of the first word."""
+        name = args[0] if args else ""
+        proofs: Any = ctx.find_root().command.commands.get("certify", self)
+        if name not in self.commands and (name in _MOVED or name in proofs.commands):
+            place = _MOVED.get(name, f"certify {name}")
+            raise _UsageError(f"no such command '{name}'; in its place: nonsmooth {place}", ctx)
+        return super().resolve_command(ctx, args)
+
+
+class _Door(Commands):
     """The group of all commands; whatever exception stops a command leaves through `fail`."""
 
     def list_commands(self, ctx: Any) -> list[str]:
@@ -128,8 +156,9 @@ def _reason(problem: BaseException) -> tuple[int, str]:
             return WRONG_INPUT, one_line(str(problem))
         case _UsageError():
             path = problem.ctx.command_path if problem.ctx else "nonsmooth"
-            told = one_line(problem.format_message()).rstrip(".?")
-            return WRONG_INPUT, f"{told[:1].lower()}{told[1:]}; {path} --help shows the usage"
+            told = _wrong_value(problem) or one_line(problem.format_message()).rstrip(".?")
+            told = f"{told[:1].lower()}{told[1:]}{_elsewhere(problem)}"
+            return WRONG_INPUT, f"{told}; {path} --help shows the usage"
         case MemoryError():
             return UNANSWERED, "the memory is not enough for this"
         case OSError() if problem.strerror is not None:
@@ -140,6 +169,52 @@ def _reason(problem: BaseException) -> tuple[int, str]:
     except BaseException:  # of the exception's own text
         told = type(problem).__name__
     return UNANSWERED, f"internal error: {told}; run again with --debug and report it"
+
+
+def _wrong_value(problem: Any) -> str:
+    """What an option or argument takes that has a value of another type; empty for others."""
+    parameter = getattr(problem, "param", None)
+    if type(problem) is not typer.BadParameter or parameter is None or problem.ctx is None:
+        return ""
+    callback: Any = problem.ctx.command.callback
+    own = inspect.signature(callback).parameters
+    kind, *details = get_args(own[parameter.name].annotation)
+    while inner := [each for each in get_args(kind) if each is not type(None)]:
+        kind = inner[0]
+    if kind in _WORDS:
+        low = getattr(details[0], "min", None)
+        words = _WORDS[kind] if low is None else f"{_WORDS[kind]} from {low} on"
+    elif isinstance(kind, type) and issubclass(kind, Enum):
+        words = " or ".join(each.value for each in kind)
+    else:
+        return ""
+    flag = next((name for name in parameter.opts if name.startswith("-")), parameter.metavar)
+    return f"{flag} takes {words}"
+
+
+def _elsewhere(problem: Any) -> str:
+    """Where an option is that a command has not; empty if nowhere, and for other problems."""
+    name = getattr(problem, "option_name", None)
+    if name is None or problem.ctx is None:
+        return ""
+    if name in _MOVED:
+        return f"; in its place: {_MOVED[name]}"
+    every = dict(_commands(problem.ctx.find_root().command, "nonsmooth"))
+    word = f"nonsmooth certify {name.lstrip('-')}"
+    if word in every:
+        return f"; in its place: {word}"
+    having = [path for path, one in every.items() if any(name in p.opts for p in one.params)]
+    return f"; it is one of {', '.join(having)}" if having else ""
+
+
+def _commands(group: Any, path: str) -> Iterator[tuple[str, Any]]:
+    """All commands of a group and of those in it, by their words."""
+    for name, found in group.commands.items():
+        yield from (
+            _commands(found, f"{path} {name}")
+            if hasattr(found, "commands")
+            else [(f"{path} {name}", found)]
+        )
 
 
 def _version(asked: bool) -> None:

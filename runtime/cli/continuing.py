@@ -288,7 +288,6 @@ def _in_the_plane(
     """Follow an event in the plane of two parameters, keep and show it; gives the exit code."""
     from nonsmooth.runtime.cli.display import counted
     from nonsmooth.runtime.explore.continuation.continue_event import MOST_POINTS, continue_event
-    from nonsmooth.runtime.present.answers import locus_json
 
     what = f"following {event.kind.replace('-', ' ')}"
     with counted(what, 2 * MOST_POINTS) as progress:
@@ -300,7 +299,6 @@ def _in_the_plane(
     return reply.give(
         locus,
         stopped,
-        told=lambda: locus_json(locus),
         done=f"{len(locus)} points are done",
         resumes=False,
     )
@@ -310,7 +308,7 @@ def _beyond(branch: Branch, fixed: Mapping[str, Value]) -> Others:
     """Itineraries beyond each border collision, by the index of the event on the branch."""
     from nonsmooth.runtime.cli.display import steps
 
-    found: Others = {}
+    found: dict[int, list[dict[str, Any]]] = {}
     with steps() as begin:
         for number, event in enumerate(branch.events):
             if not event.border_collision:

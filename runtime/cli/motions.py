@@ -88,7 +88,6 @@ def simulate(
     from nonsmooth.runtime.model.structure import structure_of
     from nonsmooth.runtime.present.answers import (
         motion_derivatives_json,
-        motion_json,
         observables_json,
         proof_json,
     )
@@ -130,7 +129,7 @@ def simulate(
         proof = validate(system, values, exact, begin, motion.transitions)
 
     def told() -> dict[str, Any]:
-        found = motion_json(motion)
+        found = motion.to_json()
         if observed is not None:
             found["observables"] = observables_json(observed)
         if changes is not None:
@@ -206,7 +205,6 @@ def find(
     from nonsmooth.runtime.cli.display import steps
     from nonsmooth.runtime.cli.tables import show_result
     from nonsmooth.runtime.explore.finding.find import find_orbits
-    from nonsmooth.runtime.present.answers import found_json
     from nonsmooth.runtime.present.files.declaring import check_declaration, write_itineraries
 
     if write is not None:
@@ -250,7 +248,7 @@ def find(
     return reply.give(
         found,
         stopped,
-        told=lambda: {**found_json(found), "itineraries": list(names)},
+        told=lambda: {**found.to_json(), "itineraries": list(names)},
         show=show,
         done=f"{len(found.orbits) + len(found.equilibria)} orbits and equilibria are found",
     )
@@ -313,7 +311,6 @@ def sweep(
     """Draw a bifurcation diagram by brute force: where motions settle over one parameter."""
     from nonsmooth.runtime.cli.display import counted
     from nonsmooth.runtime.explore.finding.sweep import sweep as follow
-    from nonsmooth.runtime.present.answers import sweep_json
     from nonsmooth.runtime.present.files.kept import format_named
     from nonsmooth.runtime.present.pictures.maps import draw_sweep
 
@@ -332,7 +329,6 @@ def sweep(
     return reply.give(
         diagram,
         stopped,
-        told=lambda: sweep_json(diagram),
         figure=lambda: draw_sweep(diagram),
         done=f"{diagram.done} of {count} values are done",
     )

@@ -200,7 +200,8 @@ Resume = Annotated[
     typer.Option(
         "--resume",
         metavar="FILE",
-        help="Go on with what --save wrote: the file holds the question, and keeps the answer.",
+        help="Go on with what --save wrote: the file holds the question, which is then left out,"
+        " and keeps the answer.",
         autocompletion=complete_files,
         rich_help_panel=KEPT,
     ),

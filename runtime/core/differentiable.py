@@ -99,7 +99,7 @@ class DifferentiableFunction(Shown):
         -------
         array (..., m)
         """
-        along = real_array("direction", direction)
+        along = _weights("direction", direction, self.inputs)
         return np.asarray((self.jacobian(x) @ along[..., None])[..., 0])
 
     def vjp(self, x: Any, cotangent: Any) -> np.ndarray:
@@ -115,7 +115,7 @@ class DifferentiableFunction(Shown):
         -------
         array (..., q)
         """
-        factors = real_array("cotangent", cotangent)
+        factors = _weights("cotangent", cotangent, self.outputs)
         if self.pull is None:
             return np.asarray((factors[..., None, :] @ self.jacobian(x))[..., 0, :])
         points, lead = self._points(x)
@@ -183,3 +183,11 @@ class DifferentiableFunction(Shown):
         array = real_array("x", x)
         self.check_shape(array.shape)
         return array.reshape(-1, len(self.inputs)), array.shape[:-1]
+
+
+def _weights(label: str, given: Any, names: tuple[str, ...]) -> np.ndarray:
+    """Array (..., k) with a number for each of k names."""
+    array = real_array(label, given)
+    if array.shape[-1:] != (len(names),):
+        raise InputError(f"{label} has the shape {array.shape}; one number each for {names}")
+    return array

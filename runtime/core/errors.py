@@ -10,6 +10,7 @@ from typing import Any
 
 LONGEST_LINE = 1000  # characters of a message
 _LONGEST_NAME = 80
+_LONGEST_LIST = 160
 
 
 class NonsmoothError(Exception):
@@ -52,15 +53,23 @@ def unknown_name(kind: str, name: object, known: Iterable[str]) -> InputError:
     """
     names = list(known)
     if not isinstance(name, str):
-        return InputError(f"{kind}: {one_line(repr(name))} is no name; known: {', '.join(names)}")
+        return InputError(f"{kind}: {one_line(repr(name))} is no name; known: {_listed(names)}")
     if len(name) > _LONGEST_NAME:
         name = f"{name[:_LONGEST_NAME]}..."
     lowered = {other.lower(): other for other in reversed(names)}
     nearest = get_close_matches(name.lower(), lowered, n=1, cutoff=0.4)
     hint = f" did you mean {lowered[nearest[0]]!r}?" if nearest else ""
-    listing = f" known: {', '.join(names)}" if names else ""
+    listing = f" known: {_listed(names)}" if names else ""
     separator = ";" if hint or listing else ""
     return InputError(f"unknown {kind} {name!r}{separator}{hint}{listing}")
+
+
+def _listed(names: list[str]) -> str:
+    """Names in their order; of many the first."""
+    told = ", ".join(names)
+    if len(told) <= _LONGEST_LIST:
+        return told
+    return f"{told[: told.rindex(', ', 0, _LONGEST_LIST)]}, ... ({len(names)} in all)"
 
 
 def one_or_several(given: Any) -> tuple[Any, ...]:
@@ -90,17 +99,16 @@ def chosen_names(kind: str, chosen: Any, known: Iterable[str]) -> tuple[str, ...
     """
     names, every = one_or_several(chosen), tuple(known)
     if not names:
-        raise InputError(f"no {kind} is named; known: {', '.join(every)}")
+        raise InputError(f"no {kind} is named; known: {_listed([*every])}")
     for name in names:
         if name not in every:
             raise unknown_name(kind, name, every)
     return names
 
 
-def check_integer(name: str, number: object, least: int, most: int | None = None) -> None:
-    """Refuse what is no integer from `least` to `most`, or from `least` on; True is none."""
-    whole = number if isinstance(number, int) and not isinstance(number, bool) else least - 1
-    if whole < least or (most is not None and whole > most):
+def check_integer(name: str, number: int, least: int, most: int | None = None) -> None:
+    """Refuse an integer that is not from `least` to `most`, or from `least` on."""
+    if number < least or (most is not None and number > most):
         known = f"an integer from {least} {'on' if most is None else f'to {most}'}"
         known = "a positive integer" if (least, most) == (1, None) else known
         raise InputError(f"{name} = {number!r} is not {known}")

@@ -93,7 +93,7 @@ class _Raised(NamedTuple):
 
 def check_workers(workers: int) -> None:
     """Raise `InputError` unless the number of processes is an integer from 1 to 1024."""
-    if isinstance(workers, bool) or not isinstance(workers, int) or not 1 <= workers <= _MOST:
+    if not 1 <= workers <= _MOST:
         raise InputError(f"workers = {workers!r} is not an integer from 1 to {_MOST}")
 
 

@@ -10,6 +10,8 @@ from collections.abc import Mapping
 from importlib import import_module
 from typing import Any, ClassVar
 
+from nonsmooth.runtime.core.arguments import checked_methods
+
 __all__ = ["Certified", "Kept", "Shown", "register", "registered"]
 
 _PLACES: dict[str, str] = {}
@@ -27,6 +29,10 @@ def registered(name: str) -> Any:
 
 class Shown:
     """A result that tells what it is; `present.tell` has the words of each kind."""
+
+    def __init_subclass__(cls, **options: Any) -> None:
+        super().__init_subclass__(**options)
+        checked_methods(cls)
 
     def __repr__(self) -> str:
         text: str = registered("result_text")(self)
@@ -48,6 +54,15 @@ class Kept(Shown):
         An `InputError` says that the file cannot be written.
         """
         registered(self._kept_by)(self, path)
+
+    def to_json(self) -> dict[str, Any]:
+        """Give the result as JSON, ready for `json.dumps`.
+
+        Numbers keep all their digits, most of them as decimal strings; one that is not known is
+        null.
+        """
+        told: dict[str, Any] = registered("result_json")(self)
+        return told
 
 
 class Certified(Kept):

@@ -154,12 +154,16 @@ def as_value(number: object) -> Value:
             exact = parts[0] * Fraction(2) ** parts[1]
         case Real() | Decimal():
             return parse(str(number))  # NumPy's other floats print their shortest decimal
+        case _ if getattr(number, "shape", None) == () and hasattr(number, "__len__"):
+            import numpy as np
+
+            return as_value(np.asarray(number)[()])
         case _:
             raise InputError(f"{' '.join(repr(number).split())[:60]} is not a real number")
     try:
         return _value(str(exact), exact)
     except ValueError:  # Python refuses to print integers of more than 4300 digits
-        raise InputError(f"a {type(number).__name__} has too many digits or is too large") from None
+        raise InputError("the number has too many digits or is too large") from None
 
 
 def by_name(label: str, given: Any) -> dict[str, Any]:

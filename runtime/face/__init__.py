@@ -5,6 +5,7 @@ The public names, each imported when it is first used. Systems are declared with
 """
 
 from importlib import import_module
+from types import FunctionType
 from typing import TYPE_CHECKING
 
 from nonsmooth.runtime.core.registry import register
@@ -73,7 +74,6 @@ __all__ = [*_HOMES, "__version__"]
 register(
     "nonsmooth.runtime",
     {
-        "design_json": "present.answers",
         "draw_basin": "present.pictures.certified_basins",
         "draw_box": "present.pictures.proven_maps",
         "draw_chaos": "present.pictures.horseshoes",
@@ -85,18 +85,17 @@ register(
         "draw_locus": "present.pictures.branches",
         "draw_sweep": "present.pictures.maps",
         "fit_figure": "present.pictures.fits",
-        "fit_json": "present.answers",
         "found_held": "present.files.found",
         "held_found": "present.files.found",
         "itinerary_of": "simulation.recurrence",
         "motion_derivatives": "simulation.derivatives",
         "orbit_derivatives": "orbits.derivatives",
-        "orbit_json": "present.report",
         "orbit_latex": "present.tell",
         "plot_fit": "present.pictures.fits",
         "plot_orbit": "present.pictures.plot",
         "plot_trajectory": "present.pictures.plot",
         "result_html": "present.tell",
+        "result_json": "present.answers",
         "result_text": "present.tell",
         "save_found": "present.files.found",
         "save_orbit": "orbits.orbit_file",
@@ -115,6 +114,11 @@ def __getattr__(name: str) -> object:
         value: object = version("nonsmooth")
     elif name in _HOMES:
         value = getattr(import_module(f"nonsmooth.{_HOMES[name]}"), name)
+        if isinstance(value, FunctionType):
+            from nonsmooth.runtime.core.arguments import checked
+
+            value = checked(value)
+            value.__module__ = __name__  # by which pickle finds it
     else:
         raise AttributeError(f"module 'nonsmooth' has no attribute {name!r}")
     globals()[name] = value

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from inspect import signature
 
+from nonsmooth.runtime.core.arguments import checked
 from nonsmooth.runtime.present.checking.check_file import check_certificate
 from nonsmooth.runtime.proof.basin.certify_basin import certify_basin
 from nonsmooth.runtime.proof.boxes.certify_box import certify_box
@@ -28,17 +29,17 @@ class Certify:
     `check`.
     """
 
-    __call__ = staticmethod(certify_orbit)
-    box = staticmethod(certify_box)
-    branch = staticmethod(certify_branch)
-    event = staticmethod(certify_event)
-    doubling = staticmethod(certify_doubling)
-    all = staticmethod(certify_all)
-    basin = staticmethod(certify_basin)
-    chaos = staticmethod(certify_chaos)
-    region = staticmethod(certify_graph)
-    motion = staticmethod(validate)
-    check = staticmethod(check_certificate)
+    __call__ = staticmethod(checked(certify_orbit))
+    box = staticmethod(checked(certify_box))
+    branch = staticmethod(checked(certify_branch))
+    event = staticmethod(checked(certify_event))
+    doubling = staticmethod(checked(certify_doubling))
+    all = staticmethod(checked(certify_all))
+    basin = staticmethod(checked(certify_basin))
+    chaos = staticmethod(checked(certify_chaos))
+    region = staticmethod(checked(certify_graph))
+    motion = staticmethod(checked(validate))
+    check = staticmethod(checked(check_certificate))
 
     def __repr__(self) -> str:
         return "certify, with its methods for more than an orbit: help(nonsmooth.certify)"
@@ -46,5 +47,9 @@ class Certify:
     def __init__(self) -> None:
         self.__signature__ = signature(certify_orbit)  # Python 3.11 takes its first name for self
 
+
+for _name, _method in vars(Certify).items():
+    if isinstance(_method, staticmethod):  # pickle finds it by these
+        _method.__func__.__module__, _method.__func__.__qualname__ = __name__, f"Certify.{_name}"
 
 certify = Certify()

@@ -289,7 +289,7 @@ def grown(kernels: SystemKernels, visits: Iterable[Visit] = ()) -> SystemKernels
 
 def _text(name: Any, kind: str) -> str:
     if not isinstance(name, str | os.PathLike):
-        raise InputError(f"a {type(name).__name__} is no {kind}, and no name of one")
+        raise InputError(f"what is of type {type(name).__name__} is no {kind}, and no name of one")
     return str(os.fspath(name))
 
 

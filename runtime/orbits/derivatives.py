@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from nonsmooth.runtime.core.arguments import checked_methods
 from nonsmooth.runtime.core.differentiable import DifferentiableFunction
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, chosen_names, unknown_name
 from nonsmooth.runtime.core.values import Value, as_value
@@ -45,6 +46,7 @@ _SHORTEST = 1.0 / 1024  # of the way
 _FAR = 0.2  # difference from the prediction, in units of the unknowns, of another orbit
 
 
+@checked_methods
 @dataclass(frozen=True, eq=False)
 class OrbitDerivatives:
     """Derivatives of an orbit by q numbers that were given, the others kept.
@@ -179,10 +181,9 @@ class OrbitDerivatives:
         InputError
             For another name, and with many digits.
         """
-        key = str(name)  # what is no name is refused
-        if key not in self._extremes:
-            self._extremes[key] = self.along.local_extremes(name)
-        return self._extremes[key]
+        if name not in self._extremes:
+            self._extremes[name] = self.along.local_extremes(name)
+        return self._extremes[name]
 
     @cached_property
     def _extremes(self) -> dict[str, tuple[LocalExtreme, ...]]:

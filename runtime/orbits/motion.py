@@ -161,7 +161,7 @@ class Motion(Shown):
             For counts that are not positive integers, or far too large.
         """
         for label, count in (("points_per_period", points_per_period), ("periods", periods)):
-            if isinstance(count, bool) or not isinstance(count, int | np.integer) or count < 1:
+            if count < 1:
                 raise InputError(f"{label} = {count!r} is not a positive integer")
         if points_per_period * periods > MOST_SAMPLES:
             raise InputError(f"more than {MOST_SAMPLES} points")

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from nonsmooth.runtime.core.arguments import checked_methods
 from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.model.piecewise import piecewise
@@ -83,6 +84,7 @@ class LocalExtreme(NamedTuple):
     time: float  # since the start of the orbit
 
 
+@checked_methods
 class OrbitMotionDerivatives:
     """An orbit by tables as it moves in q directions: a closed chain of phases.
 
@@ -207,7 +209,7 @@ class OrbitMotionDerivatives:
         order of time. `InputError` is raised for another name, and for an orbit with many
         digits.
         """
-        kind, _, of = str(name).partition(":")
+        kind, _, of = name.partition(":")
         if kind not in KINDS or not of:
             raise unknown_name("quantity with extremes", name, self.names)
         if self.cycles.lib is not None:

@@ -39,7 +39,7 @@ __all__ = ["Itinerary", "guess_along", "search", "solve_kernels"]
 STARTS_PER_UNKNOWN, STARTS_OF_ONE = 40, 400
 SHORTEST_DWELL, LONGEST_DWELL = 1e-6, 12.6  # up to two periods of the unit frequency
 
-Itinerary = Sequence[tuple[str, str]] | Recurrence
+Itinerary = Sequence[tuple[str, str | Sequence[str]]] | Recurrence
 
 
 def guess_along(
@@ -99,7 +99,7 @@ def _in_order(guess: Mapping[str, Any], count: int, states: Sequence[str]) -> li
 def solve_kernels(
     kernels: OrbitKernels,
     parameters: Mapping[str, object] | None = None,
-    guess: Sequence[float] | Mapping[str, float] | None = None,
+    guess: Sequence[Any] | np.ndarray | Mapping[str, Any] | None = None,
     *,
     unknown: Iterable[str] = (),
     given: Mapping[str, object] | None = None,
@@ -315,7 +315,7 @@ def _approached(
 def _start(
     kernels: OrbitKernels,
     point: Point,
-    guess: Sequence[float] | Mapping[str, float] | None,
+    guess: Sequence[Any] | np.ndarray | Mapping[str, Any] | None,
     swapped: Sequence[str],
 ) -> dict[str, float]:
     """Return a start for every unknown, and for exchanged parameters if they are given."""

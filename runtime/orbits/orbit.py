@@ -11,7 +11,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.core.errors import InputError, unknown_name
-from nonsmooth.runtime.core.registry import Shown, registered
+from nonsmooth.runtime.core.registry import Kept, Shown, registered
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
 from nonsmooth.runtime.orbits.admissible import NEITHER, Admissibility
@@ -23,8 +23,6 @@ from nonsmooth.runtime.simulation.simulate import checked_count
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 if TYPE_CHECKING:
-    import os
-
     from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
     from nonsmooth.runtime.orbits.problem import Evaluation, OrbitProblem
 
@@ -52,7 +50,7 @@ _BY_POINT = (
 
 
 @dataclass(frozen=True, repr=False)
-class Orbit(Shown):
+class Orbit(Kept):
     """A periodic orbit of an itinerary, or what a solver reached when it found none.
 
     Attributes
@@ -78,6 +76,8 @@ class Orbit(Shown):
     starts : array (p, N) or None
         State at the start of each phase, where the solver has found them all.
     """
+
+    _kept_by = "save_orbit"
 
     problem: OrbitProblem
     given: Mapping[str, Value]
@@ -398,17 +398,6 @@ class Orbit(Shown):
         """
         return self.evaluation.trajectory(checked_count("periods", periods, 1))
 
-    def to_json(self) -> dict[str, Any]:
-        """Give the orbit as JSON.
-
-        Returns
-        -------
-        dict of str to JSON value
-            Numbers are decimal strings with all their digits.
-        """
-        told: dict[str, Any] = registered("orbit_json")(self)
-        return told
-
     def motion(self) -> Motion:
         """Give the motion along the orbit: its state at any time, in double precision.
 
@@ -438,16 +427,6 @@ class Orbit(Shown):
         """
         return registered("plot_orbit")(self, kind, axes, **options)
 
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the orbit to a file with every digit; `nonsmooth.load` reads it.
-
-        Parameters
-        ----------
-        path : str or path
-            A JSON file; folders above it are made.
-        """
-        registered("save_orbit")(self, path)
-
     def _repr_latex_(self) -> str:
         text: str = registered("orbit_latex")(self)
         return text
@@ -460,18 +439,8 @@ def kernel_arguments(kernels: OrbitKernels, values: Mapping[str, Any], lib: Any)
     return parameters, spectrum, [values[name] for name in kernels.unknowns], derivatives
 
 
-def check_converged(orbit: object, doing: str) -> None:
-    """Refuse what is no orbit, or one that has not converged.
-
-    `doing` says in the message what was to be done with it, as ``"certified"``. The
-    message of the `InputError` says where orbits are to be taken from, if there are any.
-    """
-    if not isinstance(orbit, Orbit):
-        name = type(orbit).__name__
-        places = {"orbit": f"the .orbit of a {name}", "orbits": f"one of the .orbits of a {name}"}
-        remedy = next((text for key, text in places.items() if hasattr(orbit, key)), None)
-        remedy = f"take {remedy}" if remedy else "take what solve gives"
-        raise InputError(f"a {name} cannot be {doing}, an Orbit can: {remedy}")
+def check_converged(orbit: Orbit, doing: str) -> None:
+    """Refuse an orbit that has not converged; `doing` says what was to be done with it."""
     if not orbit.converged:
         raise InputError(f"{orbit.name} cannot be {doing}: {orbit.message}")
 

@@ -146,9 +146,9 @@ def enclosed_trace(orbit: Orbit) -> Any:
         return lib.flint.arb(orbit.kernels.evaluate("trace", at=at, lib=lib))
 
 
-def check_digits(digits: object) -> None:
+def check_digits(digits: int) -> None:
     """Refuse a number of digits that is no integer, or out of range."""
-    if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= MOST_DIGITS:
+    if not 1 <= digits <= MOST_DIGITS:
         raise InputError(f"digits = {digits} is not an integer from 1 to {MOST_DIGITS}")
 
 

@@ -303,7 +303,7 @@ def solve(
 def solve(
     orbit: AnyOrbit,
     parameters: Mapping[str, object] | None = None,
-    guess: Any = None,
+    guess: Sequence[Any] | np.ndarray | Mapping[str, Any] | None = None,
     *,
     itinerary: Itinerary | None = None,
     symmetry: Symmetries = None,

@@ -169,7 +169,7 @@ def period_in(
 
 def named_guess(
     kernels: OrbitKernels,
-    guess: Sequence[float] | Mapping[str, float] | None,
+    guess: Sequence[Any] | np.ndarray | Mapping[str, Any] | None,
     names: Sequence[str],
     least: int,
     others: Mapping[str, str],
@@ -247,7 +247,7 @@ def whole_names(kernels: OrbitKernels, count: int) -> tuple[str, ...]:
 def solve_declared(
     kernels: OrbitKernels,
     parameters: Mapping[str, object],
-    guess: Sequence[float] | Mapping[str, float] | None = None,
+    guess: Sequence[Any] | np.ndarray | Mapping[str, Any] | None = None,
     *,
     unknown: Iterable[str] = (),
     given: Mapping[str, object] | None = None,

@@ -1,14 +1,16 @@
-"""Results as JSON that commands print; numbers are decimal strings of the same doubles."""
+"""Results as JSON; numbers are decimal strings of the same doubles, and null if unknown."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import singledispatch
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.json_codec import encode, nan_as_null
+from nonsmooth.runtime.core.json_codec import answer, encode, nan_as_null
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.continue_event import Locus
 from nonsmooth.runtime.explore.design.optimum import Design
@@ -16,6 +18,7 @@ from nonsmooth.runtime.explore.finding.found import Found, FoundEquilibrium, Fou
 from nonsmooth.runtime.explore.finding.outcomes import settled_texts
 from nonsmooth.runtime.explore.finding.sweep import Sweep
 from nonsmooth.runtime.explore.fitting.fit_record import Fit
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.report import orbit_json
 from nonsmooth.runtime.proof.motion.motion_proof import Proof
 from nonsmooth.runtime.simulation.derivatives import MotionDerivatives
@@ -27,22 +30,24 @@ from nonsmooth.runtime.simulation.trajectory import Trajectory
 __all__ = [
     "Others",
     "branch_json",
-    "design_json",
-    "fit_json",
-    "found_json",
     "largest_exponent",
-    "locus_json",
     "motion_derivatives_json",
-    "motion_json",
     "observables_json",
     "proof_json",
-    "sweep_json",
+    "result_json",
 ]
 
-Others = dict[int, list[dict[str, Any]]]  # itineraries beyond events, by the events' numbers
+Others = Mapping[int, list[dict[str, Any]]]  # itineraries beyond events, by the events' numbers
 
 
-def motion_json(motion: Trajectory) -> dict[str, Any]:
+@singledispatch
+def result_json(result: Any) -> dict[str, Any]:
+    """A result as JSON: what its own function below writes, else what its record holds."""
+    return answer(result)
+
+
+@result_json.register
+def _motion_json(motion: Trajectory) -> dict[str, Any]:
     """A motion as JSON: one entry for the start and one behind each transition.
 
     States are physical: positions, then velocities, in the order of `names`.
@@ -93,7 +98,8 @@ def motion_derivatives_json(found: MotionDerivatives) -> dict[str, Any]:
     }
 
 
-def sweep_json(diagram: Sweep) -> dict[str, Any]:
+@result_json.register
+def _sweep_json(diagram: Sweep) -> dict[str, Any]:
     """A bifurcation diagram as JSON: for each value of the parameter the sampled points."""
     rows = zip(diagram.values.tolist(), diagram.samples.tolist(), strict=True)
     texts = settled_texts()
@@ -174,7 +180,8 @@ def _extreme_json(extreme: Extreme) -> dict[str, str]:
     return {"value": repr(extreme.value), "time": repr(extreme.time)}
 
 
-def branch_json(branch: Branch, others: Others) -> dict[str, Any]:
+@result_json.register
+def branch_json(branch: Branch, others: Others = MappingProxyType({})) -> dict[str, Any]:
     """A branch as JSON; `others` holds itineraries beyond events, by the events' indices."""
     return {
         "orbit": branch.name,
@@ -203,7 +210,8 @@ def branch_json(branch: Branch, others: Others) -> dict[str, Any]:
     }
 
 
-def locus_json(locus: Locus) -> dict[str, Any]:
+@result_json.register
+def _locus_json(locus: Locus) -> dict[str, Any]:
     """A curve of events as JSON."""
     return {
         "orbit": locus.name,
@@ -223,7 +231,8 @@ def _finite(values: Any) -> list[float | None]:
     return [x if abs(x) < float("inf") else None for x in values.tolist()]
 
 
-def design_json(design: Design) -> dict[str, Any]:
+@result_json.register
+def _design_json(design: Design) -> dict[str, Any]:
     """A design as JSON, without its orbits' files.
 
     Numbers are decimal strings, and null if unknown.
@@ -236,7 +245,8 @@ def design_json(design: Design) -> dict[str, Any]:
     return {name: nan_as_null(entry) for name, entry in found.items()}
 
 
-def fit_json(fit: Fit) -> dict[str, Any]:
+@result_json.register
+def _fit_json(fit: Fit) -> dict[str, Any]:
     """A fit as JSON; numbers are decimal strings with every digit, and null if unknown."""
     found = {"system": fit.system, **encode(fit, without=("system",))}
     found["standard_errors"] = [repr(each) for each in fit.standard_errors.tolist()]
@@ -248,7 +258,8 @@ def fit_json(fit: Fit) -> dict[str, Any]:
     return {name: nan_as_null(entry) for name, entry in found.items()}
 
 
-def found_json(found: Found) -> dict[str, Any]:
+@result_json.register
+def _found_json(found: Found) -> dict[str, Any]:
     """Orbits, basins and shares as JSON; numbers are decimal strings of the exact doubles."""
 
     def part(entry: FoundOrbit | FoundEquilibrium, verdict: str, place: int, before: int) -> Any:
@@ -314,3 +325,8 @@ def found_json(found: Found) -> dict[str, Any]:
         "resting": repr(found.resting),
         "unclassified": repr(found.unclassified),
     }
+
+
+@result_json.register
+def _orbit_json(orbit: Orbit) -> dict[str, Any]:
+    return orbit_json(orbit)

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.proof.counting.census import Bounds, Census, Counted
     from nonsmooth.runtime.proof.doubling.certified_doubling import CertifiedDoubling
     from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
-    from nonsmooth.runtime.proof.graphs.graph_certificate import Component, GraphCertificate
+    from nonsmooth.runtime.proof.graphs.graph_certificate import Component, RegionCertificate
     from nonsmooth.runtime.proof.motion.motion_proof import Enclosure, Proof
 
 __all__ = ["PROOFS"]
@@ -295,7 +295,7 @@ def _inequalities(bounds: Bounds) -> str:
     return ", ".join(f"{low} <= {name} <= {high}" for name, (low, high) in bounds.items())
 
 
-def _section(found: BasinCertificate | ChaosCertificate | GraphCertificate) -> str:
+def _section(found: BasinCertificate | ChaosCertificate | RegionCertificate) -> str:
     """A phrase that says from which section to which the map P of a certificate goes."""
     if found.phase:
         cosine, sine = found.phase
@@ -367,7 +367,7 @@ def _chaos(found: ChaosCertificate) -> Told:
     ]
 
 
-def _graph(found: GraphCertificate) -> Told:
+def _graph(found: RegionCertificate) -> Told:
     grid = found.graph.grid
     region = [f"{name} = {a:g}:{b:g}" for name, (a, b) in found.region.items()]
     divided = f", divided into {len(grid)}" if len(grid) > len(grid.grid) else ""
@@ -380,7 +380,7 @@ def _graph(found: GraphCertificate) -> Told:
     listed = found.components[:_SETS]
     rows = [_component(found, number, own) for number, own in enumerate(listed)]
     rest = len(found.components) - _SETS
-    return f"graph of boxes of {shown_name(found.system)}", [
+    return f"region of {shown_name(found.system)}", [
         ("proved", told),
         ("components", Listing(("component", "boxes", "within", "", "leads to"), rows)),
         ("smaller", [f"{rest} components"] if rest > 0 else []),
@@ -392,7 +392,7 @@ def _graph(found: GraphCertificate) -> Told:
     ]
 
 
-def _component(found: GraphCertificate, number: int, own: Component) -> list[str]:
+def _component(found: RegionCertificate, number: int, own: Component) -> list[str]:
     ends = zip(found.coordinates, own.low, own.high, strict=True)
     within = ", ".join(f"{name} = {a:g}:{b:g}" for name, a, b in ends)
     ahead = [str(j) for i, j in found.arrows if i == number]
@@ -462,7 +462,7 @@ PROOFS: dict[str, Callable[[Any], Told]] = {
     "ChaosCertificate": _chaos,
     "Check": _check,
     "EventCertificate": _event_certificate,
-    "GraphCertificate": _graph,
+    "RegionCertificate": _graph,
     "Proof": _proof,
     "tuple": _events,
 }

@@ -18,6 +18,7 @@ from typing import Any
 
 import numpy as np
 
+from nonsmooth.runtime.core.arguments import checked_methods
 from nonsmooth.runtime.core.complex_steps import imaginary_parts, stepped
 from nonsmooth.runtime.core.errors import InputError, chosen_names, unknown_name
 from nonsmooth.runtime.core.values import real_array
@@ -52,6 +53,7 @@ __all__ = [
 ]
 
 
+@checked_methods
 @dataclass(frozen=True, eq=False)
 class MotionDerivatives:
     """Derivatives of a motion by q numbers: parameters, and states at the start.
@@ -347,6 +349,8 @@ def motion_derivatives(
     else:
         chosen = chosen_numbers(by, trajectory.names, names)
     array = np.atleast_1d(real_array("times", [] if times is None else times))
+    if array.ndim > 1:
+        raise InputError(f"times: a row is expected, not the shape {array.shape}")
     if not ((array >= 0) & (array <= trajectory.end)).all():
         raise InputError(f"a time is not between 0 and the end of the motion, {trajectory.end!r}")
     check_times(trajectory, array, one_sided)

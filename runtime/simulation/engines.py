@@ -87,8 +87,16 @@ class Trajectories(Shown):
         Returns
         -------
         Trajectories
+
+        Raises
+        ------
+        InputError
+            For what is no index of the motions.
         """
-        return self._with(lambda array: array[places])
+        try:
+            return self._with(lambda array: array[places])
+        except (IndexError, TypeError):
+            raise InputError(f"places: no index of {self.status.shape} motions") from None
 
     def reshaped(self, *shape: int) -> Trajectories:
         """Give the same motions in another common shape.
@@ -101,9 +109,17 @@ class Trajectories(Shown):
         Returns
         -------
         Trajectories
+
+        Raises
+        ------
+        InputError
+            If another number of motions has that shape.
         """
         inner = self.status.ndim
-        return self._with(lambda array: array.reshape((*shape, *array.shape[inner:])))
+        try:
+            return self._with(lambda array: array.reshape((*shape, *array.shape[inner:])))
+        except ValueError:
+            raise InputError(f"shape = {shape} is none of {self.status.size} motions") from None
 
     @property
     def arrays(self) -> list[np.ndarray]:

@@ -12,11 +12,12 @@ from typing import Any
 
 import numpy as np
 
+from nonsmooth.runtime.core.arguments import checked_methods
 from nonsmooth.runtime.core.errors import unknown_name
 from nonsmooth.runtime.model.structure import Structure
 from nonsmooth.runtime.simulation.moved_phases import moments
 from nonsmooth.runtime.simulation.phase_functions import Extreme, extremes, phases_of
-from nonsmooth.runtime.simulation.trajectory import Trajectory, check_trajectory
+from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = [
     "ContactObservables",
@@ -49,6 +50,7 @@ class ContactObservables:
         return max(abs(self.minimum.value), abs(self.maximum.value))
 
 
+@checked_methods
 @dataclass(frozen=True, eq=False)
 class Observables:
     """Observables of a motion from a time on.
@@ -175,7 +177,6 @@ def observe(trajectory: Trajectory, since: float = 0.0) -> Observables:
     >>> ns.observe(motion).duration > 0
     True
     """
-    check_trajectory(trajectory)
     system, structure = trajectory.system, trajectory.structure
     phases = phases_of(trajectory, since)
     duration = trajectory.end - float(since)

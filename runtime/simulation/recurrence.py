@@ -22,7 +22,7 @@ from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import Structure
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
 from nonsmooth.runtime.simulation.engines import Trajectories
-from nonsmooth.runtime.simulation.trajectory import Trajectory, check_trajectory
+from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = [
     "Candidate",
@@ -302,7 +302,6 @@ def itinerary_of(
     >>> solve("dry-friction", data, itinerary=recurrence).converged
     True
     """
-    check_trajectory(trajectory)
     since = real_number("since", since)
     period = None if period is None else real_number("period", period)
     if not 0 <= since <= trajectory.end:

@@ -13,6 +13,7 @@ from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.core.registry import Shown
 from nonsmooth.runtime.core.values import real_array
 from nonsmooth.runtime.model.kernels import SystemKernels
+from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.modes.natural_units import fall_rates, natural_units
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.model.structure import TransitionShape
@@ -166,7 +167,7 @@ class PoincareMap(Shown):
 
 
 def poincare_map(
-    system: str | SystemKernels,
+    system: str | SystemKernels | DeclaredSystem,
     parameters: Mapping[str, object],
     section: tuple[str, str, str],
 ) -> PoincareMap:
@@ -200,8 +201,6 @@ def poincare_map(
     point = piecewise(system, parameters)
     structure = point.structure
     structure.check_listed("a Poincaré map")
-    if not isinstance(section, list | tuple) or len(section) != 3:
-        raise InputError("a section is (configuration, boundary, configuration)")
     source, target = structure.configuration(section[0]), structure.configuration(section[2])
     boundary = structure.boundary(source, section[1])
     for transition in structure.transitions_to(source, frozenset({boundary}), target):

@@ -104,7 +104,7 @@ def simulate(
 def simulate(
     system: AnySystem,
     parameters: Mapping[str, object],
-    state: Any,
+    state: Sequence[Any] | np.ndarray | Mapping[str, Any],
     configuration: Any = None,
     *,
     until: Any = math.inf,

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError, missing_extra, one_line
-from nonsmooth.runtime.core.registry import Shown, registered
+from nonsmooth.runtime.core.errors import InputError, missing_extra
+from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.core.values import Value, real_array
 from nonsmooth.runtime.model.boundary_sets import members_of, names_of
 from nonsmooth.runtime.model.engine_run import Grazing, Run, Status
@@ -25,13 +25,13 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.simulation.derivatives import MotionDerivatives
     from nonsmooth.runtime.simulation.recurrence import Recurrence
 
-__all__ = ["Trajectory", "check_trajectory"]
+__all__ = ["Trajectory"]
 
 _ROUNDING = 1e-14  # of the end of a motion
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Trajectory(Shown):
+class Trajectory(Kept):
     """A motion from event to event, in physical coordinates.
 
     Calling it gives the state at any times between its start and its end, from the flows in
@@ -194,7 +194,7 @@ class Trajectory(Shown):
         InputError
             For a count that is no positive integer, or far too large.
         """
-        if isinstance(points, bool) or not isinstance(points, int | np.integer) or points < 1:
+        if points < 1:
             raise InputError(f"points = {points!r} is not a positive integer")
         times, states = [], []
         breaks = [*self.times.tolist(), max(self.end, float(self.times[-1]))]
@@ -355,9 +355,3 @@ class Trajectory(Shown):
 
     def _phases(self, times: np.ndarray) -> np.ndarray:
         return np.searchsorted(self.times, times, side="right") - 1
-
-
-def check_trajectory(given: object) -> None:
-    """Refuse what is no motion."""
-    if not isinstance(given, Trajectory):
-        raise InputError(f"{one_line(repr(given), 60)} is no motion: `simulate` gives one")

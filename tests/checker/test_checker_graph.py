@@ -52,7 +52,7 @@ def refused(content, tmp_path, told):
 def test_a_true_file_is_proved_again_and_loaded(found, path):
     check = ns.certify.check(path)
     assert check.difference is None
-    assert check.claims == {"trapping": "proved"}
+    assert check.claims == {"region": "proved"}
     again = ns.load(path)
     assert again.to_json() == found.to_json()
     assert again.graph.grid == found.graph.grid
@@ -78,7 +78,7 @@ def test_a_true_file_of_two_coordinates_is_proved_again(tmp_path):
     found.save(tmp_path / "graph.json")
     check = ns.certify.check(tmp_path / "graph.json")
     assert check.difference is None
-    assert check.claims == {"trapping": "proved"}
+    assert check.claims == {"region": "proved"}
     # a box of unknown image is not called known
     content = json.loads((tmp_path / "graph.json").read_text())
     unknown = found.graph.unknown.astype(int)

@@ -50,7 +50,7 @@ def test_people_see_claims_reasons_and_margins() -> None:
         ([STICK, "--require", "proved"], 0, ""),
         (["orbit"], 2, "missing argument"),
         (["bx", STICK], 2, "Did you mean 'box'"),
-        ([STICK, "--digits", "0"], 2, "greater than or equal to 1"),
+        ([STICK, "--digits", "0"], 2, "an integer from 1 on"),
         ([STICK, "eta=0"], 2, "eta"),
         ([STICK, "etta=1"], 2, "did you mean"),
         ([STICK, "--derivatives", "W"], 2, "unknown given parameter 'W'"),

@@ -283,7 +283,7 @@ def test_seed_and_box_reach_the_search(found):
         ("x1=0:1 x1=0:1", "parameter x1 is given twice"),
         ("V=2", "parameter V is given twice"),
         ("z=16..30", "z: '16..30' is no number; a range, where one is taken, is 16:30"),
-        ("--starts -3", "invalid value for '--starts'"),
+        ("--starts -3", "--starts takes an integer"),
     ],
 )
 def test_wrong_searches_are_2(options, part, tmp_path, monkeypatch):

@@ -93,13 +93,19 @@ def test_hostile_names_are_refused_in_one_line(command, name, tmp_path, monkeypa
             "cannot be shown",
         ),
         (f"{_SECRETIVE}class Y(metaclass=M): pass\nsystem = Y()", "line 3: SystemExit"),
-        (f"{_SYSTEM}system = object.__new__(System)", "a System is not made by calling its class"),
+        (
+            f"{_SYSTEM}system = object.__new__(System)",
+            "of type System is not made by calling",
+        ),
         (f"{_SYSTEM}{_LEAVING}system = object.__new__(S)", "line 3: SystemExit: 0"),
         ("class E(Exception):\n    def __str__(self): return 3\nraise E", "cannot be shown"),
         ("class E(BaseException):\n    def __str__(self): 1/0\nraise E", "cannot be shown"),
         ("from unittest.mock import MagicMock\nsystem = MagicMock()", "not a System"),
-        ("class Y:\n    def __getattr__(self, n): return self\nsystem = Y()", "a Y, not a System"),
-        ("import os\nsystem = os", "a module, not a System"),
+        (
+            "class Y:\n    def __getattr__(self, n): return self\nsystem = Y()",
+            "type Y, not a System",
+        ),
+        ("import os\nsystem = os", "of type module, not a System"),
     ],
 )
 def test_declarations_that_fail_are_named(text, said, tmp_path) -> None:
@@ -151,6 +157,27 @@ def test_options_that_mean_nothing_together_are_refused(
     monkeypatch.chdir(tmp_path)
     assert named in refused(*command.split())
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("command", "place"),
+    [
+        (f"solve {ORBIT} --box 3", "V=0.9:1.1"),
+        (f"solve {ORBIT} --bits 60", "--digits"),
+        (f"certify {ORBIT} --all", "nonsmooth certify all"),
+        (f"solve {ORBIT} --samples 3", "nonsmooth sweep"),
+        (f"basin {ORBIT}", "nonsmooth certify basin"),
+        ("graph dry-friction", "nonsmooth certify region"),
+        ("certify graph dry-friction", "nonsmooth certify region"),
+    ],
+)
+def test_what_stands_elsewhere_is_told_with_its_place(command: str, place: str) -> None:
+    assert place in refused(*command.split()).partition("; ")[2]
+
+
+def test_a_name_that_is_none_is_wrong_input_of_a_check(tmp_path: Path) -> None:
+    ns.certify(ns.solve(ORBIT)).save(tmp_path / "c.json")
+    assert "'zz'" in refused("certify", "check", str(tmp_path / "c.json"), "zz")
 
 
 def test_a_field_that_csv_does_not_read_is_refused(tmp_path, monkeypatch) -> None:

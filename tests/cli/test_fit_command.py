@@ -145,7 +145,7 @@ def test_a_kind_of_response_that_is_none_is_refused() -> None:
         (f"{FIT} --sigma 0", "the sigma of wall-reaches-stop is not positive"),
         (f"{FIT} --events door", "unknown event 'door'"),
         (f"{FIT} --loss other", "unknown loss 'other'; did you mean"),
-        (f"{FIT} --starts 0", "invalid value for '--starts'"),
+        (f"{FIT} --starts 0", "--starts takes an integer"),
         (f"{FIT} --starts 4294967296", "4294967296 starts take at least"),
         (f"{FIT} --plot fit.txt", "does not end in"),
         (f"{FIT} c10=0:1", "c10 belongs to the forcing: free the offset of the clock instead"),

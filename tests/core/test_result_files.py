@@ -110,7 +110,7 @@ KINDS: dict[str, Callable[[], Any]] = {
     "nonsmooth certified doubling": prove_doubling,
     "nonsmooth basin certificate": prove_basin,
     "nonsmooth chaos certificate": folded_horseshoe,
-    "nonsmooth graph certificate": prove_graph,
+    "nonsmooth region certificate": prove_graph,
     "nonsmooth census": census,
 }
 FILES = {**KINDS, "orbit by tables": composed}

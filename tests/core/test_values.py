@@ -250,7 +250,7 @@ def test_numpy_integers_and_values_pass() -> None:
         b"1",
         [1],
         np.ones(3),
-        np.ones(()),
+        np.array(np.nan),
         float("nan"),
         -math.inf,
         np.float32("nan"),

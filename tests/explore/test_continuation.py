@@ -164,10 +164,8 @@ def test_resonance_ends_a_branch() -> None:
         (("V", (1.3, 0.8)), {}, "is empty"),
         (("V", (2, 3)), {}, "is not in 2 to 3"),
         (("V", (-1, 3)), {}, "V = -1 is outside its domain"),
-        (("V", 1), {}, "not two numbers"),
         (("V", (0.8, 1.3)), {"step": 0}, "step = 0"),
         (("V", (0.8, 1.3)), {"points": 0}, "points = 0"),
-        (("V", (0.8, 1.3)), {"admissible": "now"}, "admissible = 'now'"),
     ],
 )
 def test_wrong_input(arguments: tuple, options: dict, message: str) -> None:
@@ -176,7 +174,7 @@ def test_wrong_input(arguments: tuple, options: dict, message: str) -> None:
 
 
 def test_no_orbit_to_follow() -> None:
-    with pytest.raises(nonsmooth.InputError, match="an Orbit can: take what solve gives"):
+    with pytest.raises(nonsmooth.InputError, match="orbit takes"):
         nonsmooth.continue_orbit("dry-friction/global-stick", "V", (0, 1))
     with pytest.raises(nonsmooth.InputError, match="the period is determined"):
         OrbitFamily(composed(), "period")

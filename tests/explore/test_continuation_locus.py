@@ -65,7 +65,7 @@ def test_an_event_is_followed_on_its_branch_alone() -> None:
         nonsmooth.continue_orbit(branch().orbit, *plane, event=event)
     with pytest.raises(nonsmooth.InputError, match="admissible and resume: of orbits only"):
         nonsmooth.continue_orbit(branch(), *plane, event=event, admissible=True)
-    with pytest.raises(nonsmooth.InputError, match="an Orbit can: take the"):
+    with pytest.raises(nonsmooth.InputError, match="orbit is a Branch"):
         nonsmooth.continue_orbit(branch(), *plane)
 
 
@@ -75,9 +75,8 @@ def test_steps_are_told_and_checked() -> None:
     plane = branch(), "eta", (3.9, 4.1)
     nonsmooth.continue_orbit(*plane, event=event, step=0.1, progress=told.append)
     assert told == list(range(1, len(told) + 1))
-    for wrong, message in (({"step": 0}, "step = 0"), ({"points": True}, "points = True")):
-        with pytest.raises(nonsmooth.InputError, match=message):
-            nonsmooth.continue_orbit(*plane, event=event, **wrong)
+    with pytest.raises(nonsmooth.InputError, match="step = 0"):
+        nonsmooth.continue_orbit(*plane, event=event, step=0)
 
 
 def test_picture() -> None:

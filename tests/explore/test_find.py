@@ -271,17 +271,12 @@ def test_starts_inside_the_stop_are_drawn_again():
         ({"parameters": {}}, "needs a value"),
         ({"parameters": A | {"us1": 9}}, "does not hold"),
         ({"n": 0}, "n = 0"),
-        ({"n": 2.5}, "n = 2.5"),
         ({"transitions": 1}, "transitions = 1"),
         ({"threads": 0}, "threads = 0"),
         ({"rng": -1}, "-1 is no seed"),
-        ({"rng": "luck"}, "'luck' is no seed"),
         ({"box": {"z1": (0, 1)}}, "unknown state 'z1'"),
         ({"box": {"x1": (1, 0)}}, "no interval"),
         ({"box": {"x1": (0, np.inf)}}, "no interval"),
-        ({"box": {"x1": 1}}, "no pair of numbers"),
-        ({"box": {"x1": (1, 2, 3)}}, "no pair of numbers"),
-        ({"box": {"x1": ("a", "b")}}, "no pair of numbers"),
         (
             {"system": "rigid-stop", "parameters": STOP | {"r": 1}, "box": {"x1": (2, 3)}},
             "give another box",
@@ -322,6 +317,12 @@ def test_what_is_saved_comes_back(saved, tmp_path):
         )
         assert (one.orbit.unknowns, one.period) == (other.orbit.unknowns, other.period)
         assert one.verdict == other.verdict
+    one = load(f"{saved}:1")
+    first = wanted.orbits[0]
+    assert (one.unknowns, one.itinerary) == (first.orbit.unknowns, first.itinerary)
+    with pytest.raises(InputError, match="holds no orbit 99"):
+        load(f"{saved}:99")
+    assert json.loads(json.dumps(loaded.to_json())) == wanted.to_json()
     again = tmp_path / "again.json"
     loaded.save(again)
     assert load(again).orbits[0].orbit.unknowns == wanted.orbits[0].orbit.unknowns

@@ -1,98 +1,267 @@
-"""Methods of results refuse arguments of a wrong type in one line, by an InputError."""
+"""Whatever is passed to a public function or method, the answer is a result or one clear line."""
 
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Iterator
-from contextlib import suppress
+import json
+import pickle
+import tempfile
+from collections.abc import Callable
 from functools import cache
+from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 import nonsmooth as ns
+from tests.places import records
 
 STICK = "dry-friction/global-stick"
-WRONG = (object(), ["a"], {"a": "b"}, None)
-
-
-@cache
-def motion() -> Any:
-    data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": "0.5"}
-    return ns.simulate("rigid-stop", data, [0, 0, 1.5, 0], transitions=3)
-
-
-RECORDS: dict[str, Callable[[], Any]] = {
-    "orbit": lambda: ns.solve(STICK),
+DATA = {
+    "chi": "0.5",
+    "eta": "1",
+    "V": "1",
+    "us1": "1",
+    "us2": "1",
+    "ur1": "4.0195",
+    "ur2": "1.4831",
+}
+START = [5, 4, 0.5, 0.25]
+TIMES = [0.1, 0.2, 0.3]
+LONGEST = 300
+SLOW = ("certify.all", "design", "find_orbits", "fit")
+LONG = ("certify.basin", "certify.doubling", "certify.region")  # tried with what never fits alone
+POSSIBLE = (None, True, 5, 2.5, "x", [], {}, float("nan"), {"x": 1})
+# what is given where an argument has to be, or would take long by default
+RIGHT: dict[str, Callable[[], Any] | None] = {
+    "attempts": lambda: 1,
+    "branch": lambda: result("branch"),
+    "branch.orbit_at.place": lambda: 0,
+    "branch.quantity.name": lambda: "period",
+    "branch.next_itineraries.event": lambda: result("branch").events[0],
+    "by": lambda: ["V"],
+    "certify.all.box": lambda: {"tau": 3, "tau1": 3},
+    "certify.all.orbit": lambda: STICK,
+    "certify.box.box": lambda: {"V": (0.999, 1.001)},
+    "certify.chaos.parameters": lambda: {**DATA, "ur1": 1, "ur2": 1},
+    "certify.check.path": lambda: saved("certificate"),
+    "certify.motion.configuration": lambda: "slip-slip",
+    "certify.region.boxes": lambda: 64,
+    "certify.region.region": lambda: {"x2": (2, 13)},
+    "certify.doubling.tiles": lambda: 1,
+    "chart.parameters": None,
+    "chart.start": None,
+    "chart.transitions": None,
+    "chart.V": lambda: [1, 1.01],
+    "chart.orbit": lambda: STICK,
+    "changes.direction": lambda: {"V": 1},
+    "changes.since": lambda: 0.0,
+    "cotangent": lambda: [1.0],
+    "data": lambda: {"t": TIMES, "x1": result("motion")(TIMES)[:, 0]},
+    "derivatives.local_extremes.name": lambda: "maximum:x1",
+    "derivatives.quantity.name": lambda: "period",
+    "design.over": lambda: {"V": (0.999, 1.001)},
+    "differentiate": lambda: result("function").differentiate,
+    "refine.digits": lambda: 20,
+    "direction": lambda: [1.0],
+    "evaluate": lambda: result("function").evaluate,
+    "continue_orbit.event": None,
+    "event": lambda: next(e for e in result("branch").events if e.kind == "flip"),
+    "fit.bounds": lambda: {"eta": (0.5, 1.5)},
+    "fit.parameters": lambda: {name: value for name, value in DATA.items() if name != "eta"},
+    "lyapunov.trajectory": lambda: ns.simulate("dry-friction", DATA, START, until=1000),
+    "fit.start": lambda: dict(zip(("x1", "x2", "v1", "v2"), START, strict=True)),
+    "Experiment.start": None,
+    "certify.branch.interval": None,
+    "certify.doubling.interval": None,
+    "inputs": lambda: ("V",),
+    "interval": lambda: (0.999, 1.001),
+    "iterations": lambda: 1,
+    "minimise": lambda: "spectral_radius",
+    "motion.save.path": lambda: saved("orbit").replace(".json", ".npz"),
+    "motions.at.places": lambda: 0,
+    "n": lambda: 1,
+    "observables.name": lambda: next(iter(result("observables").contacts)),
+    "of": lambda: "period",
+    "orbit": lambda: result("orbit"),
+    "outcome": lambda: next(iter(result("found").outcomes)),
+    "DifferentiableFunction.outputs": lambda: ("period",),
+    "parameter": lambda: "V",
+    "parameters": lambda: DATA,
+    "path": lambda: saved("orbit"),
+    "point": lambda: {"V": 1},
+    "points": lambda: 3,
+    "reference": lambda: result("function").reference,
+    "samples": lambda: 1,
+    "function.check_shape.shape": lambda: (1,),
+    "motions.reshaped.shape": lambda: (1, 2),
+    "orbit.evaluate.quantities": lambda: ("trace",),
+    "section": lambda: ("slip-slip", "first-reaches-belt", "stick-slip"),
+    "start": lambda: START,
+    "state": lambda: START,
+    "status": lambda: 0,
+    "solve.orbit": lambda: STICK,
+    "solve.parameters": None,
+    "sweep.name": lambda: "V",
+    "sweep.parameters": lambda: {name: value for name, value in DATA.items() if name != "V"},
+    "sweep.start": lambda: dict.fromkeys(("x1", "x2", "v1", "v2"), 0),
+    "sweep.state": lambda: "x1",
+    "sweep.configuration": lambda: "stick-stick",
+    "system": lambda: "dry-friction",
+    "tile": lambda: result("box").tiles[0],
+    "tiles": lambda: 2,
+    "times": lambda: TIMES,
+    "trajectory": lambda: result("motion"),
+    "transient": lambda: 1,
+    "transitions": lambda: 20,
+    "values": lambda: [1, 1.01],
+    "x": lambda: [1.0],
+}
+RESULTS: dict[str, Callable[[], Any]] = {
+    "orbit": lambda: ns.solve(STICK, DATA),
     "orbits": lambda: ns.solve(STICK, {"eta": [1, 1.01]}),
-    "derivatives of an orbit": lambda: ns.solve("rigid-stop/one-impact").derivatives(["T"]),
-    "motion of an orbit": lambda: ns.solve(STICK).motion(),
-    "motion": motion,
-    "derivatives of a motion": lambda: motion().derivatives(["k1"], times=[0.1]),
-    "function": lambda: ns.orbit_function(ns.solve(STICK), by="eta", of="period"),
-    "branch": lambda: ns.continue_orbit(ns.solve(STICK), "V", (0.98, 1.02)),
-    "certificate": lambda: ns.certify(ns.solve(STICK)),
+    "derivatives": lambda: result("orbit").derivatives(["V"]),
+    "cycle": lambda: result("orbit").motion(),
+    "motion": lambda: ns.simulate("dry-friction", DATA, START, transitions=60),
+    "motions": lambda: ns.simulate("dry-friction", DATA, [START, START], transitions=3),
+    "changes": lambda: result("motion").derivatives(["V"], times=TIMES),
+    "observables": lambda: ns.observe(result("motion")),
+    "function": lambda: ns.orbit_function(result("orbit"), by="V", of="period"),
+    "map": lambda: ns.poincare_map("dry-friction", DATA, RIGHT["section"]()),
+    "branch": lambda: ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3)),
+    "found": lambda: ns.find_orbits("dry-friction", DATA, 1, transitions=20),
+    "certificate": lambda: ns.certify(result("orbit")),
+    "box": lambda: ns.certify.box(result("orbit"), {"V": ("0.999", "1.001")}, tiles=1),
 }
 
 
-def calls(record: object) -> Iterator[tuple[str, Callable[..., object], dict[str, object]]]:
-    """Methods of a record, each with one argument of a wrong type."""
-    for name in (n for n in dir(type(record)) if not n.startswith("_") or n == "__call__"):
-        if not inspect.isfunction(inspect.getattr_static(type(record), name)):
-            continue
-        method = getattr(record, name)
-        taken = inspect.signature(method).parameters.values()
-        for parameter in (p.name for p in taken if p.kind is not p.VAR_KEYWORD):
-            for wrong in WRONG:
-                with suppress(TypeError):  # others have to be given, too
-                    inspect.signature(method).bind(**{parameter: wrong})
-                    yield name, method, {parameter: wrong}
+@pytest.fixture(autouse=True)
+def own_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Some calls are right, and write files."""
+    monkeypatch.chdir(tmp_path)
 
 
-@pytest.mark.parametrize("kind", RECORDS)
-def test_arguments_of_a_wrong_type_are_refused(kind: str) -> None:
-    count = 0
-    for name, method, given in calls(RECORDS[kind]()):
-        try:
-            method(**given)
-        except ns.InputError as refusal:
-            assert "\n" not in str(refusal)  # noqa: PT017 - some of these calls are right
-            count += 1
-        except ns.MissingExtra:
-            continue
-        except Exception as problem:
-            raise AssertionError(f"{name} of {given}: {problem!r}") from problem
-    assert count
+@cache
+def result(kind: str) -> Any:
+    return RESULTS[kind]()
 
 
-@pytest.mark.parametrize("wrong", [[1, 2], "a", 3])
-def test_values_by_names_are_refused_where_they_are_none(wrong: Any) -> None:
-    orbit = ns.solve(STICK)
-    data = {name: value.text for name, value in ns.certify(orbit).parameters.items()}
-    for asked in (
-        lambda: ns.solve(STICK, wrong),
-        lambda: ns.solve(STICK, given=wrong),
-        lambda: ns.solve(STICK, parameters=wrong),
-        lambda: ns.find_orbits("dry-friction", data, n=2, transitions=60, box=wrong),
-        lambda: ns.design(orbit, solve=wrong, over={"V": (0.9, 1.1)}),
-    ):
-        with pytest.raises(ns.InputError, match="by names"):
-            asked()
+@cache
+def saved(kind: str) -> str:
+    path = Path(tempfile.mkdtemp()) / f"{kind}.json"
+    result(kind).save(path)
+    return str(path)
 
 
-def test_what_is_of_another_kind_is_refused() -> None:
-    data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": "0.5"}
-    tiles = ns.certify.box(ns.solve(STICK), {"V": ("0.999", "1.001")}, tiles=1)
-    found: Any = ns.find_orbits("rigid-stop", data, 1, transitions=3)
-    calls: list[tuple[Callable[[], object], str]] = [
-        (lambda: ns.poincare_map("rigid-stop", data, 3), "a section is"),
-        (lambda: ns.observe(3), "3 is no motion"),
-        (lambda: ns.itinerary_of(3), "3 is no motion"),
-        (lambda: ns.certify.all(STICK, box=3), "3 does not give values by names"),
-        (lambda: tiles.where(3), "3 is no tile"),
-        (lambda: tiles.tile_at(3), "3 does not give values by names"),
-        (lambda: found.share([1, 2, 3.5]), "is no outcome of one start"),
-    ]
-    for refused, told in calls:
-        with pytest.raises(ns.InputError, match=told):
-            refused()
+def functions() -> dict[str, Callable[..., Any]]:
+    """Public functions, and `certify` with its methods."""
+    named = {name: getattr(ns, name) for name in ns.__all__}
+    own = {name: getattr(ns.certify, name) for name in dir(ns.certify) if name[0] != "_"}
+    found = named | {f"certify.{name}": method for name, method in own.items()}
+    return {name: f for name, f in found.items() if callable(f) and not is_error(f)}
+
+
+def is_error(given: Any) -> bool:
+    return isinstance(given, type) and issubclass(given, BaseException)
+
+
+FUNCTIONS = functions()
+
+
+def right(label: str, function: Callable[..., Any]) -> dict[str, Any]:
+    """Arguments with which a function answers, by the most special entry for each of them."""
+    found = {}
+    for name, parameter in inspect.signature(function).parameters.items():
+        name = "V" if parameter.kind is parameter.VAR_KEYWORD else name
+        keys = [f"{label}.{name}", f"{label.partition('.')[0]}.{name}", name]
+        place = next((RIGHT[key] for key in keys if key in RIGHT), None)
+        if place is not None:
+            found[name] = place()
+    return found
+
+
+def call(function: Callable[..., Any], given: dict[str, Any]) -> None:
+    """Call a function; what it takes as ``*name`` is given as one argument, or as a tuple."""
+    several: Any = ()
+    for name, parameter in inspect.signature(function).parameters.items():
+        if parameter.kind is parameter.VAR_POSITIONAL:
+            several = given.pop(name)
+    function(*(several if isinstance(several, tuple) else (several,)), **given)
+
+
+def refusal(function: Callable[..., Any], given: dict[str, Any]) -> str:
+    """What a function says to its arguments; nothing if it answers, or as its docstring tells."""
+    try:
+        call(function, given)
+    except ns.NonsmoothError as problem:
+        return str(problem)
+    except Exception as problem:
+        if type(problem).__name__ not in (inspect.getdoc(function) or ""):
+            raise
+    return ""
+
+
+def check(label: str, function: Callable[..., Any]) -> None:
+    """Call a function with each argument wrong: each call is answered or refused in one line.
+
+    A value that can be no answer to what is asked is told by the name of the argument.
+    """
+    usual = right(label, function)
+    possible = () if label in LONG else POSSIBLE
+    if possible:
+        call(function, {**usual})
+    for name, parameter in inspect.signature(function).parameters.items():
+        for wrong in () if parameter.kind is parameter.VAR_KEYWORD else (*possible, *never_right()):
+            told = refusal(function, {**usual, name: wrong})
+            case = f"{label}({name}={type(wrong).__name__}): {told}"
+            assert not told or told.isprintable(), case
+            assert len(told) <= LONGEST, case
+            if told and not any(wrong is other for other in POSSIBLE):
+                assert name in told or name.rstrip("s") in told, case
+
+
+def never_right() -> list[Any]:
+    """Values that no argument takes, but those whose names say so."""
+    return [object(), ns.InputError("x"), [[]], result("orbit"), result("certificate")]
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(n, marks=pytest.mark.slow) if n in SLOW else n for n in FUNCTIONS]
+)
+def test_functions_answer_or_refuse_in_one_line(name: str) -> None:
+    check(name, FUNCTIONS[name])
+
+
+@pytest.mark.parametrize("kind", RESULTS)
+def test_methods_answer_or_refuse_in_one_line(kind: str) -> None:
+    found = result(kind)
+    for name in (n for n in dir(type(found)) if not n.startswith("_") or n == "__call__"):
+        if inspect.isfunction(inspect.getattr_static(type(found), name)):
+            check(f"{kind}.{name}", getattr(found, name))
+
+
+@pytest.mark.parametrize("record", records().values(), ids=records())
+def test_methods_of_every_result_are_checked(record: type) -> None:
+    for name, method in vars(record).items():
+        if inspect.isfunction(method) and not name.startswith("_"):
+            told = {kind for place, kind in method.__annotations__.items() if place != "return"}
+            assert told <= {"Any", "object"} or hasattr(method, "__wrapped__"), name
+
+
+@pytest.mark.parametrize("name", [name for name in FUNCTIONS if name != "certify"])
+def test_functions_travel_between_processes(name: str) -> None:
+    assert pickle.loads(pickle.dumps(FUNCTIONS[name])) is FUNCTIONS[name]
+
+
+def test_an_array_without_axes_is_a_number() -> None:
+    found = ns.solve(STICK, {"V": np.array(0.98)})
+    assert found.values == ns.solve(STICK, {"V": 0.98}).values
+
+
+@pytest.mark.parametrize("record", [kind for kind in records().values() if hasattr(kind, "save")])
+def test_what_is_kept_is_told_as_json(record: type) -> None:
+    assert hasattr(record, "to_json")
+    found = [kind for kind in RESULTS if type(result(kind)) is record]
+    for kind in found:
+        assert json.loads(json.dumps(result(kind).to_json(), allow_nan=False))

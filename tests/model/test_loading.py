@@ -335,13 +335,13 @@ def test_equal_declarations_have_one_fingerprint(tmp_path: Path) -> None:
         ("raise SystemExit(3)\n", "line 1: SystemExit: 3"),
         ("raise ValueError('two\\nlines')\n", "line 1: ValueError: two lines"),
         ("x = 1\n", r"declares no system: call one `system`"),
-        ("system = {}\n", "`system` is a dict, not a System"),
+        ("system = {}\n", "`system` is of type dict, not a System"),
         (
             "from nonsmooth.derive import System as system\n",
-            "`system` is a type, not a System",
+            "`system` is of type type, not a System",
         ),
-        (KICKED + "orbits = 'loop'\n", "`orbits` is a str, not a list of Itinerary"),
-        (KICKED + "orbits = ['loop']\n", "`orbits` holds a str, not an Itinerary"),
+        (KICKED + "orbits = 'loop'\n", "`orbits` is of type str, not a list of Itinerary"),
+        (KICKED + "orbits = ['loop']\n", "`orbits` holds one of type str, not an Itinerary"),
         (KICKED + "orbits = orbits * 2\n", "orbit 'loop' is declared twice"),
         (
             KICKED + "from dataclasses import replace\nsystem = replace(system, name='other')\n",

@@ -382,9 +382,7 @@ def test_wrong_parameters_are_named_on_one_line(given, named):
     [
         ([1.0], {"threads": 0}, "threads = 0"),
         ([1.0], {"threads": -2}, "threads = -2"),
-        ([1.0], {"threads": 1.5}, "threads = 1.5"),
         ([1.0], {"chunk": 0}, "chunk = 0"),
-        ([1.0], {"chunk": 2.5}, "chunk = 2.5"),
         ([1.0], {"digits": 20, "unknown": "e1"}, "unknown and digits: of one parameter point only"),
         ([1.0], {"symmetry": {"x": "-x"}}, "symmetry: of one parameter point only"),
         (1.0, {"threads": 2, "chunk": 9}, "threads and chunk: of many parameter points"),

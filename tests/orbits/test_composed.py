@@ -398,8 +398,7 @@ def test_a_phase_that_takes_no_time():
     ("changes", "match"),
     [
         ({"itinerary": []}, "no phase"),
-        ({"itinerary": [("stick-stick",)], "guess": [1]}, "sequence of"),
-        ({"itinerary": 3}, "sequence of"),
+        ({"itinerary": [("stick-stick",)], "guess": [1]}, "itinerary takes"),
         (
             {"itinerary": [PHASES[0], PHASES[2]], "guess": [1, 1]},
             "no transition from stick-stick to slip-slip",
@@ -413,7 +412,6 @@ def test_a_phase_that_takes_no_time():
         ({"guess": [1, 2, 3]}, "3 values: it takes 4"),
         ({"guess": [1, 2, 3, float("nan")]}, "finite"),
         ({"guess": [1, 2, 3, -1]}, "positive"),
-        ({"guess": "four"}, "real numbers"),
         ({"guess": {"tau1": 1, "tau2": 2, "tau3": 1}}, "no tau4"),
         ({"guess": {"tau": 1}}, "unknown variable"),
         ({"guess": [*STICK_GUESS, 1, 2]}, "6 values: it takes 4"),

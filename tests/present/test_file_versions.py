@@ -32,7 +32,7 @@ KNOWN = {
     "nonsmooth event certificate": (6, "1d32e51b8c01"),
     "nonsmooth fit": (3, "1951f1e33ffd"),
     "nonsmooth found orbits": (7, "25a4d6167507"),
-    "nonsmooth graph certificate": (6, "73018302bf92"),
+    "nonsmooth region certificate": (6, "73018302bf92"),
     "nonsmooth locus": (3, "7b5986b03154"),
     "nonsmooth orbit": (5, "b1eafab06be8"),
     "nonsmooth sweep": (4, "f22b34cb7ed3"),

@@ -28,7 +28,7 @@ from nonsmooth.runtime.proof.certificate import Certificate
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
 from nonsmooth.runtime.proof.counting.census import Census
 from nonsmooth.runtime.proof.doubling.certified_doubling import CertifiedDoubling
-from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
+from nonsmooth.runtime.proof.graphs.graph_certificate import RegionCertificate
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 from tests.cli.test_cli import run
 from tests.core.test_result_files import KINDS, TWO_MASSES, file_of
@@ -48,7 +48,7 @@ TYPES: dict[str, type] = {
     "nonsmooth certified doubling": CertifiedDoubling,
     "nonsmooth basin certificate": BasinCertificate,
     "nonsmooth chaos certificate": ChaosCertificate,
-    "nonsmooth graph certificate": GraphCertificate,
+    "nonsmooth region certificate": RegionCertificate,
     "nonsmooth census": Census,
 }
 WITHOUT_PICTURE = {"nonsmooth certificate", "nonsmooth event certificate", "nonsmooth census"}

@@ -300,7 +300,6 @@ def test_a_bifurcation_is_its_samples() -> None:
         ("time", {"masses": [2]}, r"masses = \[2\]: dry-friction has \[0, 1\]"),
         ("time", {"masses": []}, r"masses = \[\]"),
         ("time", {"points": 0}, "points = 0 is not a positive integer"),
-        ("time", {"points": 1.5}, r"points = 1\.5"),
         ("time", {"axes": axes_of(2)}, "'time' is drawn into 1 Axes; given: 2 Axes"),
         ("phase", {"axes": axes_of(3)}, "'phase' is drawn into 1 or 2 Axes"),
         ("all", {"axes": axes_of(4)}, "'all' is drawn into 5 Axes"),

@@ -88,8 +88,8 @@ def result(kind: str) -> Any:
             return ns.load(shared_file("nonsmooth basin certificate", prove_basin))
         case "ChaosCertificate":
             return ns.load(shared_file("nonsmooth chaos certificate", folded_horseshoe))
-        case "GraphCertificate":
-            return ns.load(shared_file("nonsmooth graph certificate", prove_graph))
+        case "RegionCertificate":
+            return ns.load(shared_file("nonsmooth region certificate", prove_graph))
         case "Census":
             return ns.certify.all(ORBIT, {"us1": 1, "us2": 1}, {"tau": (1.9, 2.1), "tau1": (3, 4)})
         case "EventCertificate":

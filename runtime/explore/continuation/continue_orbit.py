@@ -146,8 +146,9 @@ def continue_orbit(
         return continue_event(orbit, event, parameter, interval, progress=progress, **options)
     step = STEP if step is None else step
     points = MOST_POINTS if points is None else points
-    limits = _checked(orbit, parameter, interval, step, points, admissible)
-    assert isinstance(orbit, Orbit)
+    if isinstance(orbit, Branch):
+        raise InputError("orbit is a Branch: give its .orbit, or one of its events as event=")
+    limits = _checked(orbit, parameter, interval, step, points)
     if resume is not None:
         _check_same(orbit, parameter, limits, resume)
         orbit = resume.orbit
@@ -288,11 +289,9 @@ def _verdict(multipliers: np.ndarray, conservative: bool) -> StabilityOfPoint:
 
 
 def _checked(
-    orbit: Any, parameter: str, interval: Any, step: float, points: int, admissible: bool
+    orbit: Orbit, parameter: str, interval: Any, step: float, points: int
 ) -> tuple[float, float]:
     check_converged(orbit, "followed")
     limits = check_interval(orbit, parameter, interval)
     check_steps(step, points)
-    if not isinstance(admissible, bool):
-        raise InputError(f"admissible = {admissible!r} is neither True nor False")
     return limits

@@ -15,11 +15,10 @@ from typing import Annotated
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError, one_line
 from nonsmooth.runtime.core.json_codec import FromOne, one_of
 from nonsmooth.runtime.core.registry import Shown
 
-__all__ = ["KINDS", "Event", "EventKind", "OrbitKind", "checked_event", "point_of"]
+__all__ = ["KINDS", "Event", "EventKind", "OrbitKind", "point_of"]
 
 _NEAR = 1e-6  # how near to the unit circle a pair of multipliers has to be at its event
 _NEAR_ONE = 1e-3  # how near to -1 or 1 a multiplier has to be: there it may be double
@@ -180,10 +179,3 @@ class Event(Shown):
 def point_of(event: Event) -> np.ndarray:
     """The point z = (unknowns, parameter) of an event, (n + 1,)."""
     return np.array([*event.unknowns.values(), event.value])
-
-
-def checked_event(given: object) -> Event:
-    """What is given, where it is an event; `InputError` otherwise."""
-    if not isinstance(given, Event):
-        raise InputError(f"{one_line(repr(given))} is no event: a branch has them as .events")
-    return given

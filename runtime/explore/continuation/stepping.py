@@ -352,5 +352,5 @@ def check_steps(step: float, points: int) -> None:
     """Refuse a largest step (in the curve's units) or a number of points that is not positive."""
     if not (math.isfinite(step) and step > 0):
         raise InputError(f"step = {step} is not positive")
-    if isinstance(points, bool) or not isinstance(points, int) or points < 1:
+    if points < 1:
         raise InputError(f"points = {points} is not a positive integer")

@@ -125,17 +125,6 @@ class Design(Kept):
         """Values of the parameters that varied, where it ended."""
         return {name: self.after[name] for name in self.parameters}
 
-    def to_json(self) -> dict[str, Any]:
-        """Give the design as JSON.
-
-        Returns
-        -------
-        dict of str to JSON value
-            Numbers are decimal strings with all their digits; one that is not known is null.
-        """
-        told: dict[str, Any] = registered("design_json")(self)
-        return told
-
     def plot(self, axes: Any = None) -> Any:
         """Draw the quantities over the iterates, and along each parameter around the end.
 
@@ -235,8 +224,6 @@ class DesignQuestion:
 
     def check_resumed(self, known: Design) -> None:
         """Refuse to resume the design of another question; the message names what differs."""
-        if not isinstance(known, Design):
-            raise InputError(f"{type(known).__name__} is no design, such as nonsmooth.design gives")
         check_same_question("design", _asked(self), _asked(known))
         check_same_system("design", self.orbit.system, known.orbit.system)
 
@@ -283,7 +270,7 @@ def _aim_of(
 
 def _bounds_of(orbit: Any, over: Any) -> tuple[tuple[str, ...], np.ndarray]:
     check_converged(orbit, "designed")
-    if not isinstance(over, Mapping) or not over:
+    if not over:
         raise InputError('over gives the bounds of parameters, such as {"V": (0.6, 1.3)}')
     opened = {table.name for table in orbit.system.parameters} - {*orbit.given, *orbit.unknowns}
     for name in over:

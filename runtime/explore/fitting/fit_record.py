@@ -305,14 +305,3 @@ class Fit(Kept):
             What was drawn on.
         """
         return registered("plot_fit")(self, axes, experiment)
-
-    def to_json(self) -> dict[str, Any]:
-        """Give the fit ready for JSON, numbers as decimal strings with every digit.
-
-        Returns
-        -------
-        dict of str to object
-            A number that is not known is null.
-        """
-        found: dict[str, Any] = registered("fit_json")(self)
-        return found

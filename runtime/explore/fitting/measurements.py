@@ -6,12 +6,14 @@ its rows is then a test of its own, at the parameters that the row tells.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
+from nonsmooth.runtime.core.arguments import checked
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.json_codec import AnyRow, Integers, Row
 from nonsmooth.runtime.core.registry import Shown
@@ -32,6 +34,7 @@ _SIGMA = "sigma_"
 _CONSTANT = 1e-12
 
 
+@checked
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
 class Experiment(Shown):
     """A record of one motion, or of steady responses, with what is known of it alone.
@@ -60,7 +63,7 @@ class Experiment(Shown):
     ''
     """
 
-    data: Any
+    data: str | os.PathLike[str] | Mapping[str, Any]
     parameters: Mapping[str, object] = field(default_factory=dict)
     start: Mapping[str, object] | None = None
     offset: float | None = None

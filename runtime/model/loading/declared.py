@@ -93,16 +93,19 @@ def _declared(path: Path, module: ModuleType) -> Declared:
         raise InputError(f"{path} declares no system: call one `system`, such as system = System()")
     system, orbits = module.system, getattr(module, "orbits", ())
     if not _derivable("System", system):
-        raise InputError(f"{path}: `system` is a {type(system).__name__}, not a System")
+        raise InputError(f"{path}: `system` is of type {type(system).__name__}, not a System")
     if not isinstance(orbits, tuple | list):
-        raise InputError(f"{path}: `orbits` is a {type(orbits).__name__}, not a list of Itinerary")
+        kind = type(orbits).__name__
+        raise InputError(f"{path}: `orbits` is of type {kind}, not a list of Itinerary")
     for orbit in orbits:
         if not _derivable("Itinerary", orbit):
-            raise InputError(f"{path}: `orbits` holds a {type(orbit).__name__}, not an Itinerary")
+            kind = type(orbit).__name__
+            raise InputError(f"{path}: `orbits` holds one of type {kind}, not an Itinerary")
     for made in (system, *orbits):
         known = {*dir(type(made)), *vars(made)}  # nothing is asked for, which might take long
         if not all(field.name in known for field in fields(made)):
-            raise InputError(f"{path}: a {type(made).__name__} is not made by calling its class")
+            kind = type(made).__name__
+            raise InputError(f"{path}: one of type {kind} is not made by calling its class")
     for orbit in orbits:
         if [other.name for other in orbits].count(orbit.name) > 1:
             raise InputError(f"{path}: orbit {orbit.name!r} is declared twice")

@@ -34,7 +34,7 @@ from nonsmooth.runtime.core.parallel import check_workers
 from nonsmooth.runtime.core.registry import Shown
 from nonsmooth.runtime.core.result_files import WRONG_SHAPE, parsed
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.model.kernels import load_orbit, load_system
+from nonsmooth.runtime.model.kernels import SystemKernels, load_orbit, load_system
 from nonsmooth.runtime.model.saved_system import same_system
 from nonsmooth.runtime.present.checking.compare_declarations import check_domains, compare
 from nonsmooth.runtime.present.files.kept import format_named
@@ -50,7 +50,7 @@ from nonsmooth.runtime.proof.events.event_certificate import (
     EventCertificates,
     events_claim,
 )
-from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
+from nonsmooth.runtime.proof.graphs.graph_certificate import RegionCertificate
 
 __all__ = ["Check", "check_certificate"]
 
@@ -62,7 +62,7 @@ Proven = (
     | Census
     | ChaosCertificate
     | BasinCertificate
-    | GraphCertificate
+    | RegionCertificate
     | tuple[EventCertificate, ...]
 )
 _MOST = 500_000_000  # bytes of a file
@@ -82,7 +82,7 @@ class Check(Shown):
     note : str or None
         What is not compared, or not proved again.
     certificate : Certificate, BoxCertificate, CertifiedBranch, CertifiedDoubling, Census,
-        ChaosCertificate, BasinCertificate, GraphCertificate, tuple, or None
+        ChaosCertificate, BasinCertificate, RegionCertificate, tuple, or None
         What was read, of events a tuple of EventCertificate; None if something is wrong with it.
         Its reasons why something is undecided are left out: nothing proves them. Which
         parameters were chosen is as the file says.
@@ -108,7 +108,7 @@ _CHECKS: dict[str, Callable[..., None]] = {
     "nonsmooth event certificate": check_events,
     "nonsmooth census": check_census,
     "nonsmooth basin certificate": check_basin,
-    "nonsmooth graph certificate": check_graph,
+    "nonsmooth region certificate": check_graph,
     "nonsmooth chaos certificate": check_chaos,
 }
 _DIVIDED = "nonsmooth basin certificate"  # whose check takes processes, and tells how far it is
@@ -132,7 +132,7 @@ def check_certificate(
     ----------
     path : str or path
         What `save` of a `Certificate`, `BoxCertificate`, `CertifiedBranch`, `CertifiedDoubling`,
-        `EventCertificate`, `ChaosCertificate`, `BasinCertificate`, `GraphCertificate` or `Census`
+        `EventCertificate`, `ChaosCertificate`, `BasinCertificate`, `RegionCertificate` or `Census`
         wrote.
     declared : str, optional
         A system or an orbit by name, such as ``FILE.py:ORBIT``: its tables have to be those of
@@ -164,6 +164,7 @@ def check_certificate(
     (True, 'proved')
     """
     check_workers(workers)
+    system = None if declared is None else _declared_system(declared)
     place = path_of(path)
     try:
         content = parsed(read_file(place, _MOST, "certificate"))
@@ -185,8 +186,11 @@ def check_certificate(
         if isinstance(found, EventCertificates):
             found = found.events
         compared = compare(content)
-        if declared is not None:
-            _compare_declared(content, declared)
+        if system is not None and not all(
+            same_system(system, load_system(name))
+            for name in dict.fromkeys(entry["system"] for entry in _told(content))
+        ):
+            raise Failure(f"the declaration of {declared} is not that of the file, or has changed")
     except Malformed as problem:
         raise InputError(f"{os.fspath(path)}: {problem}") from None
     except (Failure, InputError) as problem:
@@ -216,15 +220,12 @@ def _without_reasons(found: Any) -> Any:
     return replace(found, **changed) if changed else found
 
 
-def _compare_declared(content: Mapping[str, Any], declared: str) -> None:
-    """Raise `Failure` unless a declaration, given by name, has the same tables as the file."""
+def _declared_system(declared: str) -> SystemKernels:
+    """The system that a declaration names, alone or with an orbit."""
     try:
-        system = load_system(declared)
+        return load_system(declared)
     except InputError:
-        system = load_orbit(declared).system
-    for name in dict.fromkeys(entry["system"] for entry in _told(content)):
-        if not same_system(system, load_system(name)):
-            raise Failure(f"the declaration of {declared} is not that of the file, or has changed")
+        return load_orbit(declared).system
 
 
 def _told(content: Mapping[str, Any]) -> list[Mapping[str, Any]]:

@@ -289,5 +289,5 @@ _COMPARISONS: Mapping[str, Callable[[Content], bool]] = {
     "nonsmooth census": _census,
     "nonsmooth basin certificate": _basin,
     "nonsmooth chaos certificate": _chaos,
-    "nonsmooth graph certificate": _graph,
+    "nonsmooth region certificate": _graph,
 }

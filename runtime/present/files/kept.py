@@ -190,9 +190,9 @@ KINDS: dict[str, KeptKind] = {
     "nonsmooth chaos certificate": KeptKind(
         "certificate of chaos", ".proof.chaos.chaos_certificate:ChaosCertificate", _PROOF
     ),
-    "nonsmooth graph certificate": KeptKind(
-        "certificate of a graph of boxes",
-        ".proof.graphs.graph_certificate:GraphCertificate",
+    "nonsmooth region certificate": KeptKind(
+        "certificate of a region",
+        ".proof.graphs.graph_certificate:RegionCertificate",
         _PROOF,
     ),
 }

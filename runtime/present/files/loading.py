@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Mapping
 from importlib import import_module
 from pathlib import Path
@@ -39,13 +40,13 @@ def load(path: str | os.PathLike[str]) -> Any:
     path : str or path
         JSON of an orbit, found orbits, a branch, a curve of events, a design, a sweep, a fit, a
         certificate, a proven map, a proven branch or doubling, certificates of events, a
-        certificate of chaos, a basin or a graph of boxes, or a census; .npz or .csv of a motion;
-        the folder of a chart.
+        certificate of chaos, a basin or a region, or a census; .npz or .csv of a motion;
+        the folder of a chart; ``FILE.json:N``, the N-th of found orbits.
 
     Returns
     -------
     Orbit, Found, Branch, Locus, Design, Sweep, Fit, Certificate, BoxCertificate, \
-BasinCertificate, CertifiedBranch, CertifiedDoubling, ChaosCertificate, GraphCertificate, Census, \
+BasinCertificate, CertifiedBranch, CertifiedDoubling, ChaosCertificate, RegionCertificate, Census, \
 Trajectory, tuple of EventCertificate or xarray.Dataset
         The result that was saved. A chart may be incomplete, `status` being -128 where nothing
         is computed yet, and its numbers are read when they are used.
@@ -69,6 +70,11 @@ Trajectory, tuple of EventCertificate or xarray.Dataset
     >>> ns.load("design.json").message
     'the wanted values are met'
     """
+    one = re.fullmatch(r"(.+\.json):(\d+)", str(os.fspath(path)))
+    if one:
+        from nonsmooth.runtime.present.files.found import found_orbit
+
+        return found_orbit(one[1], int(one[2]))
     place = path_of(path)
     if place.is_dir():
         from nonsmooth.runtime.explore.charting.chart import load_chart
@@ -76,10 +82,10 @@ Trajectory, tuple of EventCertificate or xarray.Dataset
         return load_chart(place)
     if place.suffix.lower() in ENDINGS:
         return load_trajectory(place)
-    named = format_of(place)
-    if named not in _READERS:
-        return format_named(named).load(path)
-    module, _, name = _READERS[named].partition(":")
+    held = format_of(place)
+    if held not in _READERS:
+        return format_named(held).load(path)
+    module, _, name = _READERS[held].partition(":")
     return getattr(import_module(f"nonsmooth.runtime.{module}"), name)(path)
 
 

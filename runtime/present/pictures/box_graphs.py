@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.naming import shown_name, units_of
 from nonsmooth.runtime.present.pictures.drawing import drawn_alone, finish
-from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
+from nonsmooth.runtime.proof.graphs.graph_certificate import RegionCertificate
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -23,7 +23,7 @@ _TRAPPING, _UNKNOWN, _IMAGES, _SMALL = "#D5E8D4", "#555555", "#8899AA", "#BBAA44
 _SHOWN = 7  # components with a colour and a vertex of their own
 
 
-def draw_graph(found: GraphCertificate, axes: Any = None) -> Figure | Axes:
+def draw_graph(found: RegionCertificate, axes: Any = None) -> Figure | Axes:
     """Draw the boxes of the components over the largest trapping region, and the Morse graph.
 
     With one coordinate, the graph of the map is drawn: each box against the boxes that its
@@ -49,7 +49,7 @@ def _color(number: int) -> str:
     return _COLORS[number] if number < _SHOWN else _SMALL
 
 
-def _draw_boxes(axes: Axes, found: GraphCertificate) -> None:
+def _draw_boxes(axes: Axes, found: RegionCertificate) -> None:
     flat, units = len(found.coordinates) == 1, units_of(found.system)
     region = [found.region[name] for name in found.coordinates]
     graph = found.graph
@@ -80,7 +80,7 @@ def _draw_boxes(axes: Axes, found: GraphCertificate) -> None:
 
 
 def _fill(
-    axes: Axes, found: GraphCertificate, boxes: NDArray[np.int_], color: str, label: str | None
+    axes: Axes, found: RegionCertificate, boxes: NDArray[np.int_], color: str, label: str | None
 ) -> None:
     """Draw boxes; with one coordinate they are strips of the whole height."""
     if not len(boxes):
@@ -114,7 +114,7 @@ def _add(axes: Axes, low: Any, high: Any, color: str, label: str | None) -> None
         axes.fill([], [], color=color, label=label)
 
 
-def _arrows(found: GraphCertificate, count: int) -> list[tuple[int, int]]:
+def _arrows(found: RegionCertificate, count: int) -> list[tuple[int, int]]:
     """Arrows of the Morse graph of the first components, without those that others imply.
 
     A path through components that are left out counts as an arrow.
@@ -130,7 +130,7 @@ def _arrows(found: GraphCertificate, count: int) -> list[tuple[int, int]]:
     return [(int(i), int(j)) for i, j in np.argwhere(direct)]
 
 
-def _draw_morse(axes: Axes, found: GraphCertificate) -> None:
+def _draw_morse(axes: Axes, found: RegionCertificate) -> None:
     """Draw the first components in levels, so that all arrows of the Morse graph point down."""
     from matplotlib.patches import FancyArrowPatch
 

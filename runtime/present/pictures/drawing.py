@@ -107,9 +107,9 @@ def given_axes(axes: Any, kind: str, counts: Sequence[int]) -> list[Axes]:
     Their number has to be one of `counts`, or `InputError` is raised.
     """
     places: list[Axes] = list(np.ravel(np.asarray(axes, dtype=object)))
-    if len(places) not in counts or not all(hasattr(place, "plot") for place in places):
+    if len(places) not in counts or not all(hasattr(place, "get_xlim") for place in places):
         raise InputError(
-            f"{kind!r} is drawn into {' or '.join(map(str, counts))} Axes;"
+            f"axes: {kind!r} is drawn into {' or '.join(map(str, counts))} Axes;"
             f" given: {len(places)} {type(places[0]).__name__ if places else 'objects'}"
         )
     return places

@@ -48,9 +48,7 @@ _IN_ONE_WAY: Mapping[str, _OneWay] = MappingProxyType(
         "nonsmooth chaos certificate": _OneWay(
             "a certificate of chaos", "system", "system", "draw_chaos"
         ),
-        "nonsmooth graph certificate": _OneWay(
-            "a graph of boxes", "system", "system", "draw_graph"
-        ),
+        "nonsmooth region certificate": _OneWay("a region", "system", "system", "draw_graph"),
         "nonsmooth sweep": _OneWay("a sweep", "system", "system", "draw_sweep"),
         "nonsmooth fit": _OneWay("a fit", "system", "system", "fit_figure"),
     }

@@ -14,7 +14,7 @@ from nonsmooth.runtime.checker.edges import neighbours
 from nonsmooth.runtime.checker.exact import Failure
 from nonsmooth.runtime.checker.folded import BEYOND
 from nonsmooth.runtime.checker.tiles import SHARES, MapTile
-from nonsmooth.runtime.core.errors import InputError, check_integer
+from nonsmooth.runtime.core.errors import check_integer
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.box_certificate import BITS, DIGITS, BoxCertificate, Tile
@@ -100,8 +100,6 @@ def certify_box(
     """
     check_integer("tiles", tiles, 1)
     ends = checked_box(orbit, box)
-    if not isinstance(resume, BoxCertificate | None):
-        raise InputError(f"{resume!r} is no state to resume: `load` reads one")
     whole = Place(((0, 0),) * len(ends))
 
     def record(region: Region | None, tiles: Sequence[Tile]) -> BoxCertificate:

@@ -99,13 +99,9 @@ def certify_branch(
     >>> [event.kind for event in found.events], found.events[1].enclosures["V"].mid[:20]
     (['grazing', 'flip'], '1.080588074177112019')
     """
-    if not isinstance(branch, Branch):
-        raise InputError(f"{branch!r} is no branch, such as continue_orbit gives")
     check_integer("tiles", tiles, 1)
     if not seconds > 0:
         raise InputError(f"seconds = {seconds!r} is not a positive number")
-    if not isinstance(resume, CertifiedBranch | None):
-        raise InputError(f"{resume!r} is no state to resume: load reads one")
     if interval is None:
         values = branch.parameter_values
         interval = as_value(float(values.min())), as_value(float(values.max()))

@@ -108,7 +108,7 @@ def certify_all(
     (True, 1, 1)
     """
     for name, number, least in (("limit", limit, 1), ("bits", bits, FEWEST_BITS)):
-        if isinstance(number, bool) or not isinstance(number, int) or number < least:
+        if number < least:
             raise InputError(f"{name} = {number!r} is not an integer from {least} on")
     if bits > MOST_BITS:
         raise InputError(f"bits = {bits} is more than {MOST_BITS}")

@@ -108,14 +108,10 @@ def certify_doubling(
     >>> found.kind, found.doubled.side, found.doubled.verdict
     ('subcritical', 'above', 'unstable')
     """
-    if not isinstance(branch, Branch):
-        raise InputError(f"{branch!r} is no branch, such as continue_orbit gives")
     for name, count in (("flip", flip), ("tiles", tiles)):
         check_integer(name, count, 1)
     if not seconds > 0:
         raise InputError(f"seconds = {seconds!r} is not a positive number")
-    if not isinstance(resume, CertifiedDoubling | None):
-        raise InputError(f"{resume!r} is no state to resume: load reads one")
     flips = [event for event in branch.events if event.kind == "flip"]
     if len(flips) < flip:
         told = f"{len(flips) or 'no'} {'flip' if len(flips) == 1 else 'flips'}"

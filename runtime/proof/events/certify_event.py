@@ -84,8 +84,6 @@ def certify_event(branch: Branch, event: Event, bits: int = 128) -> EventCertifi
     (True, True)
     """
     check_integer("bits", bits, FEWEST_BITS, MOST_BITS)
-    if not isinstance(branch, Branch) or not isinstance(event, Event):
-        raise InputError("certify.event takes a branch and one of its events")
     if event not in branch.events:
         raise InputError(f"{event.text}: this is no event of the branch")
     undecided = _undecided(branch, event, bits)

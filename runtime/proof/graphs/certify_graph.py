@@ -23,7 +23,7 @@ from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.saved_system import check_same_system
 from nonsmooth.runtime.proof.chaos.section_choice import Sampled, sampled_sections
 from nonsmooth.runtime.proof.graphs.box_graphs import BoxGraph
-from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
+from nonsmooth.runtime.proof.graphs.graph_certificate import RegionCertificate
 from nonsmooth.runtime.proof.kept_state import KeptState
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
 from nonsmooth.runtime.proof.sets.section_record import section_entries, stated_section
@@ -62,10 +62,10 @@ def certify_graph(
     bits: int = _BITS,
     levels: int = 0,
     workers: int = 1,
-    resume: GraphCertificate | None = None,
+    resume: RegionCertificate | None = None,
     progress: Callable[[int, int], object] = lambda done, count: None,
-    keep: Callable[[GraphCertificate], object] | None = None,
-) -> GraphCertificate:
+    keep: Callable[[RegionCertificate], object] | None = None,
+) -> RegionCertificate:
     """Enclose the images of all boxes of a region of a section; find what motions do not leave.
 
     The section is chosen along the motion from the start: a phase of the forcing, else a
@@ -103,17 +103,17 @@ def certify_graph(
         edge leads.
     workers : int
         Processes that enclose images.
-    resume : GraphCertificate, optional
+    resume : RegionCertificate, optional
         What was proved before on the same region: images that are unknown are enclosed again,
         and boxes are divided up to `levels`.
     progress : callable
         Told how many boxes of how many were mapped: none before the first, at each level.
-    keep : function of a GraphCertificate, optional
+    keep : function of a RegionCertificate, optional
         Is given the state every ten seconds.
 
     Returns
     -------
-    GraphCertificate
+    RegionCertificate
 
     Raises
     ------
@@ -197,13 +197,13 @@ class _BoxImages:
     """The certificate as far as it is known, and how further images are enclosed."""
 
     question: Mapping[str, Any]
-    known: GraphCertificate
+    known: RegionCertificate
     workers: int
     progress: Callable[[int, int], object]
-    keep: Callable[[GraphCertificate], object] | None
-    kept: KeptState[GraphCertificate] = field(init=False)
+    keep: Callable[[RegionCertificate], object] | None
+    kept: KeptState[RegionCertificate] = field(init=False)
 
-    def refined(self, levels: int) -> GraphCertificate:
+    def refined(self, levels: int) -> RegionCertificate:
         """The certificate after all unknown images are enclosed and boxes are divided."""
         graph, left = self.known.graph, np.flatnonzero(self.known.graph.unknown)
         with KeptState(lambda: self.known, self.keep) as self.kept:
@@ -270,9 +270,9 @@ def _grid(
 
 def _certificate(
     kernels: SystemKernels, system: EnclosedSystem, sampled: Sampled, grid: BoxGrid, widest: Floats
-) -> GraphCertificate:
+) -> RegionCertificate:
     """The certificate of the question, with no image known yet."""
-    return GraphCertificate(
+    return RegionCertificate(
         **stated_section(system, sampled.section),
         graph=BoxGraph.unseen(DividedGrid.of(grid)),
         widest=tuple(widest.tolist()),
@@ -283,7 +283,7 @@ def _certificate(
     )
 
 
-def _check_same(asked: GraphCertificate, known: GraphCertificate) -> None:
+def _check_same(asked: RegionCertificate, known: RegionCertificate) -> None:
     """Refuse a state of another question."""
     names = ("parameters", "configuration", "phase", "source", "boundary", "region")
     check_same_question(

@@ -17,7 +17,7 @@ from nonsmooth.runtime.proof.graphs.box_graphs import BoxGraph
 from nonsmooth.runtime.proof.graphs.graph_entries import GraphEntries, entries_of, graph_of
 from nonsmooth.runtime.proof.sets.section_record import SectionRecord
 
-__all__ = ["Component", "GraphCertificate"]
+__all__ = ["Component", "RegionCertificate"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +32,7 @@ class Component:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class GraphCertificate(SectionRecord):
+class RegionCertificate(SectionRecord):
     """A rigorous outer approximation of a section's map on a region, at one parameter point.
 
     P is the map from a section to its next return: over periods of the forcing, or from one
@@ -106,8 +106,8 @@ class GraphCertificate(SectionRecord):
 
     @Told
     def claims(self) -> dict[str, str]:
-        """Verdict on "trapping": whether there is an attracting component."""
-        return {"trapping": self.claim}
+        """Verdict on "region": whether there is an attracting component."""
+        return {"region": self.claim}
 
     @Told
     def statement(self) -> str:

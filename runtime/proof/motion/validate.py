@@ -17,6 +17,7 @@ from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.events.transition_choice import choose
 from nonsmooth.runtime.model.contacts.law import ContactEvent
 from nonsmooth.runtime.model.kernels import SystemKernels
+from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.structure import Structure
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
 from nonsmooth.runtime.proof.motion.exact_rows import Invariants, evaluate
@@ -34,7 +35,7 @@ _MOST_IMMEDIATE = 64  # transitions without any time between them
 
 
 def validate(
-    system: str | SystemKernels,
+    system: str | SystemKernels | DeclaredSystem,
     parameters: Mapping[str, object],
     state: Mapping[str, object] | Sequence[object],
     configuration: str,
