@@ -24,7 +24,7 @@ from nonsmooth import InputError, Interrupted
 from nonsmooth.derive import Boundary, Configuration, SecondOrder, System, Transition
 from nonsmooth.runtime.checker.census import Counting
 from nonsmooth.runtime.checker.contraction import Linear, balls_of, contract, middles_of
-from nonsmooth.runtime.checker.covering import CUTS, CoveringBox, Walk
+from nonsmooth.runtime.checker.covering import CUTS, CoveringBox, Root, Walk
 from nonsmooth.runtime.checker.dwell_equations import DwellEquations, _flow_over, _norm
 from nonsmooth.runtime.checker.exact import Failure
 from nonsmooth.runtime.cli.program import app
@@ -175,6 +175,49 @@ def test_a_root_where_boxes_are_cut_counts_once() -> None:
     assert len(found.roots) <= 2
 
 
+class Line:
+    """The equations q (1 + u) = u + size and u = 0, which have the root u = 0, q = size."""
+
+    domain = ((-0.25, 0.5),)
+
+    def __init__(self, size: str) -> None:
+        self.size = arb(size)
+
+    def linear(self, sides: Any, *, between: bool = False) -> Linear:
+        """Rows [1 + u, -u - size] and [0, u] on (q, 1), where no larger q than 1 is asked for."""
+        (m,) = middles_of(sides)
+        centre = arb_mat([[1 + m, -m - self.size], [arb(0), m]])
+        return over(centre, [arb_mat([[1, -1], [0, 1]])], sides, 1.0)
+
+
+def test_a_root_that_is_a_little_too_large_is_not_polished_away() -> None:
+    """It keeps the coordinate that it has: neither another box nor one that is asked for."""
+    equations: Any = Line("1.00001")
+    with flint_precision(64):
+        found = CoveringBox(equations, ((-0.001, 0.0015),)).root
+        assert found is not None
+        (low, high), (q,) = found.sides[0], found.coordinates
+        assert low <= 0 <= high
+        assert q.contains(arb("1.00001"))
+        assert q > 1
+        # as sharply as any other one
+        far: Any = Line("1.5")
+        wide = CoveringBox(far, ((-0.001, 0.0015),))
+        (side,) = wide._polished(Root(wide.sides, wide.sides, [arb("1.5 +/- 1")])).sides
+        assert side[0] <= 0 <= side[1] < side[0] + 1e-12
+
+
+def test_of_two_roots_that_may_be_one_the_surer_is_kept() -> None:
+    """With more equations than unknowns the one in whose box the other lies may exist alone."""
+    small = Root(((0.1, 0.2),), ((0.05, 0.25),), ())
+    large = Root(((0.3, 0.4),), ((0.0, 0.5),), ())
+    for roots in ((small, large), (large, small)):
+        walk = Walk(Toy(((0.0, 1.0),), None, None))  # type: ignore[arg-type]
+        for root in roots:
+            walk._add(root)
+        assert (walk.roots, walk.left) == ([large], [])
+
+
 def test_singular_linear_equations_are_no_obstacle() -> None:
     found = covered(Pole(), 10_000)
     grid = np.linspace(0.5, 20, 20_001)
@@ -193,21 +236,21 @@ def test_singular_linear_equations_are_no_obstacle() -> None:
 @pytest.mark.slow
 def test_all_orbits_of_the_paper_in_a_box_and_newton_finds_no_other() -> None:
     told: list[float] = []
-    census = ns.certify.all(STICK, box={"tau": (0, "6.3"), "tau1": (0, 13)}, progress=told.append)
+    census = ns.certify.all(STICK, box={"tau": (0, "12.6"), "tau1": (0, 20)}, progress=told.append)
     assert census.decided
-    assert (census.count, census.admissible) == (4, 1)
-    assert "exactly 4 orbits" in census.statement
-    assert "0 < tau <= 6.3" in census.statement
+    assert (census.count, census.admissible) == (6, 1)
+    assert "exactly 6 orbits" in census.statement
+    assert "0 < tau <= 12.6" in census.statement
     assert told == sorted(told)
     assert 0 < told[-1] <= 1 + 1e-9
     found = times(census)
     # hundreds of starts of Newton's method in doubles
     kernels = load_orbit(STICK)
     point = complete(kernels, {})
-    starts = np.array(list(product(np.linspace(0.1, 6.3, 30), np.linspace(0.1, 13, 60))))
+    starts = np.array(list(product(np.linspace(0.1, 12.6, 40), np.linspace(0.1, 20, 60))))
     solved = solve_reduced(kernels, np.array([float(x) for x in point.values.values()]), starts)
     reached = solved.unknowns[solved.status == CONVERGED][:, 2:]
-    inside = (reached[:, 1] <= 6.3) & (reached[:, 2] <= 13)
+    inside = (reached[:, 1] <= 12.6) & (reached[:, 2] <= 20)
     distances = np.abs(reached[inside][:, None] - found).max(axis=-1)
     assert len(distances) > 200
     assert distances.min(axis=1).max() < 1e-7  # none that was not counted
