@@ -212,7 +212,7 @@ def test_of_two_roots_that_may_be_one_the_surer_is_kept() -> None:
     small = Root(((0.1, 0.2),), ((0.05, 0.25),), ())
     large = Root(((0.3, 0.4),), ((0.0, 0.5),), ())
     for roots in ((small, large), (large, small)):
-        walk = Walk(Toy(((0.0, 1.0),), None, None))  # type: ignore[arg-type]
+        walk = Walk(Toy(((0.0, 1.0),), None, None))
         for root in roots:
             walk._add(root)
         assert (walk.roots, walk.left) == ([large], [])
