@@ -8,6 +8,8 @@ that there are no poles: where G(u) has full rank over a box there is no root in
 
 import math
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, NamedTuple
 
 from flint import arb, arb_mat
@@ -26,7 +28,6 @@ __all__ = [
     "regular",
     "share_of",
     "touching",
-    "weights",
 ]
 
 Sides = tuple[tuple[float, float], ...]  # of a box: exactly these doubles
@@ -38,22 +39,57 @@ _LEAST = 1e-300  # of a radius that is divided by
 _UNKNOWN = 1e12  # a radius that is not bounded
 
 
-class Linear(NamedTuple):
-    """G over a box: in its middle, its derivatives by the unknowns over it, and an enclosure.
+@dataclass(frozen=True, eq=False)
+class Linear:
+    """G over a box: in its middle, and an enclosure, with derivatives by the unknowns.
 
-    All matrices are m x (d + 1), for d coordinates.
+    All matrices are m x (d + 1), for d coordinates. For each point u of the box, with middle m,
+    G(u) - G(m) is a sum of slopes in `slopes` times the offsets u - m (Hansen, 1968).
     """
 
     centre: Any
     slopes: tuple[Any, ...]
     over: Any
+    offsets: Sequence[Any]  # balls with those of all points of the box
+    # no coordinate of the roots that are asked for has a larger absolute value
+    largest: Any
     # rows (d + 1) that are zero on (q, 1) for some numbers in their balls, at all that is asked for
     asked: Sequence[Sequence[Any]] = ()
-    # no coordinate of the roots that are asked for has a larger absolute value
-    largest: Any = arb(0)
     # the box may hold a root that is none of the problem's: that it has none can be proved, but not
     # that it has one
     trivial: bool = False
+
+    @cached_property
+    def weights(self) -> list[float]:
+        """A weight of each row: the smaller its entries' radii are, the more it counts."""
+        return _weights(self.over)
+
+    @cached_property
+    def coordinates(self) -> list[Any] | None:
+        """Enclosures of the coordinates q of every root in the box: least squares in balls.
+
+        None if they are all too large.
+        """
+        over, width = self.over, self.over.ncols() - 1
+        if width == 0:
+            return []
+        allowed = [arb(0, self.largest)] * width
+        centre = arb_mat([row[:width] for row in self.centre.mid().tolist()])
+        guess = _inverse(centre, self.weights)
+        if guess is None:
+            return allowed
+        product = (guess * over).tolist()
+        left = arb_mat([row[:width] for row in product])
+        right = arb_mat([[-row[width]] for row in product])
+        try:
+            found = left.solve(right).entries()
+        except ZeroDivisionError:
+            return allowed
+        if not all(x.is_finite() for x in found):
+            return allowed
+        if not all(x.overlaps(y) for x, y in zip(found, allowed, strict=True)):
+            return None
+        return [x if x.rad() < y.rad() else y for x, y in zip(found, allowed, strict=True)]
 
 
 class Image(NamedTuple):
@@ -61,7 +97,7 @@ class Image(NamedTuple):
 
     sides: Sides  # contains every root of the box
     coordinates: tuple[Any, ...]  # contain those of every root of the box
-    unique: bool  # the image lies inside: there is one root in the box, and no other
+    unique: bool  # the image lies inside: there is a root in the box, and perhaps no other
     empty: bool  # image and box are apart: there is no root
     ratio: float  # largest radius of the image in units of the box's
 
@@ -114,12 +150,15 @@ def excluding(linear: Linear) -> bool:
 
     All coordinates that a root may have are tried in each equation.
     """
-    coordinates = _coordinates(linear)
+    coordinates = linear.coordinates
     if coordinates is None:
         return True
     column = arb_mat([[x] for x in (*coordinates, arb(1))])
+    values = linear.centre * column
+    for slope, offset in zip(linear.slopes, linear.offsets, strict=True):
+        values = values + slope * column * offset
     rows = arb_mat([*linear.over.tolist(), *linear.asked])
-    return any(x > 0 or x < 0 for x in (rows * column).entries())
+    return any(x > 0 or x < 0 for x in (*values.entries(), *(rows * column).entries()))
 
 
 def regular(linear: Linear) -> bool:
@@ -139,28 +178,30 @@ def regular(linear: Linear) -> bool:
                               for i in range(width))]  # fmt: skip
     over = arb_mat([*linear.over.tolist(), *asked])
     centre = arb_mat([*linear.centre.tolist(), *asked]).mid()
-    guess = _inverse(centre, weights(over))
+    guess = _inverse(centre, _weights(over))
     if guess is None:
         return False
     determinant = (guess * over).det()
     return bool(determinant > 0 or determinant < 0)
 
 
-def contract(linear: Linear, sides: Sides) -> Image | None:
+def contract(linear: Linear, coordinates: Sequence[Any] | None, sides: Sides) -> Image | None:
     """Return Krawczyk's image of a box, or None where the equations are singular over it.
 
-    With z = (q, u), F(z) = G(u) (q, 1) and any matrix Y, all roots of a box Z around z are in
-    z - Y F(z) + (I - Y F'(Z)) (Z - z); if that is inside Z, there is one (Krawczyk, 1969). Of more
+    `coordinates` contain those of the roots that are meant; None means that there are none. With
+    z = (q, u), F(z) = G(u) (q, 1) and any matrix Y, all roots of a box Z around z are in
+    z - Y F(z) + (I - Y S) (Z - z), with slopes S from z to any point of Z; if that is inside Z,
+    there is one, and if S are slopes between any two points, no other (Krawczyk, 1969). Of more
     equations than unknowns as many are taken as there are unknowns: there is one root at most.
     """
     if linear.trivial:
         return None
-    rows, width = linear.centre.nrows(), linear.centre.ncols()
-    coordinates = _coordinates(linear)
     if coordinates is None:
         return Image(sides, (), unique=False, empty=True, ratio=0.0)
+    rows, width = linear.centre.nrows(), linear.centre.ncols()
     points = [q.mid() for q in coordinates]
-    column, middle = (arb_mat([[x] for x in (*qs, arb(1))]) for qs in (coordinates, points))
+    wide = [q + arb(0, (_INFLATED - 1) * q.rad() + _TINY * (1 + abs(q.mid()))) for q in coordinates]
+    column, middle = (arb_mat([[x] for x in (*qs, arb(1))]) for qs in (wide, points))
     values = (linear.centre * middle).entries()
     jacobian = [[linear.over[i, j] for j in range(width - 1)] for i in range(rows)]
     for slope in linear.slopes:
@@ -174,14 +215,7 @@ def contract(linear: Linear, sides: Sides) -> Image | None:
     except ZeroDivisionError:
         return None
     centres = [*points, *middles_of(sides)]
-    wide = [q + arb(0, (_INFLATED - 1) * q.rad() + _TINY * (1 + abs(q.mid()))) for q in coordinates]
     box = [*wide, *balls_of(sides)]
-    if width > 1:  # the column is wider now, and the derivatives with it
-        column = arb_mat([[x] for x in (*wide, arb(1))])
-        entries = [(slope * column).entries() for slope in linear.slopes]
-        for place, i in enumerate(kept):
-            for j, by in enumerate(entries):
-                matrix[place, width - 1 + j] = by[i]
     unit = arb_mat([[int(i == j) for j in range(count)] for i in range(count)])
     offsets = [b - c for b, c in zip(box, centres, strict=True)]
     moved = (
@@ -209,7 +243,7 @@ def contract(linear: Linear, sides: Sides) -> Image | None:
     )
 
 
-def weights(over: Any) -> list[float]:
+def _weights(over: Any) -> list[float]:
     """Return a weight of each row: the smaller its entries' radii are, the more it counts.
 
     Digits beyond a few count no more, so that weighted rows stay comparable.
@@ -221,33 +255,6 @@ def weights(over: Any) -> list[float]:
         finite = radius < math.inf
         found.append(1 / (radius + _ENOUGH * size + _LEAST) if finite else 1 / _UNKNOWN)
     return found
-
-
-def _coordinates(linear: Linear) -> list[Any] | None:
-    """Return enclosures of the coordinates q of every root in a box: least squares in balls.
-
-    None if they are all too large.
-    """
-    over, width = linear.over, linear.over.ncols() - 1
-    if width == 0:
-        return []
-    allowed = [arb(0, linear.largest)] * width
-    centre = arb_mat([row[:width] for row in linear.centre.mid().tolist()])
-    guess = _inverse(centre, weights(over))
-    if guess is None:
-        return allowed
-    product = (guess * over).tolist()
-    left = arb_mat([row[:width] for row in product])
-    right = arb_mat([[-row[width]] for row in product])
-    try:
-        found = left.solve(right).entries()
-    except ZeroDivisionError:
-        return allowed
-    if not all(x.is_finite() for x in found):
-        return allowed
-    if not all(x.overlaps(y) for x, y in zip(found, allowed, strict=True)):
-        return None
-    return [x if x.rad() < y.rad() else y for x, y in zip(found, allowed, strict=True)]
 
 
 def _rows(jacobian: list[list[Any]], count: int) -> list[int]:

@@ -45,10 +45,6 @@ class Root:
         self.unique = unique  # contains no other root
         self.coordinates = coordinates  # those in which the equations are affine, at the root
 
-    def same(self, other: "Root") -> bool:
-        """Return whether this and another one surely are one: it lies where one is alone."""
-        return inside(self.sides, other.unique) or inside(other.sides, self.unique)
-
 
 class CoveringBox:
     """A box of a covering, with what is proved of it when it is asked for."""
@@ -69,7 +65,22 @@ class CoveringBox:
     @cached_property
     def image(self) -> Image | None:
         """Krawczyk's image of the box; None where that is not known."""
-        return None if self.linear is None else contract(self.linear, self.sides)
+        if self.linear is None:
+            return None
+        return contract(self.linear, self.linear.coordinates, self.sides)
+
+    @cached_property
+    def unique(self) -> bool:
+        """Whether it has exactly one root whose coordinates are not too large, or little larger.
+
+        Only slopes between any two of its points tell that there are not two.
+        """
+        if self.linear is None or self.image is None or not self.image.unique:
+            return False
+        between = self.equations.linear(self.sides, between=True)
+        assert between is not None
+        image = contract(between, self.linear.coordinates, self.sides)
+        return image is not None and image.unique
 
     @cached_property
     def kept(self) -> Sides:
@@ -88,7 +99,7 @@ class CoveringBox:
         """The root that all roots in the box are, unique in the box or around its image."""
         if self.image is None or self.empty:
             return None
-        if self.image.unique:
+        if self.unique:
             return self._polished(Root(self.kept, self.sides, self.image.coordinates))
         found = self._around(self.image.sides) if self.image.ratio < _CLOSE else None
         return found if found is not None and inside(self.kept, found.unique) else None
@@ -104,19 +115,24 @@ class CoveringBox:
             around = CoveringBox(self.equations, tuple(wide))
             if around.image is None or around.empty:
                 return None
-            if around.image.unique:
+            if around.unique:
                 root = Root(around.kept, around.sides, around.image.coordinates)
                 return self._polished(root)
         return None
 
     def _polished(self, root: Root) -> Root:
-        """Return the same root in a box as small as the arithmetic allows."""
+        """Return the same root in a box as small as the arithmetic allows.
+
+        Its coordinates are those that are known of it, even if they are too large.
+        """
         for _ in range(_POLISHES):
-            part = CoveringBox(self.equations, root.sides)
-            if part.image is None or part.empty:
+            linear = self.equations.linear(root.sides)
+            image = None if linear is None else contract(linear, root.coordinates, root.sides)
+            if image is None or image.empty:
                 return root
-            better = share_of(part.kept, root.sides)
-            root = Root(part.kept, root.unique, part.image.coordinates)
+            kept = image.within(root.sides)
+            better = share_of(kept, root.sides)
+            root = Root(kept, root.unique, image.coordinates)
             if not better < _SHRUNK:
                 return root
         return root
@@ -210,8 +226,14 @@ class Walk:
         return [(*part.sides[:place], half, *part.sides[place + 1 :]) for half in halves]
 
     def _add(self, root: Root) -> None:
-        if any(root.same(other) for other in self.roots):
+        """Take up a root, unless it is one that is known.
+
+        Of more equations than unknowns a root need not exist. The one that is kept is the one in
+        whose box the other lies: if this one exists, it is that one.
+        """
+        if any(inside(root.sides, other.unique) for other in self.roots):
             return
+        self.roots = [other for other in self.roots if not inside(other.sides, root.unique)]
         touched = [other.sides for other in self.roots if touching(root.sides, other.sides)]
         if touched:  # neither the same root nor another one, by what is known
             self.left.append(enclosed([root.sides, *touched]))

@@ -32,6 +32,7 @@ _WIDE = 0.25  # norm of field and width of a side: the flow over a wider one is 
 _WIDEST = 64  # but not over one that is wider still, which would take many
 _SERIES = 4  # norm of field and time up to which the divided flow is summed as a series
 _KEPT = 40_000  # matrix exponentials
+_STATES = 300  # behind phases
 
 Number = Callable[[Any], Any]
 
@@ -91,19 +92,25 @@ class Given(NamedTuple):
 
 
 class _Flow(NamedTuple):
-    """The flow over a time, and the switching condition by the state in front of it."""
+    """What a phase does over a time: the state behind it, and its condition, a row below.
 
-    flow: Any
-    row: Any
-    rate: Any  # the derivative of that row by the time
+    Matrices (N + 2, N + 2) take the state in front of it, whose last entry does not matter.
+    """
+
+    whole: Any
+    by_rate: Any  # times the rate of the state in front: the derivative by the time
+    by_state: Any  # of a condition that is divided: what is added, times that state; or None
 
 
-class _Passed(NamedTuple):
-    """G, then rows of the dwell times that follow, with derivatives, and the phases' starts."""
+class _Carried(NamedTuple):
+    """The state in front of a phase, and the condition of the one before it, a row below.
 
-    matrix: Any
-    slopes: list[Any]
-    starts: dict[int, Any]
+    All matrices have N + 2 rows, and act on (q, 1).
+    """
+
+    centre: Any  # in the middle of the box
+    over: Any  # over the box
+    slopes: Any  # the derivatives by all unknowns, side by side
 
 
 class DwellEquations:
@@ -136,20 +143,26 @@ class DwellEquations:
         def numbers(rows: Sequence[Sequence[Any]]) -> Any:
             return arb_mat([list(map(number, row)) for row in rows])
 
+        size = declared.size + 1
         self._fields = [numbers(step.field) for step in declared.steps]
         self._rows = [numbers([step.exit]) for step in declared.steps]
         self._resets = [numbers(step.reset) for step in declared.steps]
-        self._still = {k: (numbers(a), numbers([t])) for k, (a, t) in setting.still.items()}
+        self._speeds = [_framed(field, arb_mat(1, size)) for field in self._fields]
+        self._still = {
+            k: _framed(self._resets[k] * numbers(ends), numbers([time]))
+            for k, (ends, time) in setting.still.items()
+        }
         self._follow = [bounds[declared.dwell[k]] for k in setting.order if k in setting.still]
-        self._embedding = numbers(setting.embedding)
+        self._embedding = numbers([*setting.embedding, [0] * len(setting.embedding[0])])
         self._width = width = len(setting.places) + 1
         count = len(self.domain)
-        self._unmoved = arb_mat(declared.size + 1, width * count)
+        self._unmoved = arb_mat(size + 1, width * count)
         # a forcing's time, and the dwell times; the last is what the others leave of the period
         rates = [[int(own == j) for j in range(count)] for own in range(count)]
         rates += [[-int(j >= self.first) for j in range(count)]] if timed else []
         self._rates = [_times_unit(rate, width) for rate in rates]
         self._kept: dict[tuple[int, float, float, bool], _Flow] = {}
+        self._known: dict[tuple[int, bool, Sides], _Carried] = {}
         self._norms = [_norm(field) for field in self._fields]
         self._powers = [_powers(*each) for each in zip(self._fields, self._rows, strict=True)]
 
@@ -158,32 +171,47 @@ class DwellEquations:
         """Whether a period is given: the closure of one coordinate then follows from the energy."""
         return self.last is not None and not self.first
 
-    def linear(self, sides: Sides) -> Linear | None:
-        """Return G over a box of unknowns; None where the last dwell time is out of its range."""
+    def linear(self, sides: Sides, *, between: bool = False) -> Linear | None:
+        """Return G over a box of unknowns; None where the last dwell time is out of its range.
+
+        The slopes are those between the middle of the box and any other point of it, or, if it is
+        so asked, `between` any two points of it.
+        """
         balls, middles = balls_of(sides), middles_of(sides)
         times = self._times(balls)
         if self.last is not None and (times[-1] < self.last[0] or times[-1] > self.last[1]):
             return None
-        searched = self.setting.searched
-        divided = {k: self._divides(k, t) for k, t in zip(searched, times, strict=True)}
-        points = tuple((float(x), float(x)) for x in middles)
-        centre, _, _ = self._passage(middles, points, divided, slopes=False)
-        natural, slopes, _ = self._passage(balls, sides, divided, slopes=True)
-        mean = centre
-        for slope, ball, middle in zip(slopes, balls, middles, strict=True):
-            mean = mean + slope * (ball - middle)
-        pairs = zip(mean.entries(), natural.entries(), strict=True)
-        over = arb_mat(centre.nrows(), centre.ncols(), [_sharper(*pair) for pair in pairs])
-        trivial = any(
-            self.setting.zeros[k] and not time > 0 and not divided[k]
-            for k, time in zip(searched, times, strict=True)
+        carried = self._carried(sides, between=between)
+        met: list[Any] = []
+        followed: list[Any] = []
+        for k, behind in zip(self.setting.order, carried[1:], strict=True):
+            (followed if k in self._still else met).append(_rows(behind, self.declared.size + 1))
+        change = _Carried(
+            *(end - start for end, start in zip(carried[-1], carried[0], strict=True))
         )
-        count = centre.nrows() - len(self._still)
+        rows = [*met, *(_rows(change, k) for k in self.setting.places), *followed]
+        width = self._width
+        centre, natural = (arb_mat([row[kind] for row in rows]) for kind in (0, 1))
+        slopes = [
+            arb_mat([row[2][j * width : (j + 1) * width] for row in rows])
+            for j in range(len(sides))
+        ]
+        offsets = [ball - middle for ball, middle in zip(balls, middles, strict=True)]
+        mean = centre
+        for slope, offset in zip(slopes, offsets, strict=True):
+            mean = mean + slope * offset
+        over = _sharper(mean, natural)
+        trivial = any(
+            self.setting.zeros[k] and not time > 0 and not self._divides(k, time)
+            for k, time in zip(self.setting.searched, times, strict=True)
+        )
+        count = centre.nrows() - len(followed)
         longest = sum(times, arb(0)).upper()
         follow = zip(self._follow, over.tolist()[count:], strict=True)
         asked = [self._follows(*each, longest) for each in follow]
-        centre, over, *slopes = (arb_mat(m.tolist()[:count]) for m in (centre, over, *slopes))
-        return Linear(centre, tuple(slopes), over, asked, self.largest, trivial)
+        if followed:
+            centre, over, *slopes = (arb_mat(m.tolist()[:count]) for m in (centre, over, *slopes))
+        return Linear(centre, tuple(slopes), over, offsets, self.largest, asked, trivial)
 
     def _follows(self, side: tuple[float, float], row: Sequence[Any], scale: Any) -> list[Any]:
         """Return the row of a condition: that a dwell time, a row on (q, 1), is in its range.
@@ -200,9 +228,12 @@ class DwellEquations:
         """Return all dwell times by name, over a box of unknowns and coordinates of the start."""
         searched = zip(self.setting.searched, self._times(balls_of(sides)), strict=True)
         found = {self.declared.dwell[k]: time for k, time in searched}
-        starts = self.starts(sides, coordinates) if self._still else {}
-        for k, (_, row) in self._still.items():
-            found[self.declared.dwell[k]] = (row * starts[k])[0, 0]
+        if self._still:
+            column = arb_mat([[x] for x in (*coordinates, arb(1))])
+            behind = zip(self.setting.order, self._carried(sides, between=False)[1:], strict=True)
+            for k, own in behind:
+                if k in self._still:
+                    found[self.declared.dwell[k]] = (own.over * column).entries()[-1]
         return found
 
     def begun_later(self, sides: Sides, phases: int) -> Iterator[Sides]:
@@ -235,10 +266,9 @@ class DwellEquations:
 
         `coordinates` are those that the dwell times leave open.
         """
-        whole = dict.fromkeys(self.setting.order, False)
-        starts = self._passage(balls_of(sides), sides, whole, slopes=False).starts
         column = arb_mat([[x] for x in (*coordinates, arb(1))])
-        return {k: state * column for k, state in starts.items()}
+        carried = zip(self.setting.order, self._carried(sides, between=False), strict=False)
+        return {k: arb_mat((own.over * column).tolist()[:-1]) for k, own in carried}
 
     def carried(self, state: Sequence[Any], dwell: Mapping[str, Any]) -> list[Any]:
         """Return the state (N) where the start is sought, from that where the cycle begins."""
@@ -259,45 +289,56 @@ class DwellEquations:
         order = self.setting.zeros[place]
         return bool(order and self._norms[place] * abs(time).upper() <= _SERIES)
 
-    def _passage(
-        self, unknowns: Sequence[Any], sides: Sides, divided: Mapping[int, bool], *, slopes: bool
-    ) -> _Passed:
-        start, begun = self._start(unknowns)
-        width, count = self._width, len(unknowns) if slopes else 0
-        begins = self._unmoved if slopes else arb_mat(start.nrows(), 0)
-        if self.first and slopes:
-            begins = begins + begun * self._rates[0]
-        times = iter(enumerate(self._times(unknowns), self.first))
-        state, changes, values, slope_rows, starts = start, begins, [], [], {}
-        followed: list[Any] = []
-        for k in self.setting.order:
-            starts[k] = state
-            if k in self._still:
-                flow, row = self._still[k]
-                followed.append(((row * state).entries(), (row * changes).entries()))
-                state, changes = flow * state, flow * changes
-            else:
-                own, time = next(times)
-                side = sides[own] if own < len(sides) else None
-                flow, row, rate = self._flow(k, time, side, divided[k])
-                values.append((row * state).entries())
-                if slopes:
-                    by = row * changes + (rate * state) * self._rates[own]
-                    slope_rows.append(by.entries())
-                state = flow * state
-                if slopes:
-                    changes = flow * changes + (self._fields[k] * state) * self._rates[own]
-            state, changes = self._resets[k] * state, self._resets[k] * changes
-        change, moved = state - start, changes - begins
-        places = self.setting.places
-        values += [[change[k, i] for i in range(width)] for k in places]
-        slope_rows += [[moved[k, i] for i in range(width * count)] for k in places if slopes]
-        values += [value for value, _ in followed]
-        slope_rows += [by for _, by in followed if slopes]
-        by_unknown = [
-            arb_mat([row[j * width : (j + 1) * width] for row in slope_rows]) for j in range(count)
-        ]
-        return _Passed(arb_mat(values), by_unknown, starts)
+    def _carried(self, sides: Sides, *, between: bool) -> list[_Carried]:
+        """Return what is carried over a box of unknowns: to the start, and behind each phase.
+
+        Boxes that differ in later unknowns share it.
+        """
+        found = [self._begins(sides)]
+        met = self.first
+        for place, k in enumerate(self.setting.order):
+            met += k not in self._still
+            key = place, between, sides[:met]
+            if key not in self._known:
+                if len(self._known) >= _STATES:
+                    self._known.clear()
+                self._known[key] = self._behind(k, met - 1, sides, found[-1], between=between)
+            found.append(self._known[key])
+        return found
+
+    def _behind(
+        self, place: int, own: int, sides: Sides, front: _Carried, *, between: bool
+    ) -> _Carried:
+        """Return what is carried through a phase, whose dwell time is an unknown if it moves.
+
+        The state behind it is Phi(m) y + (t - m) Phi(T) B y, with B y from the state in front, so
+        that what cancels there does not count. Slopes but those `between` any two points have all
+        unknowns behind the own one in their middle.
+        """
+        if place in self._still:
+            return _Carried(*(self._still[place] * matrix for matrix in front))
+        time, middle = (
+            self._times(x)[own - self.first] for x in (balls_of(sides), middles_of(sides))
+        )
+        divided = self._divides(place, time)
+        if own < len(sides):
+            flow = self._flow(place, time, sides[own], divided)
+            at = self._flow(place, middle, (float(middle), float(middle)), divided)
+        else:
+            flow, at = (self._computed(place, t, divided) for t in (time, middle))
+        moved = flow.by_rate * (self._speeds[place] * front.over)
+        if flow.by_state is not None:
+            moved += flow.by_state * front.over
+        over = _sharper(at.whole * front.over + moved * (time - middle), flow.whole * front.over)
+        through = flow if between or own == len(sides) else at
+        slopes = through.whole * front.slopes + moved * self._rates[own]
+        return _Carried(at.whole * front.centre, over, slopes)
+
+    def _begins(self, sides: Sides) -> _Carried:
+        """Return the start over a box of unknowns."""
+        over, by = self._start(balls_of(sides))
+        slopes = self._unmoved + by * self._rates[0] if self.first else self._unmoved
+        return _Carried(self._start(middles_of(sides))[0] if self.first else over, over, slopes)
 
     def _start(self, unknowns: Sequence[Any]) -> tuple[Any, Any]:
         """Return the start as a matrix on (q, 1), and its derivative by the forcing's time."""
@@ -314,11 +355,7 @@ class DwellEquations:
         inner[inner.nrows() - 1, count] = 1
         return self._embedding * inner, self._embedding * rate
 
-    def _flow(
-        self, place: int, time: Any, side: tuple[float, float] | None, divided: bool
-    ) -> _Flow:
-        if side is None:
-            return self._computed(place, time, divided)
+    def _flow(self, place: int, time: Any, side: tuple[float, float], divided: bool) -> _Flow:
         key = (place, *side, divided)
         found = self._kept.get(key)
         if found is None:
@@ -333,17 +370,25 @@ class DwellEquations:
                     self._flow(place, arb(a).union(arb(b)), (a, b), divided)
                     for a, b in ((low, middle), (middle, high))
                 ]
-                found = _Flow(*(_hull(*pair) for pair in zip(*halves, strict=True)))
+                whole = _hull(*(half.whole for half in halves))
+                found = _Flow(whole, whole, None)
+                if divided:
+                    added = _hull(*(half.by_state for half in halves))
+                    found = _Flow(whole, _hull(*(half.by_rate for half in halves)), added)
             found = self._kept[key] = found or self._computed(place, time, divided)
         return found
 
     def _computed(self, place: int, time: Any, divided: bool) -> _Flow:
         """Return flow and switching condition over a time that may be wide."""
         flow = _flow_over(self._fields[place], self._norms[place], time)
-        if divided:
-            return _Flow(flow, *self._divided(place, time))
-        row = self._rows[place] * flow
-        return _Flow(flow, row, row * self._fields[place])
+        behind = self._resets[place] * flow
+        if not divided:
+            whole = _framed(behind, self._rows[place] * flow)
+            return _Flow(whole, whole, None)
+        none = arb_mat(1, flow.ncols())
+        row, rate = self._divided(place, time)
+        by_state = _framed(arb_mat(flow.nrows(), flow.ncols()), rate)
+        return _Flow(_framed(behind, row), _framed(behind, none), by_state)
 
     def _divided(self, place: int, time: Any) -> tuple[Any, Any]:
         """Return the row n exp(B t) / t^m without its first m terms, and its derivative.
@@ -390,6 +435,16 @@ def _still(declared: StatedSystem, place: int, kept: Any) -> tuple[Any, Any] | N
     return ends, time
 
 
+def _rows(carried: _Carried, place: int) -> list[list[Any]]:
+    """Return one row of each matrix."""
+    return [[matrix[place, j] for j in range(matrix.ncols())] for matrix in carried]
+
+
+def _framed(square: Any, row: Any) -> Any:
+    """Return a matrix with a row below it, and a column of zeros."""
+    return arb_mat([[*line, 0] for line in (*square.tolist(), *row.tolist())])
+
+
 def _hull(first: Any, second: Any) -> Any:
     """Return a matrix of balls around those of two matrices."""
     pairs = zip(first.entries(), second.entries(), strict=True)
@@ -397,10 +452,15 @@ def _hull(first: Any, second: Any) -> Any:
 
 
 def _sharper(first: Any, second: Any) -> Any:
-    """Return what two balls around one number have in common, or the first if that is unknown."""
-    if not first.is_finite():
-        return second
-    return first.intersection(second) if second.is_finite() else first
+    """Return what two matrices of balls around one have in common, entry by entry.
+
+    Where one of the balls is unbounded it is the other one.
+    """
+    entries = [
+        (x.intersection(y) if y.is_finite() else x) if x.is_finite() else y
+        for x, y in zip(first.entries(), second.entries(), strict=True)
+    ]
+    return arb_mat(first.nrows(), first.ncols(), entries)
 
 
 def _flow_over(field: Any, norm: Any, time: Any) -> Any:

@@ -10,6 +10,7 @@ import sympy as sp
 import nonsmooth as ns
 from nonsmooth.derive import Boundary, Configuration, FirstOrder, Parameter, System, Transition
 from nonsmooth.runtime.checker import Failure, check_graph
+from nonsmooth.runtime.checker.grids import stated_divided_grid
 from nonsmooth.runtime.checker.many_sets import ManyMotions
 from nonsmooth.runtime.model.kernels import load_system
 from tests.certified import accepted, claimed, signed
@@ -257,6 +258,14 @@ def test_other_numbers_of_boxes_are_refused(content, tmp_path, name, change, tol
 )
 def test_other_entries_are_refused(content, tmp_path, name, value, told):
     refused({**content, name: value}, tmp_path, told)
+
+
+def test_a_box_is_divided_or_not():
+    """Other numbers are no way to say that it is not, though they may add up to the same."""
+    grid = {"exponents": [0], "first": [0], "counts": [4]}
+    assert len(stated_divided_grid(grid, [[[1, 1], [0, 3]], [[0, 2]]], 1)) == 5
+    with pytest.raises(Failure, match="a box is divided or not"):
+        stated_divided_grid(grid, [[[1, 1], [2, 1], [-2, 1], [0, 1]], [[0, 2]]], 1)
 
 
 @pytest.mark.slow

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.checker.census import CensusVerdict, CountedBox, Counting, texts_of
-from nonsmooth.runtime.checker.contraction import Linear, Sides, share_of, weights
+from nonsmooth.runtime.checker.contraction import Linear, Sides, share_of
 from nonsmooth.runtime.checker.covering import CUTS, CoveringBox, Root, Walk
 from nonsmooth.runtime.checker.dwell_equations import DwellEquations
 from nonsmooth.runtime.checker.exact import Failure
@@ -232,10 +232,9 @@ def _smears(linear: Linear | None, sides: Sides) -> list[float]:
     """A guess of how much each unknown's side spreads the equations: cut at the largest."""
     found = []
     assert linear is not None
-    weight = weights(linear.over)
     for slope, (low, high) in zip(linear.slopes, sides, strict=True):
-        sizes = [max(float(abs(x).upper()) for x in row) for row in slope.tolist()]
-        score = sum(w * size for w, size in zip(weight, sizes, strict=True)) * (high - low)
+        sizes = [max(float(x.abs_upper()) for x in row) for row in slope.tolist()]
+        score = sum(w * size for w, size in zip(linear.weights, sizes, strict=True)) * (high - low)
         # where the derivative is not bounded, nothing but the size of the side is known
         found.append(score if math.isfinite(score) else _UNKNOWN * (high - low))
     return found
