@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 import nonsmooth as ns
-from nonsmooth.runtime.checker.many_sets import ManyMotions
-from nonsmooth.runtime.checker.switching import StatedSection
+from nonsmooth.runtime.checker.state_sets.many_sets import ManyMotions
+from nonsmooth.runtime.checker.state_sets.switching import StatedSection
 from nonsmooth.runtime.core.float_sets import ManySets
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.proof.motion.enclosures import enclosed_system

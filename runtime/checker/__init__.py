@@ -22,17 +22,17 @@ provers ask these functions, or those for a part of a file, before they state an
 ``python -m nonsmooth.runtime.checker FILE`` checks a file.
 """
 
-from nonsmooth.runtime.checker.basin import check_basin
-from nonsmooth.runtime.checker.beyond import check_branch
-from nonsmooth.runtime.checker.census import check_census
-from nonsmooth.runtime.checker.chaos import check_chaos
-from nonsmooth.runtime.checker.doubling import check_doubling
-from nonsmooth.runtime.checker.events import check_events
-from nonsmooth.runtime.checker.exact import Failure
-from nonsmooth.runtime.checker.graph import check_graph
-from nonsmooth.runtime.checker.points import check
-from nonsmooth.runtime.checker.shape import Malformed
-from nonsmooth.runtime.checker.tiles import check_tiles
+from nonsmooth.runtime.checker.counting.census import check_census
+from nonsmooth.runtime.checker.orbits.events import check_events
+from nonsmooth.runtime.checker.orbits.points import check
+from nonsmooth.runtime.checker.ranges.beyond import check_branch
+from nonsmooth.runtime.checker.ranges.doubling import check_doubling
+from nonsmooth.runtime.checker.ranges.tiles import check_tiles
+from nonsmooth.runtime.checker.state_sets.basin import check_basin
+from nonsmooth.runtime.checker.state_sets.chaos import check_chaos
+from nonsmooth.runtime.checker.state_sets.graph import check_graph
+from nonsmooth.runtime.checker.stated.exact import Failure
+from nonsmooth.runtime.checker.stated.shape import Malformed
 
 __all__ = [
     "Failure",

@@ -128,7 +128,7 @@ def trace_proof_json(orbit: Orbit) -> dict[str, Any]:
 
 def _proof_by_kernels(orbit: Orbit, bits: int) -> dict[str, Any]:
     """What the trace of the kernels decides over the box that Krawczyk's test proves."""
-    from nonsmooth.runtime.checker.stability import TANGENTIAL
+    from nonsmooth.runtime.checker.orbits.stability import TANGENTIAL
     from nonsmooth.runtime.proof.certificate import Stated
 
     table, ball, reason = orbit.kernels.table, enclosed_trace(orbit), ""
@@ -160,7 +160,7 @@ def _proof_by_kernels(orbit: Orbit, bits: int) -> dict[str, Any]:
 
 def _proof_by_certificate(orbit: Orbit, bits: int) -> dict[str, Any]:
     """What a certificate claims of trace and multipliers; there the rank is not used."""
-    from nonsmooth.runtime.checker.stability import CORNER
+    from nonsmooth.runtime.checker.orbits.stability import CORNER
     from nonsmooth.runtime.proof.certify_orbit import certify
 
     proof: dict[str, Any] = {"trace": None, "statement": None, "verdict": None, "one_sided": False}

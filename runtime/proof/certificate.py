@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import TYPE_CHECKING, Annotated, Any
 
-from nonsmooth.runtime.checker.exact import exact
+from nonsmooth.runtime.checker.stated.exact import exact
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import (
     IN_FILES,

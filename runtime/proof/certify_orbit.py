@@ -7,8 +7,8 @@ from dataclasses import asdict, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.runtime.checker.motion import Margin
-from nonsmooth.runtime.checker.points import JudgedOrbit
+from nonsmooth.runtime.checker.orbits.motion import Margin
+from nonsmooth.runtime.checker.orbits.points import JudgedOrbit
 from nonsmooth.runtime.core.errors import check_integer
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged

@@ -9,7 +9,7 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.runtime.checker.parameters import number_at
+from nonsmooth.runtime.checker.stated.parameters import number_at
 from nonsmooth.runtime.core.arithmetic import Balls
 from nonsmooth.runtime.core.irrational_numbers import Irrationals, irrationals
 from nonsmooth.runtime.core.rational_functions import RationalFunction

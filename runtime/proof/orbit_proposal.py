@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonsmooth.runtime.checker.exact import Failure
-from nonsmooth.runtime.checker.orbit import CheckedOrbit
-from nonsmooth.runtime.checker.points import JudgedOrbit
+from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit
+from nonsmooth.runtime.checker.orbits.points import JudgedOrbit
+from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.core.errors import chosen_names
 from nonsmooth.runtime.core.values import Value, flint_precision
 from nonsmooth.runtime.orbits.orbit import Orbit

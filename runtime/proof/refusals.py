@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
 
-from nonsmooth.runtime.checker.exact import Failure
+from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 

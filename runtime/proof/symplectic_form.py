@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from nonsmooth.runtime.checker.exact import Elimination, product
+from nonsmooth.runtime.checker.stated.exact import Elimination, product
 from nonsmooth.runtime.proof.exact_tables import Matrix, Tables
 from nonsmooth.runtime.proof.motion.exact_rows import Row
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape

@@ -28,10 +28,10 @@ from nonsmooth import InputError
 from nonsmooth.derive.systems import declaration
 from nonsmooth.runtime.checker import Failure, check
 from nonsmooth.runtime.checker.__main__ import judged
-from nonsmooth.runtime.checker.motion import _below, _first, _Shape
-from nonsmooth.runtime.checker.orbit import CheckedOrbit
-from nonsmooth.runtime.checker.points import JudgedOrbit
-from nonsmooth.runtime.checker.stability import (
+from nonsmooth.runtime.checker.orbits.motion import _below, _first, _Shape
+from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit
+from nonsmooth.runtime.checker.orbits.points import JudgedOrbit
+from nonsmooth.runtime.checker.orbits.stability import (
     _inside,
     _neutral,
     characteristic,
@@ -640,8 +640,8 @@ ARITHMETIC = {
 
 def sources() -> dict[str, str]:
     """The checker's files."""
-    folder = RUNTIME.joinpath("checker").iterdir()
-    return {file.name: file.read_text() for file in folder if file.name.endswith(".py")}
+    folder = Path(str(RUNTIME / "checker"))
+    return {str(file.relative_to(folder)): file.read_text() for file in folder.rglob("*.py")}
 
 
 def test_the_checker_imports_nothing_of_the_prover() -> None:
@@ -676,6 +676,7 @@ def alone(tmp_path_factory: pytest.TempPathFactory) -> Path:
         (home / file).parent.mkdir(exist_ok=True)
         (home / file).write_text(RUNTIME.joinpath(file).read_text())
     for file, source in sources().items():
+        (home / "checker" / file).parent.mkdir(exist_ok=True)
         (home / "checker" / file).write_text(source)
     return root
 

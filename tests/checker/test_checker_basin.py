@@ -10,8 +10,8 @@ import sympy as sp
 import nonsmooth as ns
 from nonsmooth.derive import Boundary, Configuration, FirstOrder, System, Transition
 from nonsmooth.runtime.checker import Failure
-from nonsmooth.runtime.checker.basin import _motions
-from nonsmooth.runtime.checker.grids import stated_grid
+from nonsmooth.runtime.checker.state_sets.basin import _motions
+from nonsmooth.runtime.checker.stated.grids import stated_grid
 from nonsmooth.runtime.core.float_sets import ManySets
 from nonsmooth.runtime.present.checking.compare_declarations import compare
 from tests.certified import prove_basin, signed

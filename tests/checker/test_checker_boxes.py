@@ -20,10 +20,10 @@ import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.derive import Harmonic, Parameter, SoftStop, oscillator
 from nonsmooth.runtime.checker import Failure, check_tiles
-from nonsmooth.runtime.checker.edges import neighbours
-from nonsmooth.runtime.checker.folded import _is_beyond
-from nonsmooth.runtime.checker.parameters import independent
-from nonsmooth.runtime.checker.tiles import MapTile
+from nonsmooth.runtime.checker.ranges.edges import neighbours
+from nonsmooth.runtime.checker.ranges.folded import _is_beyond
+from nonsmooth.runtime.checker.ranges.tiles import MapTile
+from nonsmooth.runtime.checker.stated.parameters import independent
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.rational_functions import symbols
 from nonsmooth.runtime.core.result_files import checksum_of

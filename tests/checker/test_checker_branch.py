@@ -13,7 +13,7 @@ from flint import ctx
 import nonsmooth as ns
 from nonsmooth.derive import Harmonic, SoftStop, oscillator
 from nonsmooth.runtime.checker import Failure, check_branch
-from nonsmooth.runtime.checker.branch import checked_tiles
+from nonsmooth.runtime.checker.ranges.branch import checked_tiles
 from nonsmooth.runtime.core.taylor_models import range_of
 from tests.certified import certified_over, prove_branch, signed
 from tests.shared import shared_file

@@ -15,9 +15,9 @@ from typer.testing import CliRunner
 import nonsmooth as ns
 from nonsmooth import InputError, Interrupted
 from nonsmooth.runtime.checker import Failure
-from nonsmooth.runtime.checker.chaos import Covered, StretchedSets, _placed, check_chaos
-from nonsmooth.runtime.checker.cones import check_cones
-from nonsmooth.runtime.checker.sets import StateSet
+from nonsmooth.runtime.checker.state_sets.chaos import Covered, StretchedSets, _placed, check_chaos
+from nonsmooth.runtime.checker.state_sets.cones import check_cones
+from nonsmooth.runtime.checker.state_sets.sets import StateSet
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.proof.chaos.cone_conditions import ConeCondition
@@ -268,7 +268,7 @@ def narrower(cones, place, side):
 )
 def test_cones_that_say_too_much_are_refused(coned, tmp_path, monkeypatch, change, told):
     # fewer rounds before it gives up, and what is not of cones is proved elsewhere
-    monkeypatch.setattr("nonsmooth.runtime.checker.cones.SPREADS", (1.0, 0.4))
+    monkeypatch.setattr("nonsmooth.runtime.checker.state_sets.cones.SPREADS", (1.0, 0.4))
     believed = Covered((), (), {})
     monkeypatch.setattr(StretchedSets, "covered", lambda *_: believed)
     found = changed(coned, tmp_path, lambda content: change(content["cones"]))

@@ -10,10 +10,15 @@ import pytest
 from flint import arb
 
 import nonsmooth as ns
-from nonsmooth.runtime.checker import Failure, Malformed, check_doubling, doubling
-from nonsmooth.runtime.checker.branch import curve_of
-from nonsmooth.runtime.checker.branch_tile import CheckedTile
-from nonsmooth.runtime.checker.doubling import DoubledEquations, JudgedDoubling, check_doubled
+from nonsmooth.runtime.checker import Failure, Malformed, check_doubling
+from nonsmooth.runtime.checker.ranges import doubling
+from nonsmooth.runtime.checker.ranges.branch import curve_of
+from nonsmooth.runtime.checker.ranges.branch_tile import CheckedTile
+from nonsmooth.runtime.checker.ranges.doubling import (
+    DoubledEquations,
+    JudgedDoubling,
+    check_doubled,
+)
 from tests.certified import prove_doubling, signed
 from tests.shared import shared_file
 

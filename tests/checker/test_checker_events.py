@@ -30,9 +30,10 @@ from nonsmooth.derive import (
     System,
     Transition,
 )
-from nonsmooth.runtime.checker import Failure, check_events, events
-from nonsmooth.runtime.checker.events import JudgedEvent
-from nonsmooth.runtime.checker.stability import (
+from nonsmooth.runtime.checker import Failure, check_events
+from nonsmooth.runtime.checker.orbits import events
+from nonsmooth.runtime.checker.orbits.events import JudgedEvent
+from nonsmooth.runtime.checker.orbits.stability import (
     characteristic,
     paired,
     products_less_one,

@@ -10,8 +10,8 @@ import sympy as sp
 import nonsmooth as ns
 from nonsmooth.derive import Boundary, Configuration, FirstOrder, Parameter, System, Transition
 from nonsmooth.runtime.checker import Failure, check_graph
-from nonsmooth.runtime.checker.grids import stated_divided_grid
-from nonsmooth.runtime.checker.many_sets import ManyMotions
+from nonsmooth.runtime.checker.state_sets.many_sets import ManyMotions
+from nonsmooth.runtime.checker.stated.grids import stated_divided_grid
 from nonsmooth.runtime.model.kernels import load_system
 from tests.certified import accepted, claimed, signed
 from tests.friction_sets import DATA

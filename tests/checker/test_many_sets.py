@@ -7,8 +7,8 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure
-from nonsmooth.runtime.checker.many_sets import ManyMotions
-from nonsmooth.runtime.checker.switching import StatedSection
+from nonsmooth.runtime.checker.state_sets.many_sets import ManyMotions
+from nonsmooth.runtime.checker.state_sets.switching import StatedSection
 from nonsmooth.runtime.core.float_sets import ManySets
 from nonsmooth.runtime.model.kernels import load_system
 from tests.friction_sets import (

@@ -12,7 +12,7 @@ from flint import arb, arb_mat, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from nonsmooth.runtime.checker.exact import Elimination, product
+from nonsmooth.runtime.checker.stated.exact import Elimination, product
 from nonsmooth.runtime.core.rational_functions import Extension, symbols
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
 from nonsmooth.runtime.core.values import flint_precision

@@ -14,7 +14,7 @@ from flint import arb, fmpq
 from mpmath import mp, mpf
 
 from nonsmooth.derive import RigidStop, System, oscillator
-from nonsmooth.runtime.checker.exact import product
+from nonsmooth.runtime.checker.stated.exact import product
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.events.transition_choice import Decider, choose, first_following

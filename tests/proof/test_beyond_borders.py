@@ -21,9 +21,9 @@ from nonsmooth.derive import (
     Transition,
 )
 from nonsmooth.runtime.checker import Failure, check_branch
-from nonsmooth.runtime.checker.beyond import _CheckedState, _demand_one_motion, _Met
-from nonsmooth.runtime.checker.branch import checked_tiles
-from nonsmooth.runtime.checker.motion import Border
+from nonsmooth.runtime.checker.orbits.motion import Border
+from nonsmooth.runtime.checker.ranges.beyond import _CheckedState, _demand_one_motion, _Met
+from nonsmooth.runtime.checker.ranges.branch import checked_tiles
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch

@@ -16,9 +16,10 @@ from flint import arb, fmpq
 import nonsmooth as ns
 from nonsmooth import InputError, Interrupted, certify
 from nonsmooth.derive import Harmonic, SoftStop, oscillator
-from nonsmooth.runtime.checker import Failure, check_branch, stability
-from nonsmooth.runtime.checker.branch_tile import CheckedTile
-from nonsmooth.runtime.checker.motion import Border, time_of_touch
+from nonsmooth.runtime.checker import Failure, check_branch
+from nonsmooth.runtime.checker.orbits import stability
+from nonsmooth.runtime.checker.orbits.motion import Border, time_of_touch
+from nonsmooth.runtime.checker.ranges.branch_tile import CheckedTile
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.json_codec import encode

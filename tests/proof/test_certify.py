@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 
 import nonsmooth as ns
 from nonsmooth import InputError
-from nonsmooth.runtime.checker.points import JudgedOrbit
+from nonsmooth.runtime.checker.orbits.points import JudgedOrbit
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.orbits.orbit import Orbit

@@ -9,8 +9,8 @@ from flint import arb_mat, fmpq
 
 import nonsmooth as ns
 from nonsmooth import certify
-from nonsmooth.runtime.checker.section_maps import Parallelepiped
-from nonsmooth.runtime.checker.sets import CarryingPhase, StateSet
+from nonsmooth.runtime.checker.state_sets.section_maps import Parallelepiped
+from nonsmooth.runtime.checker.state_sets.sets import CarryingPhase, StateSet
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.proof.chaos.h_sets import decimal_set

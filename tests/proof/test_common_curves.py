@@ -19,10 +19,10 @@ from flint import ctx
 
 import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure, Malformed, check_tiles
-from nonsmooth.runtime.checker.declared import StatedSystem
-from nonsmooth.runtime.checker.parameters import values_of
-from nonsmooth.runtime.checker.points import JudgedOrbit
-from nonsmooth.runtime.checker.tiles import CheckedBox
+from nonsmooth.runtime.checker.orbits.points import JudgedOrbit
+from nonsmooth.runtime.checker.ranges.tiles import CheckedBox
+from nonsmooth.runtime.checker.stated.declared import StatedSystem
+from nonsmooth.runtime.checker.stated.parameters import values_of
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate

@@ -22,11 +22,11 @@ from typer.testing import CliRunner
 import nonsmooth as ns
 from nonsmooth import InputError, Interrupted
 from nonsmooth.derive import Boundary, Configuration, SecondOrder, System, Transition
-from nonsmooth.runtime.checker.census import Counting
-from nonsmooth.runtime.checker.contraction import Linear, balls_of, contract, middles_of
-from nonsmooth.runtime.checker.covering import CUTS, CoveringBox, Root, Walk
-from nonsmooth.runtime.checker.dwell_equations import DwellEquations, _flow_over, _norm
-from nonsmooth.runtime.checker.exact import Failure
+from nonsmooth.runtime.checker.counting.census import Counting
+from nonsmooth.runtime.checker.counting.contraction import Linear, balls_of, contract, middles_of
+from nonsmooth.runtime.checker.counting.covering import CUTS, CoveringBox, Root, Walk
+from nonsmooth.runtime.checker.counting.dwell_equations import DwellEquations, _flow_over, _norm
+from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.cli.tables import show_result
 from nonsmooth.runtime.core.values import flint_precision

@@ -10,8 +10,8 @@ from flint import arb
 
 import nonsmooth as ns
 from nonsmooth import InputError, Interrupted
-from nonsmooth.runtime.checker.branch import curve_of
-from nonsmooth.runtime.checker.doubling import DoubledEquations
+from nonsmooth.runtime.checker.ranges.branch import curve_of
+from nonsmooth.runtime.checker.ranges.doubling import DoubledEquations
 from nonsmooth.runtime.core.taylor_models import (
     AT_BOTH_ENDS,
     BENT_MEAN,

@@ -7,7 +7,7 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth import InputError, Interrupted
-from nonsmooth.runtime.checker.many_sets import Arrivals
+from nonsmooth.runtime.checker.state_sets.many_sets import Arrivals
 from nonsmooth.runtime.core.box_grid import BoxGrid, DividedGrid
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.proof.graphs.box_graphs import BoxGraph

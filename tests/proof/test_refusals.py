@@ -10,13 +10,14 @@ from typing import Any
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.runtime.checker import Failure, points
-from nonsmooth.runtime.checker.census import CountedBox
-from nonsmooth.runtime.checker.chaos import StretchedSets
-from nonsmooth.runtime.checker.cones import Derivatives
-from nonsmooth.runtime.checker.doubling import JudgedDoubling
-from nonsmooth.runtime.checker.events import JudgedEvent
-from nonsmooth.runtime.checker.tiles import CheckedBox
+from nonsmooth.runtime.checker import Failure
+from nonsmooth.runtime.checker.counting.census import CountedBox
+from nonsmooth.runtime.checker.orbits import points
+from nonsmooth.runtime.checker.orbits.events import JudgedEvent
+from nonsmooth.runtime.checker.ranges.doubling import JudgedDoubling
+from nonsmooth.runtime.checker.ranges.tiles import CheckedBox
+from nonsmooth.runtime.checker.state_sets.chaos import StretchedSets
+from nonsmooth.runtime.checker.state_sets.cones import Derivatives
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes import refusals as of_tiles

@@ -18,9 +18,9 @@ from typer.testing import CliRunner
 
 import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure, Malformed, check_tiles
-from nonsmooth.runtime.checker.divided import Band, DividingCurve, Division
-from nonsmooth.runtime.checker.motion import Border
-from nonsmooth.runtime.checker.tiles import CheckedBox
+from nonsmooth.runtime.checker.orbits.motion import Border
+from nonsmooth.runtime.checker.ranges.divided import Band, DividingCurve, Division
+from nonsmooth.runtime.checker.ranges.tiles import CheckedBox
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.taylor_models import space_of
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate

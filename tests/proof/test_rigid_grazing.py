@@ -14,9 +14,9 @@ from flint import arb, ctx
 import nonsmooth as ns
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.checker import Failure, check_branch
-from nonsmooth.runtime.checker.branch import checked_tiles
-from nonsmooth.runtime.checker.points import JudgedOrbit
-from nonsmooth.runtime.checker.stability import outside_if_reached
+from nonsmooth.runtime.checker.orbits.points import JudgedOrbit
+from nonsmooth.runtime.checker.orbits.stability import outside_if_reached
+from nonsmooth.runtime.checker.ranges.branch import checked_tiles
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
 from tests.certified import accepted, certified_over

@@ -12,7 +12,7 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure, check
-from nonsmooth.runtime.checker.points import JudgedOrbit
+from nonsmooth.runtime.checker.orbits.points import JudgedOrbit
 from tests.certified import content_of, signed, struck, struck_together
 
 BOTH = ("a-reaches-stop", "b-reaches-stop")

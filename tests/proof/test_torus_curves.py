@@ -17,7 +17,7 @@ from flint import arb, ctx
 import nonsmooth as ns
 from nonsmooth.derive import Harmonic, RigidStop, oscillator
 from nonsmooth.runtime.checker import Failure, check_tiles
-from nonsmooth.runtime.checker.stability import _inside, _throughout
+from nonsmooth.runtime.checker.orbits.stability import _inside, _throughout
 from nonsmooth.runtime.core.taylor_models import space_of
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate

@@ -13,7 +13,7 @@ from itertools import product
 from typing import Any
 
 from nonsmooth.runtime.checker import Failure
-from nonsmooth.runtime.checker.exact import exact
+from nonsmooth.runtime.checker.stated.exact import exact
 from nonsmooth.runtime.core.errors import NoConvergence
 from nonsmooth.runtime.core.json_codec import decode, given_value
 from nonsmooth.runtime.core.values import Value, as_value, flint_precision

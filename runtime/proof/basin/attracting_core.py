@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.checker.exact import Failure
+from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.core.float_sets import Floats
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonsmooth.runtime.checker.basin import AttractedTiles, attracted_boxes, contraction
+from nonsmooth.runtime.checker.state_sets.basin import AttractedTiles, attracted_boxes, contraction
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.errors import InputError, check_integer
 from nonsmooth.runtime.core.float_sets import Floats

@@ -8,9 +8,9 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Annotated, Any
 
-from nonsmooth.runtime.checker.edges import neighbours
-from nonsmooth.runtime.checker.exact import exact
-from nonsmooth.runtime.checker.folded import BEYOND, beyond_folds
+from nonsmooth.runtime.checker.ranges.edges import neighbours
+from nonsmooth.runtime.checker.ranges.folded import BEYOND, beyond_folds
+from nonsmooth.runtime.checker.stated.exact import exact
 from nonsmooth.runtime.core.errors import InputError, one_line
 from nonsmooth.runtime.core.json_codec import Follows, Told, by, encode
 from nonsmooth.runtime.core.registry import registered

@@ -10,10 +10,10 @@ from fractions import Fraction
 from itertools import count
 from typing import TYPE_CHECKING
 
-from nonsmooth.runtime.checker.edges import neighbours
-from nonsmooth.runtime.checker.exact import Failure
-from nonsmooth.runtime.checker.folded import BEYOND
-from nonsmooth.runtime.checker.tiles import SHARES, MapTile
+from nonsmooth.runtime.checker.ranges.edges import neighbours
+from nonsmooth.runtime.checker.ranges.folded import BEYOND
+from nonsmooth.runtime.checker.ranges.tiles import SHARES, MapTile
+from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.core.errors import check_integer
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.orbits.orbit import Orbit

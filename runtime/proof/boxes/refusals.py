@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from nonsmooth.runtime.checker.tiles import CheckedBox, MapTile, check_whole
+from nonsmooth.runtime.checker.ranges.tiles import CheckedBox, MapTile, check_whole
 from nonsmooth.runtime.core.json_codec import encode
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate, Tile
 from nonsmooth.runtime.proof.boxes.tile_places import Place

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, NamedTuple
 
-from nonsmooth.runtime.checker.tiles import MapTile
+from nonsmooth.runtime.checker.ranges.tiles import MapTile
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.box_certificate import BITS
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region

@@ -13,12 +13,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 from flint import arb
 
-from nonsmooth.runtime.checker.divided import Band, DividingCurve
-from nonsmooth.runtime.checker.exact import Failure, demand
-from nonsmooth.runtime.checker.folded import BEYOND
-from nonsmooth.runtime.checker.motion import Border, time_of_touch
-from nonsmooth.runtime.checker.orbit import CheckedOrbit
-from nonsmooth.runtime.checker.stability import MULTIPLIERS, characteristic, passing
+from nonsmooth.runtime.checker.orbits.motion import Border, time_of_touch
+from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit
+from nonsmooth.runtime.checker.orbits.stability import MULTIPLIERS, characteristic, passing
+from nonsmooth.runtime.checker.ranges.divided import Band, DividingCurve
+from nonsmooth.runtime.checker.ranges.folded import BEYOND
+from nonsmooth.runtime.checker.stated.exact import Failure, demand
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import FromOne, Ordinal, Several, one_of
 from nonsmooth.runtime.core.taylor_models import TaylorModel, middle_of, range_of
@@ -27,7 +27,7 @@ from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 from nonsmooth.runtime.proof.refusals import asking
 
 if TYPE_CHECKING:
-    from nonsmooth.runtime.checker.tiles import MapTile
+    from nonsmooth.runtime.checker.ranges.tiles import MapTile
     from nonsmooth.runtime.proof.boxes.refusals import BoxRefusals
 
 __all__ = [

@@ -14,11 +14,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from flint import arb, fmpq
 
-from nonsmooth.runtime.checker.branch_curve import CheckedCurve, with_entry, without_entry
-from nonsmooth.runtime.checker.divided import curve_at
-from nonsmooth.runtime.checker.exact import Failure
-from nonsmooth.runtime.checker.folded import Sheets
-from nonsmooth.runtime.checker.tiles import CheckedBox
+from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve, with_entry, without_entry
+from nonsmooth.runtime.checker.ranges.divided import curve_at
+from nonsmooth.runtime.checker.ranges.folded import Sheets
+from nonsmooth.runtime.checker.ranges.tiles import CheckedBox
+from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import matrix, range_of
 

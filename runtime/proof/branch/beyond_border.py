@@ -17,11 +17,11 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.checker.beyond import found_beyond
-from nonsmooth.runtime.checker.branch_curve import CheckedCurve, without_entry
-from nonsmooth.runtime.checker.branch_tile import BITS, CheckedTile
-from nonsmooth.runtime.checker.exact import Failure
-from nonsmooth.runtime.checker.parameters import independent
+from nonsmooth.runtime.checker.ranges.beyond import found_beyond
+from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve, without_entry
+from nonsmooth.runtime.checker.ranges.branch_tile import BITS, CheckedTile
+from nonsmooth.runtime.checker.stated.exact import Failure
+from nonsmooth.runtime.checker.stated.parameters import independent
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.explore.continuation.branch import Branch

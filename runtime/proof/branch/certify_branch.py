@@ -8,10 +8,10 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
 
-from nonsmooth.runtime.checker.branch import check_joint, ending
-from nonsmooth.runtime.checker.branch_curve import CheckedCurve
-from nonsmooth.runtime.checker.branch_tile import BITS, SHARP, CheckedTile
-from nonsmooth.runtime.checker.parameters import independent
+from nonsmooth.runtime.checker.ranges.branch import check_joint, ending
+from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve
+from nonsmooth.runtime.checker.ranges.branch_tile import BITS, SHARP, CheckedTile
+from nonsmooth.runtime.checker.stated.parameters import independent
 from nonsmooth.runtime.core.errors import InputError, check_integer
 from nonsmooth.runtime.core.values import as_value, flint_precision
 from nonsmooth.runtime.explore.continuation.branch import Branch

@@ -8,10 +8,10 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from nonsmooth.runtime.checker.branch import ending
-from nonsmooth.runtime.checker.branch_curve import CheckedCurve, without_entry
-from nonsmooth.runtime.checker.branch_tile import SHARP, CheckedTile
-from nonsmooth.runtime.checker.exact import Failure, demand
+from nonsmooth.runtime.checker.ranges.branch import ending
+from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve, without_entry
+from nonsmooth.runtime.checker.ranges.branch_tile import SHARP, CheckedTile
+from nonsmooth.runtime.checker.stated.exact import Failure, demand
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.branch.tiles import (
     REFUSED,

@@ -14,13 +14,13 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from nonsmooth.runtime.checker.branch import curve_of
-from nonsmooth.runtime.checker.branch_curve import CheckedCurve, with_entry
-from nonsmooth.runtime.checker.branch_tile import BITS, ORDER, SHARP, CheckedTile
-from nonsmooth.runtime.checker.exact import Failure, Verdict, demand
-from nonsmooth.runtime.checker.motion import Border, admissibility
-from nonsmooth.runtime.checker.orbit import CheckedOrbit, followed
-from nonsmooth.runtime.checker.stability import demand_alone
+from nonsmooth.runtime.checker.orbits.motion import Border, admissibility
+from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, followed
+from nonsmooth.runtime.checker.orbits.stability import demand_alone
+from nonsmooth.runtime.checker.ranges.branch import curve_of
+from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve, with_entry
+from nonsmooth.runtime.checker.ranges.branch_tile import BITS, ORDER, SHARP, CheckedTile
+from nonsmooth.runtime.checker.stated.exact import Failure, Verdict, demand
 from nonsmooth.runtime.core.json_codec import encode
 from nonsmooth.runtime.core.taylor_models import TaylorModel, range_of, space_of
 from nonsmooth.runtime.core.values import flint_precision

@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from nonsmooth.runtime.checker.chaos import StretchedSets, check_entropy
-from nonsmooth.runtime.checker.exact import Failure
+from nonsmooth.runtime.checker.state_sets.chaos import StretchedSets, check_entropy
+from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.core.errors import InputError, Interrupted, check_integer
 from nonsmooth.runtime.core.json_codec import encode
 from nonsmooth.runtime.core.values import flint_precision

@@ -25,16 +25,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from nonsmooth.runtime.checker.chaos import SetMap, StretchedSets
-from nonsmooth.runtime.checker.cones import SPREADS, Derivatives, check_rates, positive
-from nonsmooth.runtime.checker.exact import Failure, exact
+from nonsmooth.runtime.checker.state_sets.chaos import SetMap, StretchedSets
+from nonsmooth.runtime.checker.state_sets.cones import SPREADS, Derivatives, check_rates, positive
+from nonsmooth.runtime.checker.stated.exact import Failure, exact
 from nonsmooth.runtime.core.json_codec import Exact
 from nonsmooth.runtime.proof.chaos.entropy import logarithm_below
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
 from nonsmooth.runtime.proof.chaos.h_sets import HSet, grid_in_cube
 
 if TYPE_CHECKING:
-    from nonsmooth.runtime.checker.cones import Matrix
+    from nonsmooth.runtime.checker.state_sets.cones import Matrix
 
 __all__ = ["ConeCondition", "cone_condition"]
 

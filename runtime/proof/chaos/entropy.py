@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from nonsmooth.runtime.checker.chaos import radius_above
+from nonsmooth.runtime.checker.state_sets.chaos import radius_above
 
 if TYPE_CHECKING:
     from flint import arb

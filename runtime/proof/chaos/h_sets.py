@@ -18,7 +18,7 @@ import numpy as np
 from nonsmooth.runtime.core.json_codec import Exact
 
 if TYPE_CHECKING:
-    from nonsmooth.runtime.checker.sets import StateSet
+    from nonsmooth.runtime.checker.state_sets.sets import StateSet
 
 __all__ = ["HSet", "decimal_set", "grid_in_cube", "outline"]
 

@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.checker.census import CensusVerdict, CountedBox, Counting, texts_of
-from nonsmooth.runtime.checker.contraction import Linear, Sides, share_of
-from nonsmooth.runtime.checker.covering import CUTS, CoveringBox, Root, Walk
-from nonsmooth.runtime.checker.dwell_equations import DwellEquations
-from nonsmooth.runtime.checker.exact import Failure
+from nonsmooth.runtime.checker.counting.census import CensusVerdict, CountedBox, Counting, texts_of
+from nonsmooth.runtime.checker.counting.contraction import Linear, Sides, share_of
+from nonsmooth.runtime.checker.counting.covering import CUTS, CoveringBox, Root, Walk
+from nonsmooth.runtime.checker.counting.dwell_equations import DwellEquations
+from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.json_codec import stated
 from nonsmooth.runtime.core.values import by_name, flint_precision

@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from nonsmooth.runtime.checker.census import Counting
-from nonsmooth.runtime.checker.exact import product, reduced
+from nonsmooth.runtime.checker.counting.census import Counting
+from nonsmooth.runtime.checker.stated.exact import product, reduced
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.model.completion import complete, complete_system

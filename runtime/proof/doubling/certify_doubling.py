@@ -9,11 +9,11 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any, cast
 
-from nonsmooth.runtime.checker.branch import curve_of
-from nonsmooth.runtime.checker.branch_curve import CheckedCurve
-from nonsmooth.runtime.checker.branch_tile import CheckedTile
-from nonsmooth.runtime.checker.doubling import JudgedDoubling, twofold
-from nonsmooth.runtime.checker.exact import Failure
+from nonsmooth.runtime.checker.ranges.branch import curve_of
+from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve
+from nonsmooth.runtime.checker.ranges.branch_tile import CheckedTile
+from nonsmooth.runtime.checker.ranges.doubling import JudgedDoubling, twofold
+from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.core.errors import InputError, Interrupted, check_integer
 from nonsmooth.runtime.core.values import as_value, flint_precision
 from nonsmooth.runtime.explore.continuation.branch import Branch

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonsmooth.runtime.checker.branch_curve import CheckedCurve
-from nonsmooth.runtime.checker.doubling import ORDER, DoubledEquations, JudgedDoubling
+from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve
+from nonsmooth.runtime.checker.ranges.doubling import ORDER, DoubledEquations, JudgedDoubling
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.box_certificate import BITS

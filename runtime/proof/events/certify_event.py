@@ -11,8 +11,8 @@ from fractions import Fraction
 from itertools import zip_longest
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.runtime.checker.events import JudgedEvent
-from nonsmooth.runtime.checker.exact import Failure
+from nonsmooth.runtime.checker.orbits.events import JudgedEvent
+from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.core.errors import InputError, check_integer
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.explore.continuation.branch import Branch

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonsmooth.runtime.checker.graph import Edges, edges_of
-from nonsmooth.runtime.checker.many_sets import Arrivals
+from nonsmooth.runtime.checker.state_sets.graph import Edges, edges_of
+from nonsmooth.runtime.checker.state_sets.many_sets import Arrivals
 from nonsmooth.runtime.core.box_grid import DividedGrid
 
 __all__ = ["BoxGraph"]

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonsmooth.runtime.checker.graph import map_of_boxes, stays
-from nonsmooth.runtime.checker.many_sets import Arrivals
+from nonsmooth.runtime.checker.state_sets.graph import map_of_boxes, stays
+from nonsmooth.runtime.checker.state_sets.many_sets import Arrivals
 from nonsmooth.runtime.core.box_grid import BoxGrid, DividedGrid
 from nonsmooth.runtime.core.errors import InputError, check_integer
 from nonsmooth.runtime.core.float_sets import Floats, ManySets

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from math import comb, factorial
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.runtime.checker.exact import Elimination, product
+from nonsmooth.runtime.checker.stated.exact import Elimination, product
 from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.runtime.checker.exact import product
+from nonsmooth.runtime.checker.stated.exact import product
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value, flint_precision
 from nonsmooth.runtime.events.leading_derivative import (

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.runtime.checker.exact import Elimination, reduced
+from nonsmooth.runtime.checker.stated.exact import Elimination, reduced
 
 if TYPE_CHECKING:
     from flint import arb, fmpq

@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 from functools import reduce
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from nonsmooth.runtime.checker.exact import product
+from nonsmooth.runtime.checker.stated.exact import product
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.proof.motion.asymptotics import stays_negative
 from nonsmooth.runtime.proof.motion.ball_flow import Expansion

@@ -1,0 +1,1 @@
+"""How many orbits there are in a box of dwell times."""

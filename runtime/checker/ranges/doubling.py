@@ -1,0 +1,395 @@
+"""The judge of a doubling: orbits of twice the period that begin at a flip of a branch.
+
+Both halves of such an orbit satisfy the equations F of the orbit of which the flip is, but for
+the closure: each ends where the other begins. Half of their sum is m, half of their difference
+is a w, where one entry of w is 1. Between them lie the points m + f w with f from -a to a, and
+
+    the average of F at both ends is zero, the mean of F' w, and twice the start's part of w, too.
+
+For every a, zero included, Krawczyk's test shows one solution (m, w, parameter) in a tube. That
+at zero is the flip. By implicit differentiation in the square of a the parameter changes in one
+direction only, so that no multiplier is 1 beside the flip.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+from flint import arb, arb_mat, ctx
+
+from nonsmooth.runtime.checker.orbits.motion import admissibility
+from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, flows_over, krawczyk, newton
+from nonsmooth.runtime.checker.orbits.stability import CORNER, characteristic, passing, stability
+from nonsmooth.runtime.checker.ranges.branch import checked_tiles, curve_of
+from nonsmooth.runtime.checker.ranges.branch_curve import (
+    CheckedCurve,
+    prove_on_parts,
+    solution,
+    without_entry,
+)
+from nonsmooth.runtime.checker.ranges.branch_tile import CheckedTile
+from nonsmooth.runtime.checker.stated.exact import Failure, check_sum, demand, exact, inside
+from nonsmooth.runtime.checker.stated.parameters import number_at
+from nonsmooth.runtime.checker.stated.shape import DOUBLING, check_shape
+from nonsmooth.runtime.core.jets import jet, part_of
+from nonsmooth.runtime.core.taylor_models import (
+    AT_BOTH_ENDS,
+    BENT_MEAN,
+    MEAN,
+    TaylorModel,
+    averaged,
+    lifted,
+    matrix,
+    range_of,
+    space_of,
+)
+
+__all__ = [
+    "ORDER",
+    "DoubledEquations",
+    "JudgedDoubling",
+    "check_doubled",
+    "check_doubling",
+    "twofold",
+]
+
+_BITS, _SHARP = 64, 192
+ORDER = 5  # of the models: that of the polynomials
+_DEEPEST = 5  # halvings of a tube whose claims take smaller ones
+_ALIKE = ("parameters", "parameter", "stability")
+
+
+def check_doubling(content: dict[str, Any]) -> None:
+    """Prove every claim of a doubling again; `Failure` names a claim that is not proved.
+
+    `Malformed` is raised if the file, read as JSON, has another shape.
+    """
+    check_shape(content, DOUBLING)
+    check_sum(content)
+    doubled = content["doubled"]
+    decided = doubled is not None and doubled["verdict"] != "undecided"
+    demand((content["claims"]["doubling"] == "proved") == decided, "the claim is another one")
+    if content["ended"] == "complete":
+        demand(doubled is not None, "it is called complete without doubled orbits")
+        demand(not content["end"], "a reason why it goes no further, though it is whole")
+    branches, tiles = [content["branch"]], []
+    if doubled is not None:
+        branches.append(doubled["branch"])
+    for name, branch in zip(("the branch", "the doubled branch"), branches, strict=False):
+        try:
+            tiles.append(checked_tiles(branch))
+        except Failure as failure:
+            raise Failure(f"{name}: {failure}") from None
+    if doubled is not None:
+        check_doubled(doubled, branches, tiles)
+
+
+def check_doubled(
+    doubled: dict[str, Any],
+    branches: Sequence[dict[str, Any]],
+    tiles: Sequence[Sequence[CheckedTile]],
+) -> None:
+    """Judge the doubled orbits between two branches that are already proved.
+
+    `branches` and `tiles` are those of the branch with the flip and of the one that begins there.
+    """
+    branch, beyond = branches
+    own, others = tiles
+    demand(own and others, "a branch without tiles")
+    demand(1 <= doubled["tile"] <= len(own), "there is no such tile")
+    found = JudgedDoubling(doubled, branch, own[doubled["tile"] - 1])
+    found.locate()
+    demand(doubled["side"] == found.side, f"they are not {doubled['side']} the flip")
+    with ctx.workprec(_SHARP):
+        demand(inside(found.rate, doubled["rate"]), "the rate is not in its enclosure")
+    orbit = found.first_of(beyond, others[0 if beyond["start"] == 0 else -1])
+    undecided = doubled["verdict"] == "undecided"
+    demand(undecided == bool(doubled["reason"]), "a reason of another verdict")
+    if not undecided:
+        found.decide()
+        told = found.verdict(orbit)
+        demand(told == doubled["verdict"], f"at one of them it is {told}")
+
+
+def twofold(content: dict[str, Any]) -> CheckedCurve:
+    """Return the equations of a branch's cycle passed twice; `Failure` where it is not covered."""
+    demand(content["declaration"], "claims about no declaration")
+    declared, closing = content["declaration"], content["closing"]
+    covered = closing["kind"] in ("state", "forcing") and "translations" not in closing
+    demand(covered, "cycles of another closing")
+    again = [{**p, "dwell_time": f"{p['dwell_time']} again"} for p in declared["phases"]]
+    found = curve_of(
+        {
+            **content,
+            "declaration": {**declared, "phases": [*declared["phases"], *again]},
+            "itinerary": content["itinerary"] * 2,
+            "unknown_names": [*content["unknown_names"], *(p["dwell_time"] for p in again)],
+            "closing": _turned_twice(closing),
+        }
+    )
+    demand(found.declared.alone, CORNER)
+    return found
+
+
+def _turned_twice(closing: dict[str, Any]) -> dict[str, Any]:
+    return {name: 2 * value if name == "turns" else value for name, value in closing.items()}
+
+
+def _same_system(branch: dict[str, Any], beyond: dict[str, Any]) -> None:
+    """Demand that the second branch's cycle is the first one's, passed twice, in one system."""
+    demand(all(branch[name] == beyond[name] for name in _ALIKE), "another system's branch")
+    declared, other = branch["declaration"], beyond["declaration"]
+    demand(declared and other, "claims about no declaration")
+    parts = declared.keys() | other.keys()
+    alike = all(declared.get(name) == other.get(name) for name in parts - {"phases"})
+    demand(alike, "the declarations differ")
+    phases, twice = (
+        [[phase[name] for name in ("configuration", "boundaries", "transition")] for phase in each]
+        for each in (declared["phases"], other["phases"])
+    )
+    demand(twice == phases * 2, "the itinerary is not passed twice")
+    demand(_turned_twice(branch["closing"]) == beyond["closing"], "it closes in another way")
+
+
+class JudgedDoubling:
+    """What is proved of the doubled orbits next to a flip, of which a proposal tells.
+
+    A proposal has the entries of a file that state the unknown in which the halves are apart, the
+    largest amplitude, and polynomials and radii of the tube. `content` holds the entries of the
+    branch with the flip, and `tile` is the flip's, already proved.
+    """
+
+    def __init__(
+        self, proposal: dict[str, Any], content: dict[str, Any], tile: CheckedTile
+    ) -> None:
+        self.content, self.tile, self.curve = content, tile, tile.curve
+        self.twice = twofold(content)
+        event = tile.event
+        demand(event is not None and event["kind"] == "flip", "there is no flip")
+        demand(self.curve.short is None, "its equations are divided by a dwell time")
+        demand(proposal["scaled"] in self.curve.declared.unknowns, "there is no such unknown")
+        self.scaled = self.curve.declared.unknowns.index(proposal["scaled"])
+        self.equations = DoubledEquations(self.curve, self.scaled)
+        with ctx.workprec(_BITS):
+            self.amplitude = arb(exact(proposal["amplitude"]))
+            self.radii = [arb(r) for r in proposal["radii"]]
+            self.space = space_of(1, ORDER)
+            centre = proposal["centre"]
+            size = 2 * self.equations.size
+            demand(len(self.radii) == len(centre) == size, "a tube of another size")
+            demand(all(r > 0 and r.is_finite() for r in self.radii), "the tube is empty")
+            demand(all(len(row) == ORDER + 1 for row in centre), "polynomials of another order")
+            demand(exact(proposal["amplitude"]) > 0, "the largest amplitude is not positive")
+            self.centre = [TaylorModel(self.space, tuple(map(arb, row))) for row in centre]
+
+    def locate(self) -> None:
+        """Prove that these orbits begin at the flip, and find their side and rate there."""
+        with ctx.workprec(_BITS):
+            self.a = a = self.space.variable(0, arb(0), self.amplitude)
+            found = self.equations.krawczyk(a, self.centre, self.radii)
+            demand(found is not None, "existence is not proved: Krawczyk's test fails")
+            assert found is not None
+            self.found = found
+            low, high = self.curve.interval
+            over = range_of(found[-1])
+            demand(over > low and over < high, "it is outside of the interval")
+            rate = range_of(self.equations.rate(a, found))
+            demand(rate > 0 or rate < 0, "on which side of the flip they are is not known")
+        self.side = "above" if rate > 0 else "below"
+        with ctx.workprec(_SHARP):
+            flip = self.equations.flip_near([x.at([arb(0)]) for x in self.centre])
+            demand(self._holds(arb(0), flip), "the tube holds another flip")
+            tile = self.tile
+            whole = [*flip[: self.equations.size], flip[-1]]
+            value = whole[tile.place]
+            demand(value > tile.low and value < tile.high, "the flip is outside of its tile")
+            others = without_entry(tile.place, whole)
+            demand(tile.holds(value, others), "the flip is not that of the branch")
+            self.rate = self.equations.rate(arb(0), flip)
+            same = self.rate > 0 if self.side == "above" else self.rate < 0
+            demand(same, f"they are not {self.side} the flip")
+
+    def first_of(self, beyond: dict[str, Any], first: CheckedTile) -> list[Any]:
+        """Demand that a doubled branch begins with an orbit of the tube; return this orbit.
+
+        `first` is the tile of it where it begins. Solutions of equations that are divided by a
+        dwell time solve the undivided ones, too.
+        """
+        _same_system(self.content, beyond)
+        twice = self.twice
+        with ctx.workprec(_SHARP):
+            demand(first.place == twice.last, "the doubled branch begins by another coordinate")
+            orbit = first.at(arb(first.begin if beyond["start"] == 0 else first.end))
+            passed = twice.orbit(orbit)
+            half, count = len(passed.chain.fields) // 2, passed.first
+            behind = passed.now.starts[half]
+            one = [*orbit[:count], *passed.dwell[:half]]
+            other = [behind[k, 0] for k in twice.declared.free]
+            if twice.declared.forcing:
+                time = sum(passed.dwell[:half], -passed.chain.period / 2)
+                other.append(orbit[count - 1] + time)
+            other += passed.dwell[half:]
+            apart = [(x - y) / 2 for x, y in zip(one, other, strict=True)]
+            a = apart[self.scaled]
+            demand(a > 0 or a < 0, "the halves of the doubled orbit may be the same")
+            middle = [(x + y) / 2 for x, y in zip(one, other, strict=True)]
+            away = [x / a for x in without_entry(self.scaled, apart)]
+            inside_it = self._holds(a, [*middle, *away, orbit[-1]])
+            demand(inside_it, "the doubled branch begins elsewhere")
+        return orbit
+
+    def decide(self) -> None:
+        """Demand that all these orbits are motions, and none has another multiplier 1 or -1.
+
+        No two of their multipliers have the product 1.
+        """
+        with ctx.workprec(_BITS):
+            first, second = self.equations.halves(self.a, self.found)
+            dwell = second[self.equations.size - len(self.curve.declared.steps) :]
+            prove_on_parts(self._decided, [*first, *dwell, self.found[-1]], _DEEPEST)
+
+    def verdict(self, orbit: Sequence[Any]) -> str:
+        """Return "stable" or "unstable", as one orbit of the tube is, or "undecided"."""
+        with ctx.workprec(_SHARP):
+            words = {"proved": "stable", "refuted": "unstable"}
+            return words.get(stability(self.twice.orbit(orbit)), "undecided")
+
+    def _holds(self, a: Any, found: Sequence[Any]) -> bool:
+        """Return whether a solution of amplitude a lies in the tube."""
+        place = a / self.amplitude
+        sides = zip(found, self.centre, self.radii, strict=True)
+        return bool(abs(place) < 1) and all(abs(x - c.at([place])) < r for x, c, r in sides)
+
+    def _decided(self, point: Sequence[Any]) -> None:
+        """Demand that orbits are motions, with no multiplier on the circle but 1 at the flip."""
+        orbit = self.twice.orbit(point)
+        told = admissibility(orbit).claim
+        demand(told == "proved", f"admissibility is {told}")
+        polynomial = characteristic(orbit.section)
+        kinds = ["flip"] + ["neimark-sacker"] * (len(polynomial) > 2)
+        for kind in kinds:
+            value = range_of(passing(polynomial, kind))
+            demand(value > 0 or value < 0, f"there may be another event: {kind}")
+
+
+class DoubledEquations:
+    """The equations of doubled orbits over the amplitude a; n unknowns become 2 n.
+
+    They are the middle m, the direction w without its entry 1, whose number is `scaled`, and the
+    parameter. The amplitude is zero, or a multiple of the one variable.
+    """
+
+    def __init__(self, curve: CheckedCurve, scaled: int) -> None:
+        self.curve, self.scaled, self.size = curve, scaled, curve.last
+
+    def flip_near(self, guess: Sequence[Any]) -> list[Any]:
+        """Return the enclosed solution at amplitude zero near a guess, by Newton's method."""
+        zero = arb(0)
+        point = newton(lambda point: self.at(zero, point), guess)
+        unit = arb(2) ** -int(0.6 * ctx.prec)
+        found = self.krawczyk(zero, point, [(unit * (1 + abs(x))).upper() for x in point])
+        demand(found is not None, "there is no flip at the amplitude zero")
+        assert found is not None
+        return found
+
+    def krawczyk(self, a: Any, centre: Sequence[Any], radii: Sequence[Any]) -> list[Any] | None:
+        """Return Krawczyk's image of a box (2 n) of solutions, or None if it is not inside the box.
+
+        If it is inside, there is exactly one solution in the box for each amplitude.
+        """
+        image, inside = krawczyk(lambda point: self.at(a, point), centre, radii)
+        return image if inside else None
+
+    def at(self, a: Any, unknowns: Sequence[Any]) -> tuple[Any, Any]:
+        """Return values (2 n, 1) of the equations and their derivatives (2 n, 2 n)."""
+        middle, away = self._split(unknowns)
+        point, direction, value = self._between(a, middle, away, unknowns[-1])
+        moving = jet(value, arb(1))
+        first = self._passage(point, moving)
+        bend = self._passage([jet(u, w) for u, w in zip(point, direction, strict=True)], value)
+        column, wide = matrix([[w] for w in away]), matrix([[w] for w in direction])
+        slopes, along = part_of(first.slopes, 0), part_of(first.slopes, 1)
+        start = self.start_rows()
+        ends, second = averaged(slopes, AT_BOTH_ENDS), averaged(part_of(bend.slopes, 1), MEAN)
+        values = (
+            averaged(part_of(first.values, 0), AT_BOTH_ENDS),
+            averaged(slopes * wide, MEAN) + 2 * start * column,
+        )
+        by_value = (
+            averaged(part_of(first.values, 1), AT_BOTH_ENDS),
+            averaged(along * wide, MEAN),
+        )
+        closed = ends + 2 * start
+        n = self.size
+        others = [k for k in range(n) if k != self.scaled]
+        upper = [
+            [*(ends[i, j] for j in range(n)), *(a * a * second[i, j] for j in others),
+             by_value[0][i, 0]]
+            for i in range(n)
+        ]  # fmt: skip
+        lower = [
+            [*(second[i, j] for j in range(n)), *(closed[i, j] for j in others),
+             by_value[1][i, 0]]
+            for i in range(n)
+        ]  # fmt: skip
+        told = [[part[i, 0]] for part in values for i in range(n)]
+        return matrix(told), matrix([*upper, *lower])
+
+    def rate(self, a: Any, unknowns: Sequence[Any]) -> Any:
+        """Return the derivative of the parameter by the square of the amplitude."""
+        middle, away = self._split(unknowns)
+        point, direction, value = self._between(a, middle, away, unknowns[-1])
+        pairs = zip(point, direction, strict=True)
+        bend = self._passage([jet(u, w, None) for u, w in pairs], value)
+        wide = matrix([[w] for w in direction])
+        second = averaged(part_of(bend.slopes, 1) * wide, MEAN)
+        third = averaged(2 * part_of(bend.slopes, 2) * wide, BENT_MEAN)
+        _, slopes = self.at(a, unknowns)
+        try:
+            y = slopes.mid().inv().mid()
+        except ZeroDivisionError:
+            raise Failure("the derivative by the amplitude is not known") from None
+        right = matrix([[-x / 2] for x in (*second.entries(), *third.entries())])
+        return solution(slopes, y, right)[-1]
+
+    def _split(self, unknowns: Sequence[Any]) -> tuple[list[Any], list[Any]]:
+        """Return the middle (n) and the direction (n), with its entry 1, of the unknowns (2 n)."""
+        away = list(unknowns[self.size : -1])
+        return list(unknowns[: self.size]), [*away[: self.scaled], arb(1), *away[self.scaled :]]
+
+    def halves(self, a: Any, unknowns: Sequence[Any]) -> tuple[list[Any], list[Any]]:
+        """Return the orbit's unknowns (n) along each half of a doubled orbit."""
+        middle, away = self._split(unknowns)
+        pairs = list(zip(middle, away, strict=True))
+        return [m + a * w for m, w in pairs], [m - a * w for m, w in pairs]
+
+    def _between(
+        self, a: Any, middle: Sequence[Any], away: Sequence[Any], value: Any
+    ) -> tuple[list[Any], list[Any], Any]:
+        """Return points between the halves, direction and parameter as models of e and f."""
+        if not isinstance(a, TaylorModel):
+            demand(a.is_zero(), "an amplitude that is not zero")
+            return list(middle), list(away), value
+        space = space_of(2, a.space.order)
+        step = space.variable(1, arb(0), a.parts[1])
+        wide = [lifted(w, space) for w in away]
+        pairs = zip(middle, wide, strict=True)
+        return [lifted(m, space) + step * w for m, w in pairs], wide, lifted(value, space)
+
+    def _passage(self, point: Sequence[Any], value: Any) -> Any:
+        """Return the passage of the cycle from a point, root of the equations or not."""
+        curve = self.curve
+        orbit = CheckedOrbit(curve.declared, number_at([value, *curve.constants]))
+        flows = flows_over(orbit.chain.fields, point[orbit.first :])
+        return orbit.passage(orbit.chain, point, flows)
+
+    def start_rows(self) -> Any:
+        """Return the matrix (n, n) that picks the start's part in the closure equations."""
+        declared = self.curve.declared
+        found = arb_mat(self.size, self.size)
+        phases, free = len(declared.steps), declared.free
+        demand(declared.dropped not in free, "a closure is left out")
+        for place in range(len(free)):
+            found[phases + place, place] = 1
+        if declared.forcing:
+            found[phases + len(free), len(free)] = 1
+        return found

@@ -1,0 +1,1 @@
+"""Sets of states through phases: basins, graphs of boxes, chaos."""

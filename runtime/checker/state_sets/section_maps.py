@@ -1,0 +1,284 @@
+"""A power of a section's map, of sets that all go one way: it is stated, and shown of each set.
+
+On the way each phase ends by the boundary that is stated, the same for all states of a set and
+transversally, and no other boundary is reached before: so the map is analytic on the set.
+"""
+
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from typing import Any
+
+from flint import arb, arb_mat, fmpq, fmpq_mat
+
+from nonsmooth.runtime.checker.state_sets.sets import CarryingPhase, StateSet, TooWide, matrix_of
+from nonsmooth.runtime.checker.state_sets.switching import (
+    StatedSection,
+    SwitchingSystem,
+    echelon_behind,
+)
+from nonsmooth.runtime.checker.stated.exact import (
+    Elimination,
+    Failure,
+    demand,
+    exact,
+    leading,
+    reduced,
+)
+
+__all__ = ["Box", "Parallelepiped", "SectionMap", "Way", "divided"]
+
+Box = tuple[tuple[Any, Any], ...]  # ends of coordinates from -1 to 1, exact
+Way = Sequence[Sequence[str]]  # source, boundary and target of each transition
+
+
+class Parallelepiped:
+    """A set {c + A x, |x_i| <= 1} in the coordinates of a section, with exact centre and sides.
+
+    `entry` has these as texts. The matrix `inward` leads from (coordinates, 1) to x.
+    """
+
+    def __init__(self, entry: Mapping[str, Any], size: int) -> None:
+        self.centre, sides = [*map(exact, entry["centre"])], entry["sides"]
+        fits = len(self.centre) == len(sides) == size and all(len(x) == size for x in sides)
+        demand(fits, "a set has a centre and as many sides as coordinates")
+        self.sides = [[*map(exact, side)] for side in sides]
+        matrix = fmpq_mat(self.sides).transpose()
+        demand(matrix.det() != 0, "the sides of a set are not independent")
+        inverse = matrix.inv()
+        shift = (inverse * fmpq_mat([[-x] for x in self.centre])).tolist()
+        inward = [[*own, *last] for own, last in zip(inverse.tolist(), shift, strict=True)]
+        self.inward = arb_mat(fmpq_mat(inward))
+
+    @property
+    def whole(self) -> Box:
+        """All of the set."""
+        return ((fmpq(-1), fmpq(1)),) * len(self.centre)
+
+    def seen(self, image: StateSet) -> list[Any]:
+        """Return balls around the set's coordinates of an image, a set of (coordinates, 1)."""
+        found: list[Any] = image.through(self.inward).hull.entries()
+        return found
+
+    def apart(self, other: "Parallelepiped") -> bool:
+        """Return whether another set is shown to have no point in common with this one."""
+        size = len(other.centre)
+        rows = [[*other.centre, fmpq(1)], *([*side, fmpq(0)] for side in other.sides)]
+        columns = arb_mat(fmpq_mat(rows).transpose()).tolist()
+        centre, sides = ([r[:1] for r in columns], [r[1:] for r in columns])
+        seen = StateSet.of(arb_mat(centre), arb_mat(sides), arb_mat(size + 1, 1))
+        return any(x > 1 or x < -1 for x in self.seen(seen))
+
+    def lengths(self, box: Box) -> list[float]:
+        """Return approximate lengths of the sides of a part of the set."""
+        return [
+            float(b - a) / 2 * sum(abs(float(x.p) / float(x.q)) for x in own)
+            for (a, b), own in zip(box, self.sides, strict=True)
+        ]
+
+
+def divided(box: Box, k: int, place: Any = None) -> list[Box]:
+    """Return two parts of a box, divided across a coordinate: in the middle if not at a place."""
+    low, high = box[k]
+    middle = (low + high) / 2 if place is None else place
+    return [(*box[:k], part, *box[k + 1 :]) for part in ((middle, high), (low, middle))]
+
+
+class SectionMap:
+    """The power `iterates` of the map of a section, along ways that are stated.
+
+    `content` has the entries of a file that state the system and the section. `Failure` is raised
+    if they state no such section, or a system of another kind.
+    """
+
+    def __init__(self, content: Mapping[str, Any]) -> None:
+        self.section, self.iterates = StatedSection.of(content), content["iterates"]
+        demand(self.iterates > 0, "no iterate of the map")
+        self.system = SwitchingSystem(content["declaration"], content["parameters"])
+        self.exactly = Elimination()
+        self.facts, self.forced = self.section.facts(self.system, self.exactly)
+        pivots = {next(k for k, x in enumerate(row) if x) for row in self.facts}
+        self.free = [k for k in range(self.system.size) if k not in pivots]
+        named = [self.system.states[k] for k in self.free]
+        told = [*content["coordinates"]] == named
+        demand(told, "the coordinates are not those of the section")
+        demand(self.free, "the section is one point")
+        fields, rows = self.system.fields, self.system.boundaries
+        self.phases = {name: CarryingPhase(fields[name], rows[name]) for name in fields}
+
+    @cached_property
+    def _speed(self) -> Any:
+        return self.system.speed()
+
+    @cached_property
+    def _start(self) -> "_Entry":
+        return _Entry(self, self.section.configuration, self.facts)
+
+    def check_way(self, way: Way) -> None:
+        """Demand that a way leads from the section to itself, by declared transitions."""
+        section = self.section
+        here, passed, last = section.configuration, 0, ("", "", "")
+        back = section.source, section.boundary, section.configuration
+        for source, boundary, target in way:
+            demand(source == here, "a way does not lead from configuration to configuration")
+            stated = (source, frozenset({boundary})) in self.system.orders
+            demand(stated, "no such transition")
+            known = boundary in self.system.boundaries.get(source, {})
+            demand(known, f"{source} has no boundary {boundary}")
+            demand(target in self.system.fields, "a configuration is not declared")
+            here, last = target, (source, boundary, target)
+            passed += last == back
+        if not self.forced:
+            demand(
+                passed == self.iterates and last == back, "a way does not lead back to the section"
+            )
+        demand(here == section.configuration, "a way does not lead back to the section")
+
+    def image(self, own: Parallelepiped, box: Box, way: Way, *, sloped: bool = False) -> StateSet:
+        """Return (coordinates, 1) of the image of a part; `TooWide` if it is not shown.
+
+        `sloped` asks for derivatives along the sides of the set. `Failure` is raised if states of
+        the part do not go that way.
+        """
+        entry, states = self._start, self._part(own, box, sloped)
+        for source, boundary, target in way:
+            phase = self.phases[source]
+            row = phase.timed(phase.rows[boundary])
+            arrived, before, after = phase.arrive(states, row, phase.guess(states.centre, boundary))
+            watched = entry.watched(states)
+            if boundary not in watched:
+                raise Failure(f"{boundary} is zero all along {source}")
+            phase.clear(states, before, {boundary: watched.pop(boundary)}, boundary)
+            phase.clear(states, after, watched)
+            states, entry = entry.behind(boundary, target, arrived)
+        facts = entry.facts
+        if self.forced:
+            states, facts = self._to_phase(entry, states)
+        demand(all(not any(reduced(row, facts)) for row in self.facts), "off the section")
+        return self._coordinates(states)
+
+    def _part(self, own: Parallelepiped, box: Box, sloped: bool) -> StateSet:
+        """Return the set of (states, time 0, 1) of a part, with tangents along the set's sides."""
+        middles = [(a + b) / 2 for a, b in box]
+        points = [
+            [x + sum((m * side[k] for m, side in zip(middles, own.sides, strict=True)), fmpq(0))]
+            + [(b - a) / 2 * side[k] for (a, b), side in zip(box, own.sides, strict=True)]
+            for k, x in enumerate(own.centre)
+        ]
+        states = self._lifted([[*row] for row in zip(*points, strict=True)])
+        none, zero = arb_mat(self.system.size + 2, 1), [fmpq(0)] * len(self.free)
+        centre, sides = ([row[:1] for row in states], [row[1:] for row in states])
+        tangents = []
+        for side in own.sides if sloped else ():
+            change = [[row[1]] for row in self._lifted([zero, side])]
+            straight = arb_mat(self.system.size + 2, 0)
+            tangents.append(StateSet.of(arb_mat(change), straight, none))
+        return StateSet.of(arb_mat(centre), arb_mat(sides), none, tuple(tangents))
+
+    def _lifted(self, columns: list[list[Any]]) -> list[list[Any]]:
+        """Return columns of (states, time 0, 1): the first of a point, the others of directions."""
+        given = {next(k for k, x in enumerate(row) if x): row for row in self.facts}
+        rows = []
+        for k in range(self.system.size):
+            row = []
+            for place, column in enumerate(columns):
+                if k in given:
+                    shares = zip((-given[k][j] for j in self.free), column, strict=True)
+                    last = -given[k][-1] if place == 0 else fmpq(0)
+                    row.append(sum((x * y for x, y in shares), last))
+                else:
+                    row.append(column[self.free.index(k)])
+            rows.append(row)
+        rows.append([fmpq(0) for _ in columns])
+        rows.append([fmpq(int(place == 0)) for place in range(len(columns))])
+        found: list[list[Any]] = arb_mat(fmpq_mat(rows)).tolist()
+        return found
+
+    def _coordinates(self, states: StateSet) -> StateSet:
+        places = [*self.free, self.system.size + 1]
+        parts = (states.centre, states.sides, states.box)
+        centre, sides, box = (arb_mat([part.tolist()[k] for k in places]) for part in parts)
+        return StateSet(centre, sides, box, tuple(map(self._coordinates, states.tangents)))
+
+    def _to_phase(self, entry: "_Entry", states: StateSet) -> tuple[StateSet, Any]:
+        """Carry states on to where the forcing returns; no boundary may be reached on the way."""
+        phase, size = self.phases[entry.here], self.system.size
+        whole = self.iterates * 2 * arb.pi() / arb(self._speed)
+        clock = arb_mat([[*(arb(0) for _ in range(size)), arb(1), -whole]])
+        left = whole - states.centre[size, 0]
+        if not left > 0:
+            raise TooWide
+        arrived, _, after = phase.arrive(states, clock, float(left.mid()))
+        phase.clear(states, after, entry.watched(states))
+        return arrived, self.exactly.echelon([*entry.lasting, *self.forced])
+
+
+class _Entry:
+    """Where sets enter a configuration, and what is exactly true of them there."""
+
+    def __init__(self, owner: SectionMap, here: str, facts: Any) -> None:
+        self._owner, self.here, self.facts = owner, here, facts
+        self._behind: dict[str, list[Any]] = {}
+
+    @cached_property
+    def lasting(self) -> Any:
+        """The reduced rows that stay zero along the phase."""
+        owner = self._owner
+        return owner.exactly.lasting(self.facts, owner.system.fields[self.here])
+
+    @cached_property
+    def _begins(self) -> list[tuple[str, int, Any]]:
+        """Each boundary that is not zero all along, with the first derivative that is not zero."""
+        phase, found = self._owner.phases[self.here], []
+        for name, row in phase.rows.items():
+            order, begins = leading(row, phase.exact, self.facts, 0)
+            if begins is not None:
+                found.append((name, order, phase.timed(begins)))
+        return found
+
+    def watched(self, states: StateSet) -> dict[str, int]:
+        """Return the boundaries that are not zero all along, with the order of a derivative.
+
+        It is that of the first derivative at the start that is not exactly zero, which has to be
+        negative, else `TooWide` is raised.
+        """
+        hull = states.hull
+        for _, _, begins in self._begins:
+            if not (begins * hull)[0, 0] < 0:
+                raise TooWide
+        return {name: order for name, order, _ in self._begins}
+
+    def behind(self, boundary: str, target: str, states: StateSet) -> tuple[StateSet, "_Entry"]:
+        """Return the states behind the transition that follows, which has to lead to the target."""
+        if boundary not in self._behind:
+            self._behind[boundary] = self._transitions(boundary)
+        hull = states.hull
+        for conditions, matrix, following in self._behind[boundary]:
+            held = True
+            for row, holds in conditions:
+                value = None if row is None else (row * hull)[0, 0]
+                if value is not None and not (value > 0 or value < 0):
+                    raise TooWide
+                if bool(value is not None and value > 0) != holds:
+                    held = False
+                    break
+            if held:
+                right = following.here == target
+                demand(right, "another transition follows than the file states")
+                return states.through(matrix), following
+        raise Failure("no transition follows")
+
+    def _transitions(self, boundary: str) -> list[Any]:
+        """Return conditions, reset and what is true behind each transition at a boundary."""
+        owner, phase, found = self._owner, self._owner.phases[self.here], []
+        own = phase.rows[boundary]
+        facts = owner.exactly.echelon([*self.lasting, own])
+        orders = owner.system.orders[self.here, frozenset({boundary})]
+        demand(len(orders) == 1, "a transition of another kind")
+        for way in orders[0]:
+            signs = []
+            for row, along, holds in way.conditions:
+                _, first = leading(row, owner.system.fields[along], facts, int(row == own))
+                signs.append((None if first is None else phase.timed(first), holds))
+            entry = _Entry(owner, way.target, echelon_behind(owner.exactly, facts, way.reset))
+            found.append((signs, matrix_of(way.reset, runs=False), entry))
+        return found

@@ -1,0 +1,1 @@
+"""What a file states, read exactly: numbers, parameters, declarations, grids."""
