@@ -10,8 +10,8 @@ from flint import arb, arb_mat
 from hypothesis import strategies as st
 
 from nonsmooth.runtime.core.values import flint_precision
-from tests.exponentials import Factor
 
+Factor = tuple[Any, ...]
 BITS = 300
 UNIT = 2.0**-53
 

@@ -20,7 +20,9 @@ class Counted:
 
 def root(function, low: float, high: float) -> tuple[float | None, int]:
     counted = Counted(function)
-    return _root(counted, low, high, function(low), function(high)), counted.calls
+    before, after = function(low), function(high)
+    rounding = 1e-13 * max(abs(before), abs(after))
+    return _root(counted, low, high, before, after, rounding), counted.calls
 
 
 @pytest.mark.parametrize("size", [1.0, 1e-9, 1e7])
