@@ -632,7 +632,7 @@ def test_multipliers_that_lie_too_near_are_not_stated() -> None:
 RUNTIME = files("nonsmooth.runtime")
 # of `core`, with tests of their own
 ARITHMETIC = {
-    "taylor_models", "jets", "rational_functions", "irrational_numbers", "matrix_chains",
+    "taylor_models", "jets", "rational_functions", "irrational_numbers",
     "float_sets", "exponentials.float_flows", "box_grid",
     "parallel", "errors",  # no arithmetic: who does which part
 }  # fmt: skip

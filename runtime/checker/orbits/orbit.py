@@ -12,10 +12,10 @@ from typing import Any, NamedTuple
 
 from flint import arb, arb_mat, ctx
 
+from nonsmooth.runtime.checker.orbits.matrix_chains import along_chain, framed_phases
 from nonsmooth.runtime.checker.orbits.short import Short, quotient, quotients
 from nonsmooth.runtime.checker.stated.declared import StatedSystem, gauge_of
 from nonsmooth.runtime.checker.stated.exact import Failure, demand
-from nonsmooth.runtime.core.matrix_chains import along_chain, framed_phases
 from nonsmooth.runtime.core.taylor_models import (
     TaylorModel,
     matrix,

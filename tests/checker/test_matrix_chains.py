@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from flint import arb, arb_mat
 
-from nonsmooth.runtime.core.matrix_chains import along_chain, framed_phases
+from nonsmooth.runtime.checker.orbits.matrix_chains import along_chain, framed_phases
 from nonsmooth.runtime.core.taylor_models import space_of
 from nonsmooth.runtime.core.values import flint_precision
 
