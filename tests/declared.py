@@ -29,13 +29,18 @@ def itinerary_of(name: str) -> Itinerary:
 
 
 @cache
-def _tables(name, modules: str) -> tuple[list[str], list[str], list[list[str]], Any]:
+def _built_in(name: str, modules: str) -> tuple[list[str], list[str], list[list[str]], Any]:
+    return _tables(itinerary_of(name), modules)
+
+
+def _tables(
+    itinerary: Itinerary, modules: str
+) -> tuple[list[str], list[str], list[list[str]], Any]:
     """Names of parameters, states and boundaries, and a function that gives each phase.
 
     It takes the parameters; a phase is its field, its reset, its boundaries' rows and those
     of the velocities it holds.
     """
-    itinerary = itinerary_of(name)
     system = itinerary.presented_system
     states = system.states
     size, zero = len(states), dict.fromkeys(states, 0)
@@ -109,10 +114,14 @@ class Piece:
 class Declared:
     """An orbit's phases in numbers: floats, or mpmath's global context at its precision."""
 
-    def __init__(self, orbit: Orbit, *, precise: bool = False) -> None:
-        self.orbit, self.itinerary = orbit, itinerary_of(orbit.name)
+    def __init__(
+        self, orbit: Orbit, *, precise: bool = False, itinerary: Itinerary | None = None
+    ) -> None:
+        self.orbit, self.itinerary = orbit, itinerary or itinerary_of(orbit.name)
         number, modules = (mpmath.mpf, "mpmath") if precise else (float, "math")
-        names, self.states, boundaries, numbers = _tables(orbit.name, modules)
+        names, self.states, boundaries, numbers = (
+            _tables(itinerary, modules) if itinerary else _built_in(orbit.name, modules)
+        )
         values = {**orbit.values, **orbit.kernels.required}
         values |= {n: float(v) for n, v in orbit.opened.items()}
         # an open parameter that has no value must not count
@@ -149,10 +158,13 @@ class Declared:
         found = [p.saltation(e, f) for (p, _, e), f in zip(self.steps, following, strict=True)]
         return [s[: self.size, : self.size] for s in found]
 
-    def monodromy(self) -> Any:
-        """Product over a period of the flows and saltation matrices."""
+    def monodromy(self, *, saltations: bool = True) -> Any:
+        """Product over a period of the flows and saltation matrices, or of flows and resets."""
         product = mpmath.eye(self.size) if self.pieces[0].precise else np.eye(self.size)
-        for piece, jump in zip(self.pieces, self.saltations(), strict=True):
+        jumps = self.saltations()
+        if not saltations:
+            jumps = [p.jump[: self.size, : self.size] for p in self.pieces]
+        for piece, jump in zip(self.pieces, jumps, strict=True):
             product = jump @ (piece.flow(piece.dwell)[: self.size, : self.size] @ product)
         return product
 

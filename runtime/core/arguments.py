@@ -13,7 +13,7 @@ import operator
 import os
 import types
 import typing
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from decimal import Decimal
 from functools import wraps
 from numbers import Real
@@ -82,7 +82,9 @@ class _Names(dict[str, Any]):
 def checked(function: _Checked) -> _Checked:
     """Make a function, or a class, refuse arguments that its annotations do not allow.
 
-    An `InputError` names the argument, what was given, and what it takes.
+    An `InputError` names the argument, what was given, and what it takes. What takes numbers
+    of Python alone gets these, whatever kind of number was given, and values that can be gone
+    through once alone come as a tuple.
     """
     if isinstance(function, type):
         function.__init__ = checked(function.__init__)  # type: ignore[misc]
@@ -95,15 +97,17 @@ def checked(function: _Checked) -> _Checked:
         if known is None:
             known = _arguments(function)
         arguments, places, rest = known
-        for argument, value in zip(places, given, strict=False):
+        for place, (argument, value) in enumerate(zip(places, given, strict=False)):
             if type(value) not in argument.types:
-                argument.check(value)
+                plain = argument.plain(value)
+                if plain is not value:
+                    given = (*given[:place], plain, *given[place + 1 :])
         if rest is not None:
             for value in given[len(places) :]:
-                rest.check(value)
+                rest.plain(value)
         for name, value in named.items():
             if name in arguments and type(value) not in arguments[name].types:
-                arguments[name].check(value)
+                named[name] = arguments[name].plain(value)
         return function(*given, **named)
 
     return call  # type: ignore[return-value]
@@ -124,18 +128,25 @@ class _Argument:
 
     def __init__(self, name: str, taken: tuple[_Taken, ...] | None) -> None:
         self.name, self.taken = name, taken
-        self.types: set[type] = set()  # of which all values fit
+        self.types: set[type] = set()  # of which all values fit, as they are
+        kinds = [kind for kind in taken or () if kind.words]
+        self._several = any(kind.words.startswith("several") for kind in kinds)
+        self._plainly = _PLAINLY.get(kinds[0].words) if len(kinds) == 1 else None
 
-    def check(self, value: Any) -> None:
-        """Refuse a value that is of no kind that is taken."""
+    def plain(self, value: Any) -> Any:
+        """The value as the function takes it; one that is of no kind that is taken is refused."""
         if self.taken is None:
             self.types.add(type(value))
-            return
+            return value
+        if self._several and isinstance(value, Iterator):
+            value = tuple(value)
         for kind in self.taken:
             if kind.fits(value):
+                if kind.words and self._plainly and type(value) not in (int, float, str):
+                    return self._plainly(value)
                 if kind.by_type and not hasattr(value, "ndim"):
                     self.types.add(type(value))
-                return
+                return value
         words = _words(self.taken)
         parts = (f"{kind.name}{s}" for kind in self.taken for s in ("", "s") if kind.name)
         part = next((f"; it has .{part}" for part in parts if hasattr(value, part)), "")
@@ -226,6 +237,12 @@ def _kind(cls: Any, inner: list[tuple[_Taken, ...] | None]) -> _Taken:
     return _of_class(cls)
 
 
+# by the words for a kind: what makes the plain value of any that fits
+_PLAINLY: dict[str, Callable[[Any], Any]] = {
+    "a number": float,
+    "an integer": operator.index,
+    "a text": os.fspath,
+}
 _COUNTS = {2: "two", 3: "three"}
 _PLURALS = {"a text": "texts", "a number": "numbers", "an integer": "integers"}
 _TEXT = frozenset({str})
@@ -233,8 +250,11 @@ _CONTAINERS = ("builtins", "collections.abc")
 
 
 def _listed(value: Any) -> bool:
-    """Tell whether a value is a sequence of others: no text, and no values by names."""
-    if isinstance(value, str | Mapping):
+    """Tell whether a value is a sequence of others: no text, and no values by names.
+
+    A series or a frame of pandas has names, which its order would not heed.
+    """
+    if isinstance(value, str | Mapping) or hasattr(value, "items"):
         return False
     return isinstance(value, Sequence) or (hasattr(value, "__array__") and bool(value.ndim))
 

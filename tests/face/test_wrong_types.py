@@ -7,12 +7,17 @@ import json
 import pickle
 import tempfile
 from collections.abc import Callable
+from decimal import Decimal
+from fractions import Fraction
 from functools import cache
 from pathlib import Path
 from typing import Any
 
+import mpmath
 import numpy as np
 import pytest
+import sympy as sp
+from numpy.testing import assert_array_equal
 
 import nonsmooth as ns
 from tests.places import records
@@ -252,6 +257,28 @@ def test_methods_of_every_result_are_checked(record: type) -> None:
 @pytest.mark.parametrize("name", [name for name in FUNCTIONS if name != "certify"])
 def test_functions_travel_between_processes(name: str) -> None:
     assert pickle.loads(pickle.dumps(FUNCTIONS[name])) is FUNCTIONS[name]
+
+
+@pytest.mark.parametrize("kind", [Fraction, Decimal, sp.Rational, mpmath.mpf, np.float32, np.array])
+def test_any_kind_of_number_is_the_number(kind: Callable[[str], Any]) -> None:
+    orbit, step = ns.solve(STICK), kind(0.125)
+    ends = ns.continue_orbit(orbit, "V", (0.9, 1.1), step=step).parameter_values
+    assert_array_equal(ends, ns.continue_orbit(orbit, "V", (0.9, 1.1), step=0.125).parameter_values)
+
+
+def test_names_may_come_one_by_one() -> None:
+    orbit = ns.solve(STICK)
+    given = {"tau": orbit.unknowns["tau"]}
+    assert ns.solve(STICK, unknown=iter(["eta"]), given=given).converged
+
+
+def test_what_has_names_that_its_order_would_not_heed_is_refused() -> None:
+    class Series(list):  # as that of pandas: its entries have names
+        def items(self) -> list[tuple[str, float]]:
+            return [*zip(("v2", "x1", "x2", "v1"), self, strict=True)]
+
+    with pytest.raises(ns.InputError, match=r"^state takes several values"):
+        ns.simulate("dry-friction", DATA, Series(START), transitions=3)
 
 
 def test_an_array_without_axes_is_a_number() -> None:

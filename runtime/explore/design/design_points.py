@@ -25,6 +25,7 @@ _REFUSED = "the orbit is no motion of the real system beyond"
 _UNDETERMINED = "the equations determine no orbit beyond (a grazing or a fold)"
 _LEAST = 2.0**-10  # of a way: the shortest step
 _ROUNDING = 1e-9  # of an unknown: a corrector this short is no leap
+_SHORT = 0.1  # of a period: a dwell time that falls from less goes to zero where a branch is steep
 _STEEP = 5.0  # change of the unknowns over that of the parameters where a fold is near
 
 
@@ -199,14 +200,28 @@ def _stepped(curve: OrbitFamily, here: np.ndarray, way: np.ndarray) -> np.ndarra
         chord = np.linalg.lstsq(rows[:, :count], -rows[:, count:] @ shift, rcond=None)[0]
         guess = here + np.append(chord, shift) * curve.sizes
         found = correct(curve, guess, np.eye(len(here))[count:])
-    steep = np.linalg.norm(chord) > _STEEP * np.linalg.norm(shift)
-    lost = "the branch turns back (a fold)" if steep else "the orbit is lost"
     if found is None:
-        return lost
+        return _lost(curve, here, chord, shift)
     z, _ = found
     for name, wait in zip(curve.dwell_names, curve.dwell(z[None])[0], strict=True):
         if not wait > 0:
             return f"{name} goes to zero"
     if np.linalg.norm((z - guess) / curve.sizes) > FAR * np.linalg.norm(chord) + _ROUNDING:
-        return lost
+        return _lost(curve, here, chord, shift)
     return z
+
+
+def _lost(curve: OrbitFamily, here: np.ndarray, chord: np.ndarray, shift: np.ndarray) -> str:
+    """Why there is no orbit a step further: both causes of a steep branch change it alike at first.
+
+    At a fold the unknowns change as the root of what is left of the way, and so does a dwell
+    time that vanishes at a grazing, but this one is small there.
+    """
+    if np.linalg.norm(chord) <= _STEEP * np.linalg.norm(shift):
+        return "the orbit is lost"
+    ahead = here + np.append(chord, shift) * curve.sizes
+    before, after = curve.dwell(np.stack([here, ahead]))
+    vanishing = (after < before) & (before < _SHORT * before.sum())
+    if vanishing.any():
+        return f"{curve.dwell_names[int(np.argmax(vanishing))]} goes to zero"
+    return "the branch turns back (a fold)"
