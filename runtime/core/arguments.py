@@ -1,7 +1,7 @@
 """What public functions take, checked by their annotations before anything is computed.
 
-`checked` reads the annotations when a function is called for the first time. An argument whose
-type was right before costs a look into a set; others are judged by what the annotation says.
+`checked` reads the annotations when a function is called for the first time. Arguments whose types
+were right together before cost a look into a set; others are judged by what the annotation says.
 """
 
 from __future__ import annotations
@@ -90,10 +90,14 @@ def checked(function: _Checked) -> _Checked:
         function.__init__ = checked(function.__init__)  # type: ignore[misc]
         return function
     known: _Arguments | None = None
+    sure = set[tuple[object, ...]]()  # names and types of arguments of which all values fit
 
     @wraps(function)
     def call(*given: Any, **named: Any) -> Any:
         nonlocal known
+        kinds = (*map(type, given), *named, *map(type, named.values()))
+        if kinds in sure:
+            return function(*given, **named)
         if known is None:
             known = _arguments(function)
         arguments, places, rest = known
@@ -108,6 +112,8 @@ def checked(function: _Checked) -> _Checked:
         for name, value in named.items():
             if name in arguments and type(value) not in arguments[name].types:
                 named[name] = arguments[name].plain(value)
+        if known.sure_of(given, named):
+            sure.add(kinds)
         return function(*given, **named)
 
     return call  # type: ignore[return-value]
@@ -159,6 +165,17 @@ class _Arguments(NamedTuple):
     named: dict[str, _Argument]
     places: list[_Argument]  # those that may be given by their places
     rest: _Argument | None  # what takes all further places, if anything does
+
+    def sure_of(self, given: Sequence[object], named: Mapping[str, object]) -> bool:
+        """Whether all values of the types of these fit, as they are."""
+        others = [self.rest] * (len(given) - len(self.places)) if self.rest else []
+        pairs: list[tuple[_Argument | None, object]] = [
+            *zip([*self.places, *others], given, strict=False),
+            *((self.named.get(name), value) for name, value in named.items()),
+        ]
+        return all(
+            argument is not None and type(value) in argument.types for argument, value in pairs
+        )
 
 
 def _arguments(function: Callable[..., Any]) -> _Arguments:
