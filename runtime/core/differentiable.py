@@ -180,14 +180,21 @@ class DifferentiableFunction(Shown):
             )
 
     def _points(self, x: Any) -> tuple[np.ndarray, tuple[int, ...]]:
-        array = real_array("x", x)
+        array = _unnamed("x", x, self.inputs)
         self.check_shape(array.shape)
         return array.reshape(-1, len(self.inputs)), array.shape[:-1]
 
 
+def _unnamed(label: str, given: Any, names: tuple[str, ...]) -> np.ndarray:
+    """The array of numbers that is given; an `InputError` refuses numbers by names."""
+    if hasattr(given, "keys"):
+        raise InputError(f"{label} takes numbers in the order {', '.join(names)}, not by names")
+    return real_array(label, given)
+
+
 def _weights(label: str, given: Any, names: tuple[str, ...]) -> np.ndarray:
     """Array (..., k) with a number for each of k names."""
-    array = real_array(label, given)
+    array = _unnamed(label, given, names)
     if array.shape[-1:] != (len(names),):
         raise InputError(f"{label} has the shape {array.shape}; one number each for {names}")
     return array

@@ -130,8 +130,9 @@ def as_value(number: object) -> Value:
     """A number of any usual type, its text, or a `Value`, as an exact value.
 
     A Python or NumPy float means its shortest decimal (0.1 is 1/10); integers, fractions,
-    `decimal.Decimal` and `mpmath.mpf` are taken exactly as they are. An `InputError` refuses
-    what is not finite, a bool, complex, an array, or no number at all.
+    `decimal.Decimal` and `mpmath.mpf` are taken exactly as they are, as are real numbers of SymPy
+    whose text `parse` reads. An `InputError` refuses what is not finite, a bool, complex, an
+    array, or no number at all.
 
     Examples
     --------
@@ -155,9 +156,9 @@ def as_value(number: object) -> Value:
         case Real() | Decimal():
             return parse(str(number))  # NumPy's other floats print their shortest decimal
         case _ if getattr(number, "shape", None) == () and hasattr(number, "__len__"):
-            import numpy as np
-
-            return as_value(np.asarray(number)[()])
+            return as_value(_plain_array(number)[()])
+        case _ if getattr(number, "is_number", False) and getattr(number, "is_real", False):
+            return parse(str(number))  # a number of SymPy, such as pi/3
         case _:
             raise InputError(f"{' '.join(repr(number).split())[:60]} is not a real number")
     try:
@@ -195,22 +196,37 @@ def axes(given: Any) -> int:
 
 
 def real_array(label: str, given: Any) -> "np.ndarray":
-    """The array of real numbers that is given; an `InputError` refuses anything else.
+    """The array of the real numbers that are given, as numbers of any type or as texts.
+
+    An `InputError` refuses anything else, and masked values.
 
     Examples
     --------
-    >>> real_array("times", [0, 1])
-    array([0., 1.])
+    >>> real_array("times", [0, "1/4"])
+    array([0.  , 0.25])
     """
     import numpy as np
 
     try:
-        array = np.asarray(given)
-        if array.dtype.kind not in "cmM":
+        array = _plain_array(given)
+        if array.dtype.kind in "iuf":
             return array.astype(float)
-    except (TypeError, ValueError):
-        pass
+        if array.dtype.kind in "OUT":
+            numbers = [float(as_value(number)) for number in array.ravel()]
+            return np.array(numbers).reshape(array.shape)
+    except (TypeError, ValueError) as problem:
+        if isinstance(problem, InputError):
+            raise InputError(f"{label}: {problem}") from None
     raise InputError(f"{label}: no array of real numbers")
+
+
+def _plain_array(given: Any) -> "np.ndarray":
+    """What NumPy makes of something; an `InputError` refuses values that a mask leaves out."""
+    import numpy as np
+
+    if np.ma.is_masked(given):
+        raise InputError("masked values are no numbers")
+    return np.asarray(given)
 
 
 def random_generator(rng: Any) -> "np.random.Generator":

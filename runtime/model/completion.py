@@ -33,7 +33,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, unknown_name
-from nonsmooth.runtime.core.values import Value, as_value, parse
+from nonsmooth.runtime.core.values import Value, as_value, parse, real_array
 from nonsmooth.runtime.model.kernels import OrbitKernels
 from nonsmooth.runtime.model.parameters import (
     check_constraints,
@@ -41,7 +41,6 @@ from nonsmooth.runtime.model.parameters import (
     domain_text,
     in_domain,
     number_of,
-    parameter_array,
     system_parameters,
 )
 
@@ -433,7 +432,7 @@ def complete_arrays(kernels: OrbitKernels, given: Mapping[str, Any]) -> dict[str
         value = given.get(name, defaults.get(name))
         if value is None:
             raise InputError(f"{kernels.name} needs a value for: {name}")
-        found[name] = parameter_array(name, value)
+        found[name] = real_array(f"parameter {name}", value)
     try:
         return batch.complete(found)
     except ValueError as error:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
-from nonsmooth.runtime.core.values import Value, as_value
+from nonsmooth.runtime.core.values import Value, as_value, real_array
 from nonsmooth.runtime.model.kernels import ParameterTable, SystemKernels
 
 __all__ = [
@@ -20,7 +20,6 @@ __all__ = [
     "domain_text",
     "in_domain",
     "number_of",
-    "parameter_array",
     "parameter_points",
     "system_parameters",
     "value_of",
@@ -159,20 +158,6 @@ def _check_names(kernels: SystemKernels, given: Iterable[str]) -> None:
         raise InputError(f"{kernels.name} needs a value for: {', '.join(missing)}")
 
 
-def parameter_array(name: str, given: Any) -> np.ndarray:
-    """A parameter's values at many points, or the one that they share, as an array of floats.
-
-    Raises `InputError` unless they are real numbers.
-    """
-    try:
-        array = np.asarray(float(as_value(given)) if isinstance(given, str | Value) else given)
-        if array.dtype.kind in "bcmM":
-            raise TypeError(f"{array.dtype} is no type of real numbers")
-        return array.astype(float)
-    except (TypeError, ValueError) as error:
-        raise InputError(f"parameter {name}: {error}") from None
-
-
 def parameter_points(
     kernels: SystemKernels, parameters: Mapping[str, Any]
 ) -> tuple[np.ndarray, tuple[int, ...]]:
@@ -188,7 +173,7 @@ def parameter_points(
         given = parameters[name]
         if isinstance(given, str | Value):
             given = float(value_of(table, given))
-        array = parameter_array(name, given)
+        array = real_array(f"parameter {name}", given)
         arrays[name] = np.where(in_domain(table, array), array, np.nan)
     if not arrays:  # a declaration in numbers alone
         return np.empty((1, 0)), ()

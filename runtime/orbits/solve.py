@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, cast, overload
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, one_or_several
-from nonsmooth.runtime.core.values import axes, by_name
+from nonsmooth.runtime.core.values import axes, by_name, real_array
 from nonsmooth.runtime.model.kernel_records import SavedTable
 from nonsmooth.runtime.model.kernels import (
     OrbitKernels,
@@ -26,7 +26,7 @@ from nonsmooth.runtime.model.kernels import (
     load_orbit,
 )
 from nonsmooth.runtime.model.loading.declared import DeclaredOrbit, DeclaredSystem
-from nonsmooth.runtime.model.parameters import parameter_array, parameter_points
+from nonsmooth.runtime.model.parameters import parameter_points
 from nonsmooth.runtime.orbits.kernel_many import CHUNK, KernelPoints
 from nonsmooth.runtime.orbits.many_derivatives import derivatives_of_many
 from nonsmooth.runtime.orbits.one_point import Itinerary, guess_along, solve_kernels
@@ -155,7 +155,9 @@ class DeclaredPoints(TablePoints):
         orbits = replace(
             flat,
             problem=self.reference.problem,
-            parameters={name: parameter_array(name, value) for name, value in values.items()},
+            parameters={
+                name: real_array(f"parameter {name}", value) for name, value in values.items()
+            },
             unknowns=unknowns,
             bounds=None if flat.bounds is None else {},
             starts=starts,

@@ -13,8 +13,9 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.exponentials.matrices import eigenvalues
 from nonsmooth.runtime.core.parallel import in_parallel
+from nonsmooth.runtime.core.values import real_array
 from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable, SystemKernels
-from nonsmooth.runtime.model.parameters import parameter_array, parameter_points
+from nonsmooth.runtime.model.parameters import parameter_points
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.admissible import NO_ORBIT
@@ -106,7 +107,7 @@ def solve_itineraries(
 
 def _in_shape(found: Orbits, parameters: Mapping[str, Any], shape: tuple[int, ...]) -> Orbits:
     """Return orbits at points (n,) in a shape (...), with parameters as they were given."""
-    arrays = {name: parameter_array(name, value) for name, value in parameters.items()}
+    arrays = {name: real_array(f"parameter {name}", value) for name, value in parameters.items()}
     return reshaped(replace(found, parameters=arrays), shape)
 
 

@@ -24,7 +24,6 @@ from nonsmooth.runtime.model.contacts.law import Law
 from nonsmooth.runtime.model.flows import extended
 from nonsmooth.runtime.model.kernels import SystemKernels, grown
 from nonsmooth.runtime.model.loading.growing import Growth, Visit, growth_of
-from nonsmooth.runtime.model.parameters import parameter_array
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise_at
 from nonsmooth.runtime.model.structure import Structure, structure_of
 
@@ -81,8 +80,9 @@ def start_states(structure: Structure, given: Any) -> np.ndarray:
     names = structure.states
     if isinstance(given, Mapping):
         values = zip(names, _in_order(structure, given), strict=True)
+        arrays = [real_array(f"state {name}", value) for name, value in values]
         try:
-            given = np.stack(np.broadcast_arrays(*(parameter_array(n, v) for n, v in values)), -1)
+            given = np.stack(np.broadcast_arrays(*arrays), -1)
         except ValueError:
             raise InputError("the arrays of the state do not broadcast") from None
     elif axes(given) == 1:

@@ -9,7 +9,7 @@ from itertools import product
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
-from nonsmooth.runtime.core.values import Value, as_value
+from nonsmooth.runtime.core.values import Value, as_value, axes
 from nonsmooth.runtime.orbits.kernel_problem import chosen_parameters
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
 from nonsmooth.runtime.orbits.solve import solve
@@ -124,7 +124,7 @@ def checked_box(orbit: Orbit, box: Mapping[str, tuple[object, object]]) -> dict[
     for name, ends in box.items():
         if name not in given:
             raise unknown_name("given parameter", str(name), given)
-        if not isinstance(ends, tuple | list) or len(ends) != 2:
+        if axes(ends) != 1 or len(ends) != 2:
             raise InputError(f"{name}: a box has a lower and an upper end, not {ends!r}")
         exact = [as_value(end).exact for end in ends]
         lower, upper = exact
