@@ -8,6 +8,7 @@ from functools import singledispatch
 import sympy as sp
 
 from nonsmooth.derive.building.elements import (
+    ELEMENTS,
     Element,
     Friction,
     Regions,
@@ -171,7 +172,7 @@ def _load(
     a stop.
     """
     where, normal = f"element {element.name!r}", element.normal
-    if isinstance(normal, str | RigidStop | SoftStop | Slider | Friction | Regions):
+    if isinstance(normal, (str, *ELEMENTS)):
         name = normal if isinstance(normal, str) else normal.name
         bearer = next((i for i, e in enumerate(elements) if e.name == name), None)
         stop = None if bearer is None else elements[bearer]

@@ -8,14 +8,14 @@ coordinate x2 - x1; or a vector of n weights. Units are the user's own, consiste
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any, Literal, Protocol
 
 from nonsmooth.derive.building.matrices import is_array, values_of_doubles
-from nonsmooth.derive.declaration.parameter import exact, set_fields
+from nonsmooth.derive.declaration.fields import declared, exact, made, set_fields
 from nonsmooth.derive.errors import DeclarationError
 
 __all__ = [
+    "ELEMENTS",
     "Direction",
     "Element",
     "Friction",
@@ -38,7 +38,7 @@ class Element(Protocol):
         """Name of the element, with which the names of its boundaries begin."""
 
 
-@dataclass(frozen=True)
+@declared
 class Harmonic:
     """Force ``cosine cos(frequency t + phase) + sine sin(frequency t + phase)``.
 
@@ -72,7 +72,7 @@ class Harmonic:
         _check(self.frequency, "a harmonic's frequency", lower=0, strict=True)
 
 
-@dataclass(frozen=True)
+@declared
 class RigidStop:
     """A rigid stop with Newton's law of impact, ``w x'+ = -restitution w x'-``.
 
@@ -105,16 +105,16 @@ class RigidStop:
     coordinate: Direction
     at: Any
     restitution: Any
-    side: str = "upper"
+    side: Literal["upper", "lower"] = "upper"
     name: str = ""
 
     def __post_init__(self) -> None:
-        _check_side(self.side)
         _settle_direction(self, f"-{self.side}")
+        _check(self.at, f"place of {self.name!r}")
         _check(self.restitution, f"restitution of {self.name!r}", lower=0, upper=1)
 
 
-@dataclass(frozen=True)
+@declared
 class SoftStop:
     """A stop of finite stiffness, with a damper of its own.
 
@@ -160,24 +160,20 @@ class SoftStop:
     at: Any
     stiffness: Any
     damping: Any = 0
-    side: str = "upper"
-    released: str = "gap"
+    side: Literal["upper", "lower"] = "upper"
+    released: Literal["gap", "force"] = "gap"
     name: str = ""
 
     def __post_init__(self) -> None:
-        _check_side(self.side)
         _settle_direction(self, f"-{self.side}")
+        _check(self.at, f"place of {self.name!r}")
         _check(self.stiffness, f"stiffness of {self.name!r}", lower=0)
         _check(self.damping, f"damping of {self.name!r}", lower=0)
-        if self.released not in ("gap", "force"):
-            raise DeclarationError(
-                f"{self.name!r}: released is {self.released!r}, not 'gap' or 'force'"
-            )
         if exact(self.damping) == 0:
             set_fields(self, released="gap")
 
 
-@dataclass(frozen=True)
+@declared
 class Friction:
     """Dry friction on a belt, on the ground (velocity 0), or between two coordinates.
 
@@ -248,6 +244,10 @@ class Friction:
             set_fields(self, static=self.kinetic)
         _check(self.kinetic, f"kinetic friction of {self.name!r}", lower=0)
         _check(self.static, f"static friction of {self.name!r}", lower=0)
+        _check(self.velocity, f"velocity of {self.name!r}")
+        _check(self.falling, f"falling of {self.name!r}")
+        if not isinstance(self.normal, (str, *ELEMENTS)):
+            _check(self.normal, f"normal load of {self.name!r}")
         excess = exact(self.static) - exact(self.kinetic)
         if excess.is_negative:
             raise DeclarationError(
@@ -255,7 +255,7 @@ class Friction:
             )
 
 
-@dataclass(frozen=True)
+@declared
 class Slider:
     """A spring in series with a massless Coulomb slider (Jenkins element).
 
@@ -300,7 +300,7 @@ class Slider:
         _check(self.limit, f"limit of {self.name!r}", lower=0, strict=True)
 
 
-@dataclass(frozen=True)
+@declared
 class Terms:
     """Terms ``damping x' + stiffness x = load`` that are added to the equations.
 
@@ -317,7 +317,7 @@ class Terms:
     load: Any = None
 
 
-@dataclass(frozen=True)
+@declared
 class Regions:
     """Terms that change across a plane of the state.
 
@@ -349,13 +349,16 @@ class Regions:
     name: str = "region"
 
 
+ELEMENTS = (RigidStop, SoftStop, Friction, Slider, Regions)
+
+
 def _direction_name(direction: Direction) -> str:
     """Name of a coordinate; of a direction the names of its coordinates, joined by hyphens."""
     if isinstance(direction, str):
         return direction
     if not isinstance(direction, Mapping):
         raise DeclarationError("an element whose direction is a vector needs a name")
-    return "-".join(direction)
+    return "-".join(made(Mapping[str, Any], direction, "a direction"))
 
 
 def _settle_direction(element: Any, ending: str = "") -> None:
@@ -367,18 +370,15 @@ def _settle_direction(element: Any, ending: str = "") -> None:
         set_fields(element, coordinate=tuple(weights))
 
 
-def _check_side(side: str) -> None:
-    if side not in ("upper", "lower"):
-        raise DeclarationError(f"the side of a stop is {side!r}, not 'upper' or 'lower'")
-
-
 def _check(
-    value: Any, what: str, lower: int, upper: int | None = None, strict: bool = False
+    value: Any, what: str, lower: int | None = None, upper: int | None = None, strict: bool = False
 ) -> None:
     """Refuse a value that is known to lie outside its range; parameters may lie inside."""
     number = exact(value)
     if number.is_number and not (number.is_real and number.is_finite):
         raise DeclarationError(f"{what} is not a real number: {value}")
+    if lower is None:
+        return
     if upper is not None:
         if (number - lower).is_negative or (upper - number).is_negative:
             raise DeclarationError(f"{what} is not in [{lower}, {upper}]: {value}")

@@ -19,7 +19,8 @@ from nonsmooth.derive.declaration.algebra import (
     inverse,
     is_affine,
 )
-from nonsmooth.derive.declaration.parameter import Parameter, exact, is_positive
+from nonsmooth.derive.declaration.fields import exact, made
+from nonsmooth.derive.declaration.parameter import Parameter, is_positive
 from nonsmooth.derive.declaration.system import TIME
 from nonsmooth.derive.errors import DeclarationError
 
@@ -93,7 +94,8 @@ class Frame:
             given = [given.get(name, 0) for name in names]
         if is_array(given):
             given = values_of_doubles(given, what)
-        if given is None or len(given) == 0:
+        given = made(tuple[Any, ...], () if given is None else given, what)
+        if not given:
             return sp.zeros(len(names), 1)
         if len(given) != len(names):
             raise DeclarationError(f"{what} has {len(given)} values for {len(names)} coordinates")

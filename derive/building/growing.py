@@ -26,7 +26,7 @@ from nonsmooth.derive.building.transitions import (
     transitions_from,
 )
 from nonsmooth.derive.declaration.configuration import Configuration, Contact
-from nonsmooth.derive.declaration.parameter import set_fields
+from nonsmooth.derive.declaration.fields import set_fields
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Transition
 from nonsmooth.derive.errors import DeclarationError

@@ -9,12 +9,12 @@ import zipfile
 import zlib
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import Any, BinaryIO, Literal
 
 import numpy as np
 import sympy as sp
 
-from nonsmooth.derive.declaration.parameter import exact
+from nonsmooth.derive.declaration.fields import exact, made
 from nonsmooth.derive.errors import DeclarationError
 
 __all__ = ["chain_matrices", "is_array", "read_matrices", "square", "values_of_doubles"]
@@ -54,21 +54,23 @@ def chain_matrices(
     [ 7, -4],
     [-4,  4]])
     """
-    if fixed not in _MORE_LINKS:
-        raise DeclarationError(f"fixed is {fixed!r}, not one of {', '.join(_MORE_LINKS)}")
+    masses, springs = (
+        made(tuple[sp.Expr, ...], given, what)
+        for what, given in (("masses", masses), ("springs", springs))
+    )
+    made(Literal["none", "left", "right", "both"], fixed, "fixed")
     count = len(masses)
     links = count + _MORE_LINKS[fixed]
     if count == 0:
         raise DeclarationError("a chain needs a mass")
-    if dampers is None:
-        dampers = [0] * links
+    dampers = made(tuple[sp.Expr, ...] | None, dampers, "dampers") or (sp.S.Zero,) * links
     for what, values in (("springs", springs), ("dampers", dampers)):
         if len(values) != links:
             raise DeclarationError(
                 f"a chain of {count} masses, fixed {fixed!r}, has {links} {what}, not {len(values)}"
             )
     left = -1 if fixed in ("left", "both") else 0
-    mass = sp.diag(*map(exact, masses))
+    mass = sp.diag(*masses)
     return mass, _joined(springs, count, left), _joined(dampers, count, left)
 
 
@@ -84,7 +86,7 @@ def _joined(links: Sequence[Any], count: int, left: int) -> sp.Matrix:
         if 0 <= place < count
     }
     stretches = sp.Matrix.from_dok(len(links), count, ends)
-    return stretches.T * sp.diag(*map(exact, links)) * stretches
+    return stretches.T * sp.diag(*links) * stretches
 
 
 def is_array(given: Any) -> bool:
@@ -171,7 +173,7 @@ def read_matrices(path: str | os.PathLike[str]) -> dict[str, Any]:
     ...     sorted(read_matrices(file))
     ['K', 'M']
     """
-    file = Path(path)
+    file = Path(made(os.PathLike, Path(path) if isinstance(path, str) else path, "path"))
     kind = file.name.removesuffix(".gz").rpartition(".")[2].lower()
     if kind not in _READERS:
         raise DeclarationError(f"{file}: not a file of matrices (.mtx, .npz, .mat)")

@@ -6,8 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import chain, combinations
 from math import prod
-from reprlib import repr
-from typing import Any
+from typing import Any, Literal
 
 import sympy as sp
 
@@ -18,6 +17,7 @@ from nonsmooth.derive.building.frame import Frame, inferred_parameters
 from nonsmooth.derive.building.growing import GrowingSystem, is_large, whole
 from nonsmooth.derive.building.matrices import square
 from nonsmooth.derive.declaration.algebra import frozen, is_surely_positive_definite
+from nonsmooth.derive.declaration.fields import made, shown
 from nonsmooth.derive.declaration.parameter import Parameter
 from nonsmooth.derive.declaration.soundness import check_unique
 from nonsmooth.derive.declaration.system import System
@@ -95,10 +95,10 @@ def oscillator(
     >>> [c.name for c in system.configurations]
     ['free', 'contact']
     """
-    if simultaneous_impacts not in (None, "sequence", "moreau"):
-        raise DeclarationError(
-            f"simultaneous_impacts is {simultaneous_impacts!r}, not 'sequence' or 'moreau'"
-        )
+    name, description = made(str, name, "name"), made(str, description, "description")
+    coordinates = made(tuple[str, ...], coordinates, "coordinates")
+    if simultaneous_impacts is not None:
+        made(Literal["sequence", "moreau"], simultaneous_impacts, "simultaneous_impacts")
     _check_list("forcing", forcing, (Harmonic,), 'F cos(w t) is Harmonic(w, cosine={"x": F})')
     kinds = tuple(kind for kind in part_of.registry if kind is not object)
     _check_list("elements", elements, kinds, ", ".join(kind.__name__ for kind in kinds))
@@ -164,10 +164,10 @@ def _check_list(argument: str, given: Any, kinds: tuple[type, ...], written: str
         name = type(given).__name__
         raise DeclarationError(f"{argument} is a {name}, not a list: {argument}=[{name}(...)]")
     if not isinstance(given, list | tuple):
-        raise DeclarationError(f"{argument} is {repr(given)}, not a list: {written}")
+        raise DeclarationError(f"{argument} is {shown(given)}, not a list: {written}")
     for entry in given:
         if not isinstance(entry, kinds):
-            raise DeclarationError(f"{argument} cannot hold {repr(entry)}: {written}")
+            raise DeclarationError(f"{argument} cannot hold {shown(entry)}: {written}")
 
 
 def _mass(matrix: sp.Matrix) -> sp.Matrix:

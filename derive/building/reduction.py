@@ -15,6 +15,7 @@ from nonsmooth.derive.building.structure_matrices import (
     checked_structure,
     lowest_modes,
 )
+from nonsmooth.derive.declaration.fields import made, shown
 from nonsmooth.derive.declaration.soundness import check_unique
 from nonsmooth.derive.errors import DeclarationError
 
@@ -171,20 +172,22 @@ def reduce_structure(
     >>> print(f"wrong above {reduced.cutoff:.4f}")
     wrong above 0.2507
     """
-    if method not in _BASES:
-        raise DeclarationError(f"method is {method!r}, not one of {', '.join(_BASES)}")
+    made(Method, method, "method")
     structure = checked_structure(mass, stiffness, damping)
     size = structure.mass.shape[0]
-    names = tuple(f"x{i}" for i in range(size)) if coordinates is None else tuple(coordinates)
+    names = tuple(f"x{i}" for i in range(size)) if coordinates is None else coordinates
+    names = made(tuple[str, ...], names, "coordinates")
     if len(names) != size:
         raise DeclarationError(f"there are {len(names)} names for {size} coordinates")
     check_unique(names, "coordinate")
     if isinstance(keep, str) or not np.iterable(keep):
-        raise DeclarationError(f"keep is {keep!r}, not a row of places or names of coordinates")
+        raise DeclarationError(
+            f"keep is {shown(keep)}, not a row of places or names of coordinates"
+        )
     kept = tuple(_place(which, names, "keep") for which in keep)
     check_unique([names[i] for i in kept], "kept coordinate")
     if isinstance(modes, bool) or not isinstance(modes, int | np.integer) or modes < 0:
-        raise DeclarationError(f"modes is {modes!r}, not a number of modes")
+        raise DeclarationError(f"modes is {shown(modes)}, not a number of modes")
     if not kept and modes == 0:
         raise DeclarationError("the reduction keeps nothing: no coordinate and no mode")
     if modes > size - len(kept):

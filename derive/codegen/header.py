@@ -23,7 +23,8 @@ from nonsmooth.derive.codegen.naming import (
 )
 from nonsmooth.derive.codegen.python_file import Stamp
 from nonsmooth.derive.codegen.solver import STATUSES
-from nonsmooth.derive.declaration.parameter import Parameter, exact
+from nonsmooth.derive.declaration.fields import exact
+from nonsmooth.derive.declaration.parameter import Parameter
 from nonsmooth.derive.equations.equation_system import EquationSystem
 
 __all__ = ["header_file"]

@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from types import MappingProxyType
+from typing import Literal
 
 import sympy as sp
 
 from nonsmooth.derive.declaration.dynamics import Dynamics
-from nonsmooth.derive.declaration.parameter import exact, set_fields
+from nonsmooth.derive.declaration.fields import declared
 from nonsmooth.derive.declaration.soundness import check_unique, named
-from nonsmooth.derive.errors import DeclarationError
 
 __all__ = ["Boundary", "Configuration", "Contact"]
 
 
-@dataclass(frozen=True)
+@declared
 class Boundary:
     """A switching surface at which a configuration is left.
 
@@ -34,18 +32,10 @@ class Boundary:
 
     name: str
     function: sp.Expr
-    acts_when: str = "exceeded"
-
-    def __post_init__(self) -> None:
-        set_fields(self, function=exact(self.function))
-        if self.acts_when not in ("reached", "exceeded"):
-            raise DeclarationError(
-                f"boundary {self.name!r}: acts_when is {self.acts_when!r},"
-                " not 'reached' or 'exceeded'"
-            )
+    acts_when: Literal["reached", "exceeded"] = "exceeded"
 
 
-@dataclass(frozen=True)
+@declared
 class Configuration:
     """One linear regime of a system and the boundaries at which it is left.
 
@@ -65,11 +55,6 @@ class Configuration:
     constraints: tuple[sp.Expr, ...] = ()
 
     def __post_init__(self) -> None:
-        set_fields(
-            self,
-            boundaries=tuple(self.boundaries),
-            constraints=tuple(map(exact, self.constraints)),
-        )
         check_unique([b.name for b in self.boundaries], f"boundary of configuration {self.name!r}")
 
     def boundary(self, name: str) -> Boundary:
@@ -91,7 +76,7 @@ class Configuration:
         return named(self.boundaries, name, f"configuration {self.name!r} has no boundary")
 
 
-@dataclass(frozen=True)
+@declared
 class Contact:
     """Where the surroundings act on the oscillator: a stop, a belt.
 
@@ -112,12 +97,3 @@ class Contact:
     velocity: sp.Expr
     forces: Mapping[str, sp.Expr]
     surface: sp.Expr = sp.S.Zero
-
-    def __post_init__(self) -> None:
-        forces = {name: exact(force) for name, force in self.forces.items()}
-        set_fields(
-            self,
-            velocity=exact(self.velocity),
-            surface=exact(self.surface),
-            forces=MappingProxyType(forces),
-        )

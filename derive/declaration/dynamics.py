@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import sympy as sp
@@ -15,13 +15,14 @@ from nonsmooth.derive.declaration.algebra import (
     is_surely_positive_definite,
     symbols_of,
 )
-from nonsmooth.derive.declaration.parameter import check_finite, exact, exact_rules, set_fields
+from nonsmooth.derive.declaration.fields import declared, exact, made, set_fields
+from nonsmooth.derive.declaration.parameter import check_finite
 from nonsmooth.derive.errors import DeclarationError
 
 __all__ = ["Dynamics", "FirstOrder", "SecondOrder"]
 
 
-@dataclass(frozen=True)
+@declared
 class SecondOrder:
     """Linear motion ``mass x'' + damping x' + stiffness x = load``, some coordinates held.
 
@@ -40,7 +41,7 @@ class SecondOrder:
     stiffness: sp.Matrix
     load: Any = ()
     damping: Any = None
-    held: Any = field(default_factory=dict)
+    held: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         mass = _square(self.mass, "mass")
@@ -54,8 +55,7 @@ class SecondOrder:
             raise DeclarationError(f"load has {load.rows} values where mass is {size} x {size}")
         if not is_surely_positive_definite(frozen(mass)) and mass.det() == 0:
             raise DeclarationError("mass is singular")
-        held = exact_rules(self.held)
-        for symbol, velocity in held.items():
+        for symbol, velocity in self.held.items():
             check_finite(velocity, f"held velocity of {symbol}")
         set_fields(
             self,
@@ -63,7 +63,6 @@ class SecondOrder:
             stiffness=frozen(stiffness),
             damping=frozen(damping),
             load=frozen(load),
-            held=held,
         )
 
     def held_at(self, states: Sequence[sp.Symbol]) -> dict[int, sp.Expr]:
@@ -149,7 +148,7 @@ class SecondOrder:
         return set().union(*map(symbols_of, matrices), *held)
 
 
-@dataclass(frozen=True)
+@declared
 class FirstOrder:
     """Affine motion ``y' = matrix y + offset``.
 
@@ -216,7 +215,8 @@ def _square(matrix: Any, what: str, size: int | None = None) -> sp.Matrix:
 
 def _column(values: Any, size: int, what: str) -> sp.Matrix:
     """Column (size x 1) of the values; zeros if there are none."""
-    return _matrix(list(values), what) if len(values) else sp.zeros(size, 1)
+    values = made(tuple[Any, ...], values, what)
+    return _matrix(values, what) if values else sp.zeros(size, 1)
 
 
 def _matrix(entries: Any, what: str) -> sp.Matrix:
@@ -227,7 +227,7 @@ def _matrix(entries: Any, what: str) -> sp.Matrix:
         raise DeclarationError(f"{what} is no matrix of numbers and symbols") from None
     changed = False
     for entry in given.todok().values():
-        if entry.is_Rational:
+        if getattr(entry, "is_Rational", False):
             continue
         changed = True
         try:

@@ -6,11 +6,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from keyword import iskeyword
+from types import NoneType
 from typing import Any
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.parameter import Parameter, exact_rules, set_fields
+from nonsmooth.derive.declaration.fields import declared, made, set_fields
+from nonsmooth.derive.declaration.parameter import Parameter
 from nonsmooth.derive.declaration.presentation import Presentation
 from nonsmooth.derive.declaration.soundness import check_name
 from nonsmooth.derive.declaration.source import Source
@@ -21,7 +23,7 @@ from nonsmooth.derive.errors import DeclarationError
 __all__ = ["Itinerary", "Phase", "Reference", "dwell_symbol"]
 
 
-@dataclass(frozen=True)
+@declared
 class Phase:
     """One phase of an itinerary.
 
@@ -57,14 +59,17 @@ class Reference:
     guess: Mapping[str, str]
 
     def __post_init__(self) -> None:
-        set_fields(
-            self,
-            parameters={key: str(value) for key, value in self.parameters.items()},
-            guess={key: str(value) for key, value in self.guess.items()},
-        )
+        for name in ("parameters", "guess"):
+            given = made(Mapping[str, Any], getattr(self, name), f"{name} of Reference")
+            for key, value in given.items():
+                if isinstance(value, bool | NoneType) or (
+                    hasattr(value, "__len__") and not isinstance(value, str)
+                ):
+                    raise DeclarationError(f"{key} of Reference: {value!r} is no number or text")
+            set_fields(self, **{name: {key: str(value) for key, value in given.items()}})
 
 
-@dataclass(frozen=True)
+@declared
 class Itinerary:
     """The cyclic sequence of phases of a periodic orbit of one system.
 
@@ -133,16 +138,7 @@ class Itinerary:
     source: Source | None = None
 
     def __post_init__(self) -> None:
-        phases = tuple(p if isinstance(p, Phase) else Phase(*p) for p in self.phases)
-        set_fields(
-            self,
-            phases=phases,
-            start=dict(self.start),
-            reversor=exact_rules(self.reversor),
-            vanishing=tuple(self.vanishing),
-            solved_for=tuple(self.solved_for),
-            symmetry=exact_rules(self.symmetry),
-        )
+        phases = self.phases
         check_name(self.name, "itinerary")
         if not phases:
             raise DeclarationError(f"itinerary {self.name!r} has no phases")

@@ -2,46 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable
 from keyword import iskeyword
 from typing import Any
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.real_numbers import settled
+from nonsmooth.derive.declaration.fields import declared, exact, set_fields
 from nonsmooth.derive.errors import DeclarationError
 
 __all__ = [
     "Parameter",
     "check_finite",
-    "exact",
-    "exact_rules",
     "is_positive",
     "is_rational",
-    "set_fields",
 ]
-
-
-def exact(expression: Any) -> Any:
-    """A SymPy expression in which each float is the shortest decimal that it prints as.
-
-    Its irrational numbers are as `settled` gives them.
-    """
-    expression = sp.sympify(expression)
-    floats = expression.atoms(sp.Float)
-    return settled(expression.xreplace({f: sp.Rational(repr(float(f))) for f in floats}))
-
-
-def exact_rules(rules: Mapping[sp.Symbol, Any]) -> sp.Dict:
-    """Exact expressions by symbol, in a mapping that has a hash."""
-    return sp.Dict({symbol: exact(expression) for symbol, expression in rules.items()})
-
-
-def set_fields(record: object, **values: Any) -> None:
-    """Replace fields of a frozen record while it is made."""
-    for name, value in values.items():
-        object.__setattr__(record, name, value)
 
 
 def check_finite(expression: sp.Expr, where: str) -> None:
@@ -54,7 +29,7 @@ def check_finite(expression: sp.Expr, where: str) -> None:
             raise DeclarationError(f"{where} holds {strange}, which is no finite real number")
 
 
-@dataclass(frozen=True)
+@declared
 class Parameter:
     """A real parameter of a system and the interval it lives in.
 

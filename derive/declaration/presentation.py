@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cache, cached_property
 from typing import Any
 
@@ -12,7 +12,8 @@ import sympy as sp
 from nonsmooth.derive.declaration.algebra import cancel
 from nonsmooth.derive.declaration.configuration import Boundary, Configuration, Contact
 from nonsmooth.derive.declaration.dynamics import FirstOrder, SecondOrder
-from nonsmooth.derive.declaration.parameter import Parameter, exact, exact_rules, set_fields
+from nonsmooth.derive.declaration.fields import declared
+from nonsmooth.derive.declaration.parameter import Parameter
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Condition, Transition
 from nonsmooth.derive.errors import DeclarationError
@@ -20,7 +21,7 @@ from nonsmooth.derive.errors import DeclarationError
 __all__ = ["Presentation"]
 
 
-@dataclass(frozen=True)
+@declared
 class Presentation:
     """Coordinates and parameters in which an orbit's equations are written.
 
@@ -42,12 +43,6 @@ class Presentation:
     substitution: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        set_fields(
-            self,
-            states=tuple(self.states),
-            origin=tuple(map(exact, self.origin)),
-            substitution=exact_rules(self.substitution),
-        )
         if len(self.origin) != len(self.states):
             raise DeclarationError(
                 f"presentation has {len(self.states)} states but {len(self.origin)} origins"

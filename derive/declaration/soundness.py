@@ -20,12 +20,7 @@ from nonsmooth.derive.declaration.algebra import (
     is_surely_positive_definite,
 )
 from nonsmooth.derive.declaration.dynamics import SecondOrder
-from nonsmooth.derive.declaration.parameter import (
-    Parameter,
-    check_finite,
-    is_positive,
-    is_rational,
-)
+from nonsmooth.derive.declaration.parameter import Parameter, check_finite, is_positive, is_rational
 from nonsmooth.derive.errors import DeclarationError
 
 if TYPE_CHECKING:

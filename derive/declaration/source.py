@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
-from nonsmooth.derive.declaration.parameter import set_fields
+from nonsmooth.derive.declaration.fields import declared
 from nonsmooth.derive.errors import DeclarationError
 
 __all__ = ["Source"]
@@ -25,7 +25,7 @@ _PARTS = (
 )
 
 
-@dataclass(frozen=True)
+@declared
 class Source:
     """The publication that an orbit is taken from, as its document cites it.
 
@@ -71,13 +71,6 @@ class Source:
     misprints: Mapping[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        set_fields(
-            self,
-            equations=dict(self.equations),
-            flows=dict(self.flows),
-            states=tuple(self.states),
-            misprints=dict(self.misprints),
-        )
         for place in self.misprints:
             if place not in self.equations.values():
                 raise DeclarationError(

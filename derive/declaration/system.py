@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields, is_dataclass
+from dataclasses import fields, is_dataclass
 from functools import cache, cached_property, lru_cache
 from pathlib import Path
 from typing import Any
@@ -18,7 +18,8 @@ import sympy as sp
 
 from nonsmooth.derive.declaration.algebra import affine_terms
 from nonsmooth.derive.declaration.configuration import Configuration, Contact
-from nonsmooth.derive.declaration.parameter import Parameter, exact, set_fields
+from nonsmooth.derive.declaration.fields import declared
+from nonsmooth.derive.declaration.parameter import Parameter
 from nonsmooth.derive.declaration.soundness import check_system, check_unique, named
 from nonsmooth.derive.declaration.transition import ContactLaw, Transition
 from nonsmooth.derive.errors import DeclarationError
@@ -29,7 +30,7 @@ __all__ = ["TIME", "System"]
 TIME = sp.Symbol("t", real=True)
 
 
-@dataclass(frozen=True)
+@declared
 class System:
     """Configurations, transitions and parameters of a piecewise-linear oscillator.
 
@@ -89,11 +90,6 @@ class System:
     model: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        listed = (
-            "states", "parameters", "configurations", "transitions", "contacts", "forcing", "model",
-        )  # fmt: skip
-        set_fields(self, **{name: tuple(getattr(self, name)) for name in listed})
-        set_fields(self, constraints=tuple(map(exact, self.constraints)))
         check_unique([str(s) for s in self.states], "state")
         check_unique([p.name for p in self.parameters], "parameter")
         names = [*map(str, self.states), *(p.name for p in self.parameters)]

@@ -7,12 +7,12 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.parameter import exact, exact_rules, set_fields
+from nonsmooth.derive.declaration.fields import declared, exact, set_fields
 
 __all__ = ["Condition", "ContactLaw", "LawContact", "Transition"]
 
 
-@dataclass(frozen=True)
+@declared
 class Condition:
     """Demand that the first nonzero among g and its derivatives is positive, along one flow.
 
@@ -30,11 +30,8 @@ class Condition:
     along: str
     holds: bool = True
 
-    def __post_init__(self) -> None:
-        set_fields(self, function=exact(self.function))
 
-
-@dataclass(frozen=True)
+@declared
 class Transition:
     """What happens when `source` is left through a set of boundaries at one instant.
 
@@ -60,14 +57,6 @@ class Transition:
     conditions: tuple[Condition, ...] = ()
     reset: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     order: int = 0
-
-    def __post_init__(self) -> None:
-        set_fields(
-            self,
-            boundaries=frozenset(self.boundaries),
-            conditions=tuple(self.conditions),
-            reset=exact_rules(self.reset),
-        )
 
     def reset_of(self, state: sp.Matrix, states: Sequence[sp.Symbol]) -> sp.Matrix:
         """Apply the reset to a state.

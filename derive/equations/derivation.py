@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
+from nonsmooth.derive.declaration.fields import made
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.equations.chain import Chain, follow
 from nonsmooth.derive.equations.elimination import eliminate_coordinates, reduce_forced
@@ -67,6 +68,7 @@ def derive_equations(itinerary: Itinerary) -> EquationSystem:
     >>> derive_equations(itinerary).unknowns
     (y, u)
     """
+    itinerary = made(Itinerary, itinerary, "itinerary")
     required = required_values(itinerary, start_of(itinerary)) if itinerary.reversor else {}
     itinerary = itinerary.specialised(required)
     system = itinerary.presented_system

@@ -17,8 +17,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from nonsmooth.derive.declaration.fields import exact
 from nonsmooth.derive.declaration.itinerary import Itinerary
-from nonsmooth.derive.declaration.parameter import exact
 from nonsmooth.derive.errors import DerivationError
 
 __all__ = ["PERIODS", "Forcing", "forcing_of"]

@@ -14,8 +14,8 @@ import mpmath
 import numpy as np
 import sympy as sp
 
+from nonsmooth.derive.declaration.fields import exact
 from nonsmooth.derive.declaration.itinerary import Itinerary, Reference
-from nonsmooth.derive.declaration.parameter import exact
 from nonsmooth.derive.equations.chain import Chain, affine_conditions
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.equations.program import coefficients_of, evaluate

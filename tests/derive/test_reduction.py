@@ -178,7 +178,7 @@ def test_directions_of_the_whole_structure_carry_over():
         ({"coordinates": ["a"]}, "there are 1 names for 3 coordinates"),
         ({"coordinates": ["a", "b", "a"]}, "coordinate 'a' is declared twice"),
         ({"coordinates": ["q1", "b", "c"]}, "reduced coordinate 'q1' is declared twice"),
-        ({"method": "guyan"}, "method is 'guyan', not one of craig-bampton, free-interface"),
+        ({"method": "guyan"}, "method is 'guyan', not 'craig-bampton' or 'free-interface'"),
     ],
 )
 def test_bad_input_is_one_line(change, message):

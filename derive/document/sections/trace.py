@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from nonsmooth.derive.declaration.dynamics import SecondOrder
-from nonsmooth.derive.declaration.parameter import exact
+from nonsmooth.derive.declaration.fields import exact
 from nonsmooth.derive.document.blocks import Block, Line
 from nonsmooth.derive.document.sections.template import compose, zeros
 from nonsmooth.derive.document.view import View, monodromy_trace

@@ -11,7 +11,6 @@ for them waits, so that it is never the time that decides which way an orbit is 
 
 from __future__ import annotations
 
-import copyreg
 import logging
 import os
 import pickle
@@ -26,7 +25,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from threading import RLock
-from types import MappingProxyType, ModuleType
+from types import ModuleType
 from typing import Any
 
 from nonsmooth.runtime.core.files import PARTIAL
@@ -113,18 +112,6 @@ class KernelLibrary:
         return module if found is not None and self.derivation in (None, found) else None
 
 
-class _Pickler(pickle.Pickler):
-    """Pickles declarations, with read-only mappings as copies of the dicts behind them."""
-
-    dispatch_table = copyreg.dispatch_table | {
-        MappingProxyType: lambda mapping: (_unchanging, (dict(mapping),))
-    }
-
-
-def _unchanging(entries: dict[Any, Any]) -> MappingProxyType[Any, Any]:
-    return MappingProxyType(entries)
-
-
 @dataclass
 class _Build:
     """A process that compiles, and the folder that it works in."""
@@ -183,7 +170,7 @@ def _begin(key: str, declared: tuple[Any, tuple[Any, ...]], *, many_points: bool
     work = folder / f"{key}-{os.getpid()}{PARTIAL}"
     with tempfile.TemporaryFile() as given:
         try:
-            _Pickler(given).dump((key, work, many_points, *declared))
+            pickle.dump((key, work, many_points, *declared), given)
         except Exception as problem:  # parts of a user's own classes
             _LOG.info("kernels are not compiled and run on NumPy: %s", problem)
             return None
