@@ -87,7 +87,7 @@ def checked(function: _Checked) -> _Checked:
     through once alone come as a tuple.
     """
     if isinstance(function, type):
-        function.__init__ = checked(function.__init__)  # type: ignore[misc]
+        function.__init__ = checked(function.__init__)  # type: ignore[misc]  # the __init__ of a class is replaced
         return function
     known: _Arguments | None = None
     sure = set[tuple[object, ...]]()  # names and types of arguments of which all values fit
@@ -116,7 +116,7 @@ def checked(function: _Checked) -> _Checked:
             sure.add(kinds)
         return function(*given, **named)
 
-    return call  # type: ignore[return-value]
+    return call  # type: ignore[return-value]  # it takes and returns what `function` does
 
 
 def checked_methods(cls: _Class) -> _Class:

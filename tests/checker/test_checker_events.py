@@ -323,6 +323,11 @@ def test_other_constants_are_refused(content: dict[str, Any]) -> None:
 
 
 @of("rigid", "impacts")
+def test_a_file_without_events_claims_nothing(content: dict[str, Any]) -> None:
+    content["events"] = []
+    refused(content, "no event")
+
+
 def test_undecided_events_claim_nothing(content: dict[str, Any]) -> None:
     event = content["events"][0]
     event |= {"claim": "undecided", "reason": "none", "enclosures": {}, "kind": "flop"}

@@ -194,6 +194,12 @@ def test_with_a_forcing_the_section_holds_all_states(impact, tmp_path):
         assert np.abs(end - centre).max() < 1e-2
 
 
+def test_no_basin_is_claimed_where_no_box_is_attracted(impact):
+    found = ns.certify.basin(impact, box={"x": (-90, -80), "v": (0.045, 0.085)})
+    assert found.claim == "undecided"
+    assert "no box of the section" in found.reason
+
+
 def test_an_orbit_that_is_not_stable_has_no_basin():
     orbit = ns.solve(
         f"{GALLERY / 'impact_oscillator.py'}:one-period", {"r": "0.8", "sigma": "0.2", "w": "2.4"}

@@ -135,6 +135,7 @@ def check_events(content: dict[str, Any]) -> None:
     """
     check_shape(content, EVENTS)
     check_sum(content)
+    demand(content["events"], "the file tells of no event")
     for number, event in enumerate(content["events"], 1):
         try:
             with ctx.workprec(check_bits(event) + _GUARD):

@@ -43,6 +43,7 @@ _AROUND, _OF_AREA = 256, 8  # the same along each of two coordinates
 _STRETCHED = 64  # sides of boxes of the section: wider images are divided
 _TILES = 128  # along the longest side of the box of starts
 _MOST_TILES = 50_000_000
+_NONE_ATTRACTED = "no box of the section within the box of starts is attracted by the orbit's core"
 
 
 def certify_basin(
@@ -257,6 +258,8 @@ class _BasinQuestion:
         with flint_precision(self.bits), refused_as_input():
             told = _entries(found)
             ranks = attracted_boxes(told, grid, lambda: self.progress(0.0, 0))
+        if tiles is None and ranks.max(initial=-1) < 0:
+            return self.undecided(met, _NONE_ATTRACTED)
         return replace(found, ranks=ranks)
 
     def tiled(
