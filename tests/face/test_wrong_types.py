@@ -20,6 +20,7 @@ import sympy as sp
 from numpy.testing import assert_array_equal
 
 import nonsmooth as ns
+from nonsmooth.runtime.core.values import parse
 from tests.places import records
 
 STICK = "dry-friction/global-stick"
@@ -264,6 +265,42 @@ def test_any_kind_of_number_is_the_number(kind: Callable[[str], Any]) -> None:
     orbit, step = ns.solve(STICK), kind(0.125)
     ends = ns.continue_orbit(orbit, "V", (0.9, 1.1), step=step).parameter_values
     assert_array_equal(ends, ns.continue_orbit(orbit, "V", (0.9, 1.1), step=0.125).parameter_values)
+
+
+@pytest.mark.parametrize("kind", [str, Fraction, Decimal, sp.Rational, mpmath.mpf])
+def test_arrays_of_any_kind_of_number_are_these_numbers(kind: Callable[[str], Any]) -> None:
+    values = [kind("1.25"), kind("1")]
+    for given in (values, np.array(values), np.ma.array(values, mask=False)):
+        found = ns.solve(STICK, DATA | {"eta": given})
+        assert_array_equal(found.period, ns.solve(STICK, DATA | {"eta": [1.25, 1]}).period)
+    motion = ns.simulate("dry-friction", DATA, [kind("5"), 4, 0.5, 0.25], until=[kind("1.5")])
+    assert_array_equal(motion.last_times, 1.5)
+
+
+@pytest.mark.parametrize("number", [sp.pi / 3, "pi/3"])
+def test_irrational_numbers_may_stand_alone_or_in_arrays(number: object) -> None:
+    orbit = ns.solve(STICK, DATA | {"eta": number})
+    assert orbit.parameters["eta"] == parse("pi/3")
+    found = ns.solve(STICK, DATA | {"eta": [1, number]})
+    assert found.period[1] == pytest.approx(orbit.period, rel=1e-13)
+
+
+def test_what_is_masked_or_missing_is_no_number() -> None:
+    masked = np.ma.array([1, 1.01], mask=[False, True])
+    with pytest.raises(ns.InputError, match="eta: masked values"):
+        ns.solve(STICK, DATA | {"eta": masked})
+    with pytest.raises(ns.InputError, match="v1: masked values"):
+        ns.simulate("dry-friction", DATA, np.ma.array(START, mask=[0, 0, 1, 0]), until=1)
+    for missing in (None, [1, None]):
+        with pytest.raises(ns.InputError, match="until: None"):
+            ns.simulate("dry-friction", DATA, START, until=missing)
+
+
+def test_numbers_in_an_order_are_not_taken_by_names() -> None:
+    function = ns.orbit_function(result("orbit"), by=["V", "eta"], of="period")
+    for call in (function, function.jacobian, lambda x: function.jvp([1, 1], x)):
+        with pytest.raises(ns.InputError, match="in the order V, eta, not by names"):
+            call({"eta": 1, "V": 1.01})
 
 
 def test_names_may_come_one_by_one() -> None:
