@@ -117,7 +117,7 @@ def made(annotation: Any, given: Any, where: str) -> Any:
             raise DeclarationError(
                 f"{where}: {shown(given)} does not have the entries of {kind.__name__}"
             ) from None
-    if not isinstance(given, kind) or (kind is int and isinstance(given, bool)):
+    if not isinstance(given, kind):
         words = _WORDS.get(kind, f"of the kind {kind.__name__}")
         raise DeclarationError(f"{where} is {shown(given)}, not {words}")
     return given
