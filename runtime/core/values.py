@@ -212,8 +212,9 @@ def real_array(label: str, given: Any) -> "np.ndarray":
         if array.dtype.kind in "iuf":
             return array.astype(float)
         if array.dtype.kind in "OUT":
-            numbers = [float(as_value(number)) for number in array.ravel()]
+            numbers = [float(as_value(number)) for number in array.ravel().tolist()]
             return np.array(numbers).reshape(array.shape)
+        raise InputError(f"{array.dtype} is no type of real numbers")
     except (TypeError, ValueError) as problem:
         if isinstance(problem, InputError):
             raise InputError(f"{label}: {problem}") from None

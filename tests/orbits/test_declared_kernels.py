@@ -218,7 +218,7 @@ def test_no_points_have_the_shape_of_any(
     [
         ({"w": [True]}, "parameter w: bool is no type of real numbers"),
         ({"w": np.array([1j])}, "parameter w: complex128 is no type"),
-        ({"w": ["5/2"]}, "parameter w: could not convert"),
+        ({"w": ["5/2 w"]}, "parameter w: '5/2 w' is not a number"),
         ({"w": [2.4, 2.5], "r": [0.7, 0.8, 0.9]}, "the parameters do not broadcast: "),
         ({"nu": 2.4}, "unknown parameter 'nu'"),
     ],

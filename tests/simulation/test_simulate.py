@@ -214,7 +214,7 @@ def test_without_xarray_the_extra_is_named(monkeypatch):
         motion.to_xarray()
 
 
-@pytest.mark.parametrize("wrong", [-1e-9, 20.5, math.nan, math.inf, None, [0, math.nan]])
+@pytest.mark.parametrize("wrong", [-1e-9, 20.5, math.nan, math.inf, [0, math.nan]])
 def test_no_state_beyond_the_ends(wrong):
     motion = simulate("dry-friction", *CASES["dry-friction"], until=20)
     for ask in (motion, motion.configuration):
@@ -222,10 +222,10 @@ def test_no_state_beyond_the_ends(wrong):
             ask(wrong)
 
 
-@pytest.mark.parametrize("wrong", ["soon", 1j, [[1], [2, 3]]])
+@pytest.mark.parametrize("wrong", ["soon", None, 1j, [[1], [2, 3]]])
 def test_times_are_real_numbers(wrong):
     motion = simulate("dry-friction", *CASES["dry-friction"], until=20)
-    with pytest.raises(InputError, match="real numbers"):
+    with pytest.raises(InputError, match=r"^times: .*(real number|is not a number)"):
         motion(wrong)
 
 
