@@ -9,6 +9,8 @@ from nonsmooth.derive import RigidStop, oscillator
 from nonsmooth.runtime.model.engine_layout import layout_of, numbers_of
 from nonsmooth.runtime.model.kernels import compiled_engine
 from tests.engines import with_both
+from tests.places import GALLERY
+from tests.shifting_systems import PULLED, SLED, settled_orbit
 from tests.two_masses import CHAIN, PHASES, RUBBING, STICKING
 
 STICK_GUESS = [1.02, 2.0, 1.57, 3.28]
@@ -146,23 +148,36 @@ def test_what_is_lost_at_the_very_last_step_is_said_to_be_lost():
     assert 32 in found.iterations[np.array(told) == "not finite"]
 
 
+def itineraries():
+    """Orbits by tables, with what is varied: two stick, one is shifted, one turns on."""
+    sled = settled_orbit(SLED, PULLED, [0, 1, 0, 0.4])
+    gear = solve(f"{GALLERY}/backlash_gear.py:rattle")
+    varied = {"eta": np.linspace(0.95, 1.05, 3)[:, None], "V": [0.98, 1.02]}
+    return [(stick(), varied), (sled, {"V": [0.5, 0.51]}), (gear, {"c": [0.0998, 0.1, 0.1002]})]
+
+
+@pytest.mark.compiled  # two of its orbits are found by simulation
 def test_many_points():
-    eta = np.linspace(0.95, 1.05, 3)[:, None]
-    data = STICKING | {"eta": eta, "V": [0.98, 1.02]}
-    many = solve("dry-friction", data, STICK_GUESS, itinerary=PHASES, multipliers=True)
-    assert many.admissible.all()
-    assert many.converged.all()
-    assert many.dwell_times.shape == (3, 2, 4)
-    assert many.starts.shape == (3, 2, 4, 4)
-    assert many.multipliers.shape == (3, 2, 2)
-    for i, j in np.ndindex(3, 2):
-        one = stick(eta=eta[i, 0], V=[0.98, 1.02][j])
-        assert_allclose(many.dwell_times[i, j], one.dwell_times, atol=1e-12)
-        assert_allclose(many.starts[i, j], one.states, atol=1e-12)
-        assert many.trace[i, j] == pytest.approx(one.trace, abs=1e-12)
-        assert_allclose(many.multipliers[i, j], one.multipliers, atol=1e-12)
-        assert many.multipliers[i, j, 1] == 0
-        assert many.margin[i, j] == pytest.approx(one.stability.margin, abs=1e-12)
+    for orbit, varied in itineraries():
+        system, phases = orbit.problem.system, orbit.itinerary
+        data = {name: float(value) for name, value in orbit.parameters.items()} | varied
+        guess = [*map(float, orbit.dwell_times), *map(float, orbit.states[0])]
+        many = solve(system, data, guess, itinerary=phases, multipliers=True)
+        shape = np.broadcast_shapes(*(np.shape(array) for array in varied.values()))
+        assert many.converged.shape == many.admissible.shape == shape
+        assert many.dwell_times.shape == (*shape, len(phases))
+        assert many.starts.shape == (*shape, len(phases), len(orbit.states[0]))
+        for place in np.ndindex(shape):
+            point = {n: float(np.broadcast_to(a, shape)[place]) for n, a in data.items()}
+            one = solve(system, point, guess, itinerary=phases)
+            assert_allclose(many.dwell_times[place], one.dwell_times, rtol=1e-10)
+            assert_allclose(many.starts[place], one.states, atol=1e-9)
+            assert many.trace[place] == pytest.approx(one.trace, abs=1e-8)
+            missing = many.multipliers.shape[-1] - len(one.multipliers)
+            mine = np.append(one.multipliers, np.zeros(missing))
+            assert_allclose(many.multipliers[place], mine, atol=1e-8)
+            assert many.margin[place] == pytest.approx(one.stability.margin, abs=1e-9)
+            assert bool(many.admissible[place]) is one.admissibility.verdict
 
 
 @pytest.mark.parametrize("first", range(4))

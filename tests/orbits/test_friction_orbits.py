@@ -13,7 +13,7 @@ from nonsmooth import InputError, NoConvergence, refine, solve
 from nonsmooth.runtime.model.kernels import load_orbit
 from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.coulomb_friction import Friction
-from tests.declared import Declared, random_points
+from tests.declared import Declared, random_points, single
 
 SYMMETRIC, STICK = "dry-friction/symmetric", "dry-friction/global-stick"
 BORDER = "dry-friction/solution-ii"
@@ -26,8 +26,7 @@ def symmetric_orbits() -> tuple[Orbit, ...]:
     many = solve(SYMMETRIC, points)
     found = [solve(SYMMETRIC)]
     for i in np.flatnonzero(many.admissible)[:4]:
-        guess = {n: float(a[i]) for n, a in many.unknowns.items()}
-        found.append(solve(SYMMETRIC, {n: float(a[i]) for n, a in points.items()}, guess))
+        found.append(single(many, i))
     assert len(found) == 5
     return tuple(found)
 
