@@ -8,7 +8,6 @@ from nonsmooth import InputError, solve
 from nonsmooth.runtime.core.values import parse
 from nonsmooth.runtime.model.completion import default_parameters
 from nonsmooth.runtime.model.kernels import backend, load_orbit, orbit_names
-from nonsmooth.runtime.orbits.kernel_problem import STATUS
 from nonsmooth.runtime.shooting.kernel_newton import solve_reduced
 from nonsmooth.runtime.shooting.newton import CONVERGED
 from tests.declared import random_points, single
@@ -193,8 +192,7 @@ def test_hopeless_points_have_a_status_and_nothing_else(name):
     found = solve(name, full)
     assert not found.converged.any()
     for status in np.unique(found.status):
-        assert found.message(int(status)) == STATUS[int(status)]
-        assert "domain" in STATUS[int(status)]
+        assert "domain" in found.message(int(status))
     for label, array in columns(found).items():
         if label not in ("iterations", "status", "admissible"):
             assert np.isnan(array).all(), label
