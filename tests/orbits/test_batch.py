@@ -5,8 +5,6 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from nonsmooth import InputError, solve
-from nonsmooth.runtime.core.values import parse
-from nonsmooth.runtime.model.completion import default_parameters
 from nonsmooth.runtime.model.kernels import backend, load_orbit, orbit_names
 from nonsmooth.runtime.shooting.kernel_newton import solve_reduced
 from nonsmooth.runtime.shooting.newton import CONVERGED
@@ -19,8 +17,7 @@ every_orbit = pytest.mark.parametrize("name", orbit_names())
 
 
 def defaults(name):
-    kernels = load_orbit(name)
-    return {n: float(parse(text)) for n, text in default_parameters(kernels).items()}
+    return {n: float(value) for n, value in solve(name).given.items()}
 
 
 def columns(found):

@@ -15,7 +15,6 @@ from nonsmooth.runtime.core.values import as_value, parse
 from nonsmooth.runtime.model.kernels import load_orbit, orbit_names
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.refine import enclosed_trace, refine_both
-from nonsmooth.runtime.present.report import orbit_json
 from tests.declared import Declared
 
 ORBIT = "dry-friction/global-stick"
@@ -199,7 +198,7 @@ def test_one_multiplier_is_exactly_zero_and_the_other_is_the_trace(orbits):
 
 def test_printed_digits_are_true(every):
     for orbit in every:
-        short, long = orbit_json(refine(orbit, 30)), orbit_json(refine(orbit, 90))
+        short, long = refine(orbit, 30).to_json(), refine(orbit, 90).to_json()
         tolerance = mpmath.mpf(10) ** -30
         with mpmath.workdps(120):
             pairs = [(short[k], long[k]) for k in ("period", "trace", "margin")]
