@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import fields
 from fractions import Fraction
 from functools import cache
+from itertools import groupby
 from pathlib import Path
 from typing import Any, get_type_hints
 
@@ -48,6 +49,7 @@ __all__ = [
     "claimed",
     "content_of",
     "edited",
+    "flat",
     "forced",
     "kicked",
     "loop",
@@ -56,7 +58,9 @@ __all__ = [
     "prove_branch",
     "prove_doubling",
     "prove_graph",
+    "refused_file",
     "rooted",
+    "runs",
     "signed",
     "struck",
     "struck_together",
@@ -260,6 +264,28 @@ def edited(path: Path, change: Callable[[dict[str, Any]], object]) -> dict[str, 
     content = json.loads(path.read_text())
     change(content)
     return signed(content)
+
+
+def refused_file(content: dict[str, Any], folder: Path, told: str) -> None:
+    """See a file of this content, its checksum made right, be refused for that reason."""
+    path = folder / "false.json"
+    path.write_text(json.dumps(signed(content)))
+    try:
+        difference = ns.certify.check(path).difference
+    except ns.InputError as problem:
+        difference = str(problem)
+    assert difference is not None
+    assert told in difference, difference
+
+
+def flat(counted: list[list[int]]) -> list[int]:
+    """Values of which a file tells how often each follows itself."""
+    return [value for value, count in counted for _ in range(count)]
+
+
+def runs(values: list[int]) -> list[list[int]]:
+    """Values as a file tells them, each with how often it follows itself."""
+    return [[value, len([*group])] for value, group in groupby(values)]
 
 
 def claimed(kind: type, content: dict[str, Any]) -> Any:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import copy
 import json
 import re
@@ -28,7 +27,6 @@ from nonsmooth import InputError
 from nonsmooth.derive.systems import declaration
 from nonsmooth.runtime.checker import Failure, check
 from nonsmooth.runtime.checker.__main__ import judged
-from nonsmooth.runtime.checker.orbits.motion import _below, _first, _Shape
 from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.orbits.points import JudgedOrbit
 from nonsmooth.runtime.checker.orbits.stability import (
@@ -487,23 +485,6 @@ def test_the_declaration_is_the_declared_one() -> None:
             assert same([entry["boundaries"][boundary.name]], row)
 
 
-def test_another_parameter_is_not_that_of_the_declaration(tmp_path: Path) -> None:
-    path = tmp_path / "certificate.json"
-    certificate("global-stick").save(path)
-    content = json.loads(path.read_text())
-    content["parameters"]["eta"] = "1.01"
-    content["sha256"] = checksum_of(content)
-    refused(content, "existence")  # the declaration is over it
-    path.write_text(json.dumps(content))
-    assert "existence" in str(ns.certify.check(path).difference)
-    content["parameters"]["eta"] = "1"
-    content["system"] = "nowhere.py"
-    content["sha256"] = checksum_of(content)
-    path.write_text(json.dumps(content))
-    found = ns.certify.check(path)
-    assert "unknown system 'nowhere.py'" in str(found.difference)
-
-
 def similar(eigenvalues: Any, rng: np.random.Generator) -> Any:
     """Balls of a real matrix with these eigenvalues: real ones, and one of each complex pair."""
     size = sum(1 + bool(np.iscomplex(m)) for m in eigenvalues)
@@ -644,24 +625,6 @@ def sources() -> dict[str, str]:
     return {str(file.relative_to(folder)): file.read_text() for file in folder.rglob("*.py")}
 
 
-def test_the_checker_imports_nothing_of_the_prover() -> None:
-    modules = set()
-    for source in sources().values():
-        for node in ast.walk(ast.parse(source)):
-            if isinstance(node, ast.Import):
-                modules |= {alias.name for alias in node.names}
-            elif isinstance(node, ast.ImportFrom):
-                modules.add(str(node.module))
-    own = {name for name in modules if name.startswith("nonsmooth.")}
-    checker = "nonsmooth.runtime.checker"
-    allowed = {checker, *(f"nonsmooth.runtime.core.{name}" for name in ARITHMETIC)}
-    assert {name for name in own if not name.startswith(f"{checker}.")} <= allowed
-    assert {name.partition(".")[0] for name in modules - own} - sys.stdlib_module_names == {
-        "flint",
-        "numpy",
-    }
-
-
 @pytest.fixture(scope="module")
 def alone(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The checker and its arithmetic, with nothing else of the package."""
@@ -751,38 +714,6 @@ def test_files_that_are_no_certificates(
             work(path)
 
 
-@pytest.mark.parametrize("seed", range(20))
-def test_functions_are_below_zero_if_and_only_if_samples_are(seed: int) -> None:
-    """Of waves with several frequencies, whose tangents tell nothing of what is beside them."""
-    drawn = np.random.default_rng(seed)
-    frequencies = drawn.uniform(1, 9, size=3)
-    weights, length = drawn.normal(size=(2, 3)), drawn.uniform(1, 6)
-    times = np.linspace(0, length, 20_001)
-    angles = frequencies[:, None] * times
-    wave = weights[0] @ np.cos(angles) + weights[1] @ np.sin(angles)
-    highest = wave.max()
-    if wave[0] > highest - 0.1:
-        wave, weights = -wave, -weights
-        highest = wave.max()
-    field = arb_mat(7, 7)
-    for k, frequency in enumerate(frequencies.tolist()):
-        field[2 * k, 2 * k + 1], field[2 * k + 1, 2 * k] = arb(-frequency), arb(frequency)
-    start = arb_mat([[1], [0], [1], [0], [1], [0], [1]])
-    for excess in (-0.01, 0.01):
-        row = [*map(arb, weights.T.ravel().tolist()), arb(float(excess - highest))]
-        watched: Any = SimpleNamespace(name="wall", row=row, ends_it=False, order=0)
-        orbit: Any = SimpleNamespace(
-            chain=SimpleNamespace(fields=[field]), dwell=[arb(length)],
-            now=SimpleNamespace(starts=[start]), numbers=arb_mat,
-        )  # fmt: skip
-        above, _ = _below(orbit, 0, [(watched, _Shape())])
-        assert [told.sign for told in above] == [1] * (excess > 0)
-        if excess < 0:  # how far it stays from zero is nearly found, and no more
-            above, (height,) = _below(orbit, 0, [(watched, _Shape(apart=True))])
-            assert not above
-            assert excess < height <= 0.7 * excess
-
-
 @pytest.mark.parametrize(
     ("first", "last", "given_back"), [(2, 1, True), (-2, -1, True), (2, -1, False), (0, 1, False)]
 )
@@ -801,31 +732,6 @@ def test_the_energy_gives_back_the_coordinate_left_out(
     told = "the energy does not give the coordinate left out"
     with nullcontext() if given_back else pytest.raises(Failure, match=told):
         CheckedOrbit.returns(orbit, {"free": [[1, 0]]})
-
-
-@pytest.mark.parametrize(
-    ("first", "wanted", "verdict"),
-    [
-        ((arb(1), True), (True, False), -1), ((arb(1), True), (False, True), 1),
-        ((arb(-1), True), (False, True), -1), ((arb(-1), True), (True, False), 1),
-        ((arb(-1), False), (False, True), 1), ((arb(0, 1), True), (True, True), None),
-        ((None, True), (False, True), -1), ((None, False), (False, True), 1),
-    ],
-)  # fmt: skip
-def test_the_first_transition_whose_conditions_hold_is_the_one(
-    first: tuple[Any, bool], wanted: tuple[bool, bool], verdict: int | None
-) -> None:
-    orbit: Any = SimpleNamespace(value=lambda row, state: row)
-    ways: list[Any] = [
-        SimpleNamespace(conditions=conditions, wanted=this, alike=this)
-        for conditions, this in zip(([first], []), wanted, strict=True)
-    ]
-    assert _first(orbit, ways, None) == verdict
-    for way in ways:  # another that leads where the wanted one does refutes nothing
-        way.alike = True
-    assert _first(orbit, ways, None) == (None if verdict == 1 else verdict)
-    if first == (arb(-1), True):  # none holds
-        assert _first(orbit, ways[:1], None) == 1
 
 
 @pytest.mark.parametrize("part", ["above", "below"])
