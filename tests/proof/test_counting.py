@@ -28,8 +28,7 @@ from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.cli.tables import show_result
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.completion import complete
-from nonsmooth.runtime.model.kernels import kernels_of, load_orbit
-from nonsmooth.runtime.orbits.table_many import solve_itineraries
+from nonsmooth.runtime.model.kernels import load_orbit
 from nonsmooth.runtime.proof.counting.census import Census
 from nonsmooth.runtime.shooting.kernel_newton import solve_reduced
 from nonsmooth.runtime.shooting.newton import CONVERGED
@@ -179,10 +178,12 @@ def test_orbits_in_dwell_times_are_those_that_newton_finds() -> None:
     random = np.random.default_rng(3)
     starts = random.uniform((3, 0.01), (7, 6), size=(400, 2))
     values = {name: float(text) for name, text in DATA.items()}
-    orbits = solve_itineraries(kernels_of("dry-friction"), TWO, values, starts)
-    reached = orbits.dwell_times[orbits.status == CONVERGED]
+    orbits = ns.solve(
+        "dry-friction", values | {"V": np.full(400, values["V"])}, starts, itinerary=TWO
+    )
+    reached = orbits.dwell_times[orbits.converged]
     inside = (reached[:, 0] >= 3) & (reached <= (7, 6)).all(axis=1) & (reached > 1e-6).all(axis=1)
-    small = np.abs(orbits.starts[orbits.status == CONVERGED][:, 0]).max(axis=-1) < 90
+    small = np.abs(orbits.starts[orbits.converged][:, 0]).max(axis=-1) < 90
     distances = np.abs(reached[inside & small][:, None] - found).max(axis=-1)
     assert distances.min(axis=1).max() < 1e-6
     assert distances.min(axis=0).max() < 1e-6
