@@ -19,7 +19,7 @@ from typer.testing import CliRunner
 
 import nonsmooth as ns
 from nonsmooth import InputError, Interrupted
-from nonsmooth.derive import Boundary, Configuration, SecondOrder, System, Transition
+from nonsmooth.derive import SecondOrder, System, Transition
 from nonsmooth.runtime.checker.counting.census import Counting
 from nonsmooth.runtime.checker.counting.contraction import Linear, balls_of, contract, middles_of
 from nonsmooth.runtime.checker.counting.covering import CoveringBox, Root, Walk
@@ -32,7 +32,7 @@ from nonsmooth.runtime.model.kernels import load_orbit
 from nonsmooth.runtime.proof.counting.census import Census
 from nonsmooth.runtime.shooting.kernel_newton import solve_reduced
 from nonsmooth.runtime.shooting.newton import CONVERGED
-from tests.certified import LOOP, kicked
+from tests.certified import LOOP, between_springs, kicked
 from tests.friction_sets import DATA
 from tests.places import GALLERY
 
@@ -299,25 +299,13 @@ def drawn(seed: int) -> tuple[System, Any]:
     lows, highs = (30, 0, -60, 30, 0, -60, 20, 50), (300, 30, 60, 300, 30, 60, 90, 200)
     numbers = [sp.Rational(int(n), 100) for n in random.integers(lows, highs)]
     k, c, load, other, loss, pull, r, a = numbers
-    x, v = sp.symbols("x v", real=True)
-    right, left = (
+    v = sp.Symbol("v", real=True)
+    sides = (
         SecondOrder([[1]], [[k]], [load], [[c]]),
         SecondOrder([[1]], [[other]], [pull], [[loss]]),
     )
-    system = System(
-        f"drawn-{seed}",
-        "a mass between two springs",
-        (x, v),
-        (),
-        (
-            Configuration("right", right, (Boundary("falls", -x),)),
-            Configuration("left", left, (Boundary("rises", x),)),
-        ),
-        (
-            Transition("right", {"falls"}, "left"),
-            Transition("left", {"rises"}, "right", (), {v: r * v + a}),
-        ),
-    )
+    kick = Transition("left", {"rises"}, "right", (), {v: r * v + a})
+    system = between_springs(f"drawn-{seed}", sides, [kick])
     return system, [float(number) for number in numbers]
 
 
