@@ -6,13 +6,15 @@ import json
 import math
 import re
 import tempfile
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields
 from fractions import Fraction
 from functools import cache
+from itertools import groupby
 from pathlib import Path
 from typing import Any, get_type_hints
 
+import pytest
 import sympy as sp
 
 import nonsmooth as ns
@@ -44,19 +46,24 @@ __all__ = [
     "FORCED",
     "PAD",
     "accepted",
+    "between_springs",
     "certified_over",
     "claimed",
     "content_of",
     "edited",
+    "flat",
     "forced",
     "kicked",
     "loop",
+    "of_files",
     "place_in",
     "prove_basin",
     "prove_branch",
     "prove_doubling",
     "prove_graph",
+    "refused_file",
     "rooted",
+    "runs",
     "signed",
     "struck",
     "struck_together",
@@ -71,6 +78,41 @@ PARAMETERS = (
 )
 k, r, a = (parameter.symbol for parameter in PARAMETERS)
 LOOP = (("right", "falls"), ("left", "rises"))
+SPRING_OF_FOUR = SecondOrder([[1]], [[4]])
+WALL_AND_KICK = (
+    Transition("right", {"wall"}, "right", (), {v: -v}),
+    Transition("left", {"rises"}, "right", (), {v: r * v + 1}),
+)
+
+
+def of_files(*names: str) -> pytest.MarkDecorator:
+    """A test of the content of each of the files of these names."""
+    return pytest.mark.parametrize("content", names, indirect=True)
+
+
+def between_springs(
+    name: str,
+    sides: tuple[SecondOrder, SecondOrder],
+    more: Sequence[Transition],
+    parameters: Sequence[Parameter] = (),
+    watched: Sequence[Boundary] = (),
+) -> System:
+    """A mass with one field on the right, where more may be watched, and another on the left.
+
+    The first transition leads from the right to the left; `more` are those behind it.
+    """
+    right, left = sides
+    return System(
+        name,
+        "a mass between two springs",
+        (x, v),
+        tuple(parameters),
+        (
+            Configuration("right", right, (Boundary("falls", -x), *watched)),
+            Configuration("left", left, (Boundary("rises", x),)),
+        ),
+        (Transition("right", {"falls"}, "left"), *more),
+    )
 
 
 @cache
@@ -80,23 +122,10 @@ def kicked() -> SystemKernels:
     Its orbit begins with v0 = 1/(1 - r), lasts pi/sqrt(k) + pi/2, goes as far as
     v0/sqrt(k), and has the multiplier r. A wall that is only looked at stands at a.
     """
-    system = System(
-        "kicked",
-        "a mass between two springs, kicked",
-        (x, v),
-        PARAMETERS,
-        (
-            Configuration("right", SecondOrder([[1]], [[k]]), (Boundary("falls", -x),
-                                                               Boundary("wall", x - a))),
-            Configuration("left", SecondOrder([[1]], [[4]]), (Boundary("rises", x),)),
-        ),
-        (
-            Transition("right", {"falls"}, "left"),
-            Transition("right", {"wall"}, "right", (), {v: -v}),
-            Transition("left", {"rises"}, "right", (), {v: r * v + 1}),
-        ),
-    )  # fmt: skip
-    return load_system(system)
+    sides = SecondOrder([[1]], [[k]]), SPRING_OF_FOUR
+    return load_system(
+        between_springs("kicked", sides, WALL_AND_KICK, PARAMETERS, [Boundary("wall", x - a)])
+    )
 
 
 def loop(**given: str) -> Orbit:
@@ -111,23 +140,9 @@ def loop(**given: str) -> Orbit:
 @cache
 def rooted() -> SystemKernels:
     """As `kicked`, at k = 1, with the wall at the root of a: no rational function of it."""
-    system = System(
-        "rooted",
-        "a mass between two springs, kicked, and a wall at a root",
-        (x, v),
-        PARAMETERS[1:],
-        (
-            Configuration("right", SecondOrder([[1]], [[1]]), (Boundary("falls", -x),
-                                                               Boundary("wall", x - sp.sqrt(a)))),
-            Configuration("left", SecondOrder([[1]], [[4]]), (Boundary("rises", x),)),
-        ),
-        (
-            Transition("right", {"falls"}, "left"),
-            Transition("right", {"wall"}, "right", (), {v: -v}),
-            Transition("left", {"rises"}, "right", (), {v: r * v + 1}),
-        ),
-    )  # fmt: skip
-    return load_system(system)
+    sides = SecondOrder([[1]], [[1]]), SPRING_OF_FOUR
+    wall = Boundary("wall", x - sp.sqrt(a))
+    return load_system(between_springs("rooted", sides, WALL_AND_KICK, PARAMETERS[1:], [wall]))
 
 
 _SPRING = [[1]], [[1]]
@@ -260,6 +275,28 @@ def edited(path: Path, change: Callable[[dict[str, Any]], object]) -> dict[str, 
     content = json.loads(path.read_text())
     change(content)
     return signed(content)
+
+
+def refused_file(content: dict[str, Any], folder: Path, told: str) -> None:
+    """See a file of this content, its checksum made right, be refused for that reason."""
+    path = folder / "false.json"
+    path.write_text(json.dumps(signed(content)))
+    try:
+        difference = ns.certify.check(path).difference
+    except ns.InputError as problem:
+        difference = str(problem)
+    assert difference is not None
+    assert told in difference, difference
+
+
+def flat(counted: list[list[int]]) -> list[int]:
+    """Values of which a file tells how often each follows itself."""
+    return [value for value, count in counted for _ in range(count)]
+
+
+def runs(values: list[int]) -> list[list[int]]:
+    """Values as a file tells them, each with how often it follows itself."""
+    return [[value, len([*group])] for value, group in groupby(values)]
 
 
 def claimed(kind: type, content: dict[str, Any]) -> Any:

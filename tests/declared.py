@@ -15,6 +15,7 @@ import numpy as np
 import sympy as sp
 from scipy.linalg import expm, null_space
 
+from nonsmooth import solve
 from nonsmooth.derive import Itinerary, Phase, SecondOrder
 from nonsmooth.derive.systems import declaration
 from nonsmooth.runtime.orbits.orbit import Orbit
@@ -29,18 +30,13 @@ def itinerary_of(name: str) -> Itinerary:
 
 
 @cache
-def _built_in(name: str, modules: str) -> tuple[list[str], list[str], list[list[str]], Any]:
-    return _tables(itinerary_of(name), modules)
-
-
-def _tables(
-    itinerary: Itinerary, modules: str
-) -> tuple[list[str], list[str], list[list[str]], Any]:
+def _tables(name: str, modules: str) -> tuple[list[str], list[str], list[list[str]], Any]:
     """Names of parameters, states and boundaries, and a function that gives each phase.
 
     It takes the parameters; a phase is its field, its reset, its boundaries' rows and those
     of the velocities it holds.
     """
+    itinerary = itinerary_of(name)
     system = itinerary.presented_system
     states = system.states
     size, zero = len(states), dict.fromkeys(states, 0)
@@ -114,14 +110,10 @@ class Piece:
 class Declared:
     """An orbit's phases in numbers: floats, or mpmath's global context at its precision."""
 
-    def __init__(
-        self, orbit: Orbit, *, precise: bool = False, itinerary: Itinerary | None = None
-    ) -> None:
-        self.orbit, self.itinerary = orbit, itinerary or itinerary_of(orbit.name)
+    def __init__(self, orbit: Orbit, *, precise: bool = False) -> None:
+        self.orbit, self.itinerary = orbit, itinerary_of(orbit.name)
         number, modules = (mpmath.mpf, "mpmath") if precise else (float, "math")
-        names, self.states, boundaries, numbers = (
-            _tables(itinerary, modules) if itinerary else _built_in(orbit.name, modules)
-        )
+        names, self.states, boundaries, numbers = _tables(orbit.name, modules)
         values = {**orbit.values, **orbit.kernels.required}
         values |= {n: float(v) for n, v in orbit.opened.items()}
         # an open parameter that has no value must not count
@@ -209,3 +201,12 @@ def random_points(name: str, seed: int, count: int) -> dict[str, np.ndarray]:
     lower, upper = np.array(list(RANGES[name].values())).T
     points = lower + (upper - lower) * np.random.default_rng(seed).random((count, len(lower)))
     return dict(zip(RANGES[name], points.T, strict=True))
+
+
+def single(many: Any, place: Any) -> Orbit:
+    """The orbit at one point of a batch, solved from what the batch has found there."""
+    point, guess = (
+        {name: float(np.broadcast_to(array, many.status.shape)[place]) for name, array in each}
+        for each in (many.parameters.items(), many.unknowns.items())
+    )
+    return solve(many.name, point, guess)

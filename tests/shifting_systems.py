@@ -8,7 +8,7 @@ import nonsmooth as ns
 from nonsmooth.derive import Friction, Harmonic, RigidStop, System, oscillator
 from nonsmooth.runtime.orbits.orbit import Orbit
 
-A, c, g, i, k, r, u, w = sp.symbols("A c g i k r u w")
+A, V, c, e, g, i, k, r, u, w = sp.symbols("A V c e g i k r u w")
 GROUND = Friction("x", kinetic=u, static=u, velocity=0, name="ground")
 WALL = RigidStop({"y": 1, "x": -1}, at=g, restitution=r, name="wall")
 
@@ -31,6 +31,19 @@ GEARED = oscillator(
     elements=[RigidStop({"x": 1, "y": -i}, at=g, restitution=r, name="tooth")],
 )  # fmt: skip
 TURNED = {"c": 0.1, "g": 0.5, "i": 1.5, "r": 0.5, "k": 0.6, "A": 1.0, "w": 1.1}
+
+
+def pulled(name: str, damping: Any) -> System:
+    """A sled on rough ground, pulled by a spring whose end moves at V in the end."""
+    ground = Friction("x", kinetic=u, static=u + e, velocity=0, name="ground")
+    return oscillator(
+        name, ["x", "y"], mass=[[1, 0], [0, 1]], stiffness=[[1, -1], [0, 0]], damping=damping,
+        load=[0, V], elements=[ground],
+    )  # fmt: skip
+
+
+SLED = pulled("sled", [[0, 0], [0, 1]])
+PULLED = {"u": "1", "e": "0.3", "V": "0.5"}
 
 
 def settled_orbit(system: System, data: Any, start: Any = (0, 0, 0, 0, 1, 0)) -> Orbit:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import copy
 import json
 import re
@@ -28,7 +27,6 @@ from nonsmooth import InputError
 from nonsmooth.derive.systems import declaration
 from nonsmooth.runtime.checker import Failure, check
 from nonsmooth.runtime.checker.__main__ import judged
-from nonsmooth.runtime.checker.orbits.motion import _below, _first, _Shape
 from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.orbits.points import JudgedOrbit
 from nonsmooth.runtime.checker.orbits.stability import (
@@ -41,7 +39,7 @@ from nonsmooth.runtime.checker.orbits.stability import (
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.present.tell import tell
 from nonsmooth.runtime.proof.certificate import Certificate
-from tests.certified import forced, loop, signed
+from tests.certified import forced, loop, of_files, signed
 
 STICK = "dry-friction/global-stick"
 SUBJECTS: dict[str, Callable[[], Any]] = {
@@ -77,10 +75,6 @@ def content(request: pytest.FixtureRequest, tmp_path: Path) -> dict[str, Any]:
     return found
 
 
-def of(*names: str) -> pytest.MarkDecorator:
-    return pytest.mark.parametrize("content", names, indirect=True)
-
-
 def refused(content: dict[str, Any], match: str | None = None) -> None:
     """Make the checksum right again, and see the mathematics refuse it."""
     content["sha256"] = checksum_of(content)
@@ -98,12 +92,12 @@ def _decimal(number: Fraction) -> str:
     return f"{round(number * 10**exponent)}e-{exponent}"
 
 
-@of(*SUBJECTS)
+@of_files(*SUBJECTS)
 def test_true_certificates_pass(content: dict[str, Any]) -> None:
     check(content)
 
 
-@of("global-stick", "symmetric", "rigid", "elastic", "kicked", "soft", "twice")
+@of_files("global-stick", "symmetric", "rigid", "elastic", "kicked", "soft", "twice")
 def test_centres_outside_their_enclosures_are_refused(content: dict[str, Any]) -> None:
     for name in content["enclosures"]:
         for by in (3, -3):
@@ -116,7 +110,7 @@ def test_centres_outside_their_enclosures_are_refused(content: dict[str, Any]) -
         refused(changed, "multiplier")
 
 
-@of("global-stick", "symmetric", "rigid", "elastic", "kicked", "soft", "twice")
+@of_files("global-stick", "symmetric", "rigid", "elastic", "kicked", "soft", "twice")
 def test_multipliers_that_are_not_stated_are_no_larger_than_is_stated(
     content: dict[str, Any],
 ) -> None:
@@ -137,7 +131,7 @@ def test_multipliers_that_are_not_stated_are_no_larger_than_is_stated(
         check(signed(weaker))
 
 
-@of("global-stick")
+@of_files("global-stick")
 def test_numbers_that_are_fractions_are_shown(content: dict[str, Any], tmp_path: Path) -> None:
     content["other_multipliers"] = "1/64"
     content["margins"][0]["least"] = content["box"][0]["rad"] = f"1/{10**20}"
@@ -148,7 +142,7 @@ def test_numbers_that_are_fractions_are_shown(content: dict[str, Any], tmp_path:
     assert str(tell(result)).count("1e-20") == 2
 
 
-@of("rigid", "elastic", "symmetric")
+@of_files("rigid", "elastic", "symmetric")
 def test_each_disc_holds_one_multiplier_of_its_own(content: dict[str, Any]) -> None:
     first, second = content["multipliers"]
     refused({**content, "multipliers": [first, first]}, "stated multiplier is none")
@@ -183,7 +177,7 @@ def test_derivatives_by_one_parameter_are_not_those_by_another(tmp_path: Path) -
 PROPOSAL = ("parameters", "given_period", "itinerary", "declaration", "closing", "box", "bits")
 
 
-@of("global-stick", "rigid", "irrational", "soft")
+@of_files("global-stick", "rigid", "irrational", "soft")
 def test_the_judge_reads_the_proposal_alone_and_is_the_same_at_any_precision(
     content: dict[str, Any],
 ) -> None:
@@ -201,7 +195,7 @@ def test_the_judge_reads_the_proposal_alone_and_is_the_same_at_any_precision(
     assert found[0] == found[1]
 
 
-@of("global-stick", "rigid", "elastic", "kicked", "soft", "twice")
+@of_files("global-stick", "rigid", "elastic", "kicked", "soft", "twice")
 def test_boxes_without_the_orbit_are_refused(content: dict[str, Any]) -> None:
     for place in range(len(content["box"])):
         changed = copy.deepcopy(content)
@@ -229,7 +223,7 @@ def larger(entry: Any) -> Any:
     return {**entry, "above": [[larger(c), powers] for c, powers in entry["above"]]}
 
 
-@of("global-stick", "kicked", "rigid", "elastic", "soft")
+@of_files("global-stick", "kicked", "rigid", "elastic", "soft")
 def test_another_system_has_another_orbit(content: dict[str, Any]) -> None:
     # fields and rows of what ends a phase, each nonzero number by a thousandth
     declared = content["declaration"]
@@ -250,7 +244,7 @@ def test_another_system_has_another_orbit(content: dict[str, Any]) -> None:
     assert tried >= 4
 
 
-@of("global-stick")
+@of_files("global-stick")
 def test_swapped_boundaries_and_phases_are_refused(content: dict[str, Any]) -> None:
     declared = content["declaration"]
     changed = copy.deepcopy(content)
@@ -272,7 +266,7 @@ def test_swapped_boundaries_and_phases_are_refused(content: dict[str, Any]) -> N
     refused(changed, "transition")
 
 
-@of("kicked", "global-stick")
+@of_files("kicked", "global-stick")
 def test_boundaries_in_the_way_are_seen(content: dict[str, Any]) -> None:
     phases, configurations = (content["declaration"][k] for k in ("phases", "configurations"))
     row = configurations[phases[0]["configuration"]]["boundaries"]
@@ -284,7 +278,7 @@ def test_boundaries_in_the_way_are_seen(content: dict[str, Any]) -> None:
     check(content)
 
 
-@of("kicked")
+@of_files("kicked")
 def test_a_boundary_just_reached_inside_is_seen(content: dict[str, Any]) -> None:
     wall = content["declaration"]["configurations"]["right"]["boundaries"]["wall"]
     wall[-1] = "-1999999999999/1000000000000"  # the orbit goes to 2
@@ -297,7 +291,7 @@ def test_a_boundary_just_reached_inside_is_seen(content: dict[str, Any]) -> None
     check(content)
 
 
-@of("global-stick", "kicked", "soft")
+@of_files("global-stick", "kicked", "soft")
 def test_margins_that_are_not_positive_are_refused(content: dict[str, Any]) -> None:
     assert content["margins"]
     for place in range(len(content["margins"])):
@@ -307,7 +301,7 @@ def test_margins_that_are_not_positive_are_refused(content: dict[str, Any]) -> N
             refused(changed, "a margin is not positive")
 
 
-@of("global-stick", "rigid", "elastic", "kicked", "soft")
+@of_files("global-stick", "rigid", "elastic", "kicked", "soft")
 def test_margins_that_are_too_large_are_refused(content: dict[str, Any]) -> None:
     for place in range(len(content["margins"])):
         changed = copy.deepcopy(content)
@@ -318,7 +312,7 @@ def test_margins_that_are_too_large_are_refused(content: dict[str, Any]) -> None
     refused(content, "a margin is stated of nothing")
 
 
-@of("global-stick", "symmetric", "crossed", "tangent", "kicked")
+@of_files("global-stick", "symmetric", "crossed", "tangent", "kicked")
 def test_claims_of_another_verdict_are_refused(content: dict[str, Any]) -> None:
     for name in ("existence", "admissibility", "stability"):
         for verdict in {"proved", "refuted"} - {content["claims"][name]}:
@@ -334,7 +328,7 @@ def test_claims_of_another_verdict_are_refused(content: dict[str, Any]) -> None:
             refused(changed, name)
 
 
-@of("rigid", "elastic")
+@of_files("rigid", "elastic")
 def test_what_is_kept_is_not_taken_for_granted(content: dict[str, Any]) -> None:
     for closing in ({**content["closing"], "kind": "state"}, {"kind": "state"}):
         for period in (content["given_period"], ""):
@@ -360,7 +354,7 @@ def test_what_is_kept_is_not_taken_for_granted(content: dict[str, Any]) -> None:
     refused({**content, "closing": closing}, "functions that vanish though")
 
 
-@of("soft", "twice")
+@of_files("soft", "twice")
 def test_a_phase_of_the_forcing_is_the_only_one(content: dict[str, Any]) -> None:
     changed = copy.deepcopy(content)
     changed["declaration"]["phases"][0]["boundaries"] = ["forcing-phase"]
@@ -378,7 +372,7 @@ def ending_at(content: dict[str, Any], boundaries: list[str]) -> dict[str, Any]:
     return changed
 
 
-@of("soft", "kicked")
+@of_files("soft", "kicked")
 def test_what_the_itinerary_names_is_declared(content: dict[str, Any]) -> None:
     declared = content["declaration"]
     phase = declared["phases"][0]
@@ -395,7 +389,7 @@ def test_what_the_itinerary_names_is_declared(content: dict[str, Any]) -> None:
     refused(changed, "along no declared configuration")
 
 
-@of("rigid")
+@of_files("rigid")
 def test_an_impact_that_loses_energy_is_no_conservative_one(content: dict[str, Any]) -> None:
     reset = content["declaration"]["transitions"][0]["reset"]
     assert isinstance(reset[2][2], dict)  # the coefficient of restitution, with a sign
@@ -403,7 +397,7 @@ def test_an_impact_that_loses_energy_is_no_conservative_one(content: dict[str, A
     refused(content)
 
 
-@of("soft", "twice")
+@of_files("soft", "twice")
 def test_forcings_have_to_return(content: dict[str, Any]) -> None:
     changed = copy.deepcopy(content)
     changed["closing"]["turns"] += 1
@@ -416,7 +410,7 @@ def test_forcings_have_to_return(content: dict[str, Any]) -> None:
     refused(changed)
 
 
-@of("perturbed", "soft")
+@of_files("perturbed", "soft")
 def test_a_box_with_a_root_is_not_empty(content: dict[str, Any]) -> None:
     changed = copy.deepcopy(content)
     changed["claims"] = {
@@ -435,7 +429,7 @@ def test_a_box_with_a_root_is_not_empty(content: dict[str, Any]) -> None:
     refused(changed, "existence is undecided")
 
 
-@of("irrational")
+@of_files("irrational")
 def test_constants_are_checked_and_balls_may_not_be_wider(content: dict[str, Any]) -> None:
     assert content["claims"]["admissibility"] == "proved"
     other = {**content, "parameters": {**content["parameters"], "k": "sqrt(3)"}}
@@ -447,7 +441,7 @@ def test_constants_are_checked_and_balls_may_not_be_wider(content: dict[str, Any
     refused(content)
 
 
-@of("soft")
+@of_files("soft")
 def test_names_are_not_taken_for_numbers(content: dict[str, Any]) -> None:
     name = content["itinerary"][0][0]
     renamed = json.loads(json.dumps(content).replace(f'"{name}"', '"mid"'))
@@ -485,23 +479,6 @@ def test_the_declaration_is_the_declared_one() -> None:
             rest = boundary.function.subs(dict.fromkeys(system.states, 0))
             row = sp.Matrix([[*gradient, rest]])
             assert same([entry["boundaries"][boundary.name]], row)
-
-
-def test_another_parameter_is_not_that_of_the_declaration(tmp_path: Path) -> None:
-    path = tmp_path / "certificate.json"
-    certificate("global-stick").save(path)
-    content = json.loads(path.read_text())
-    content["parameters"]["eta"] = "1.01"
-    content["sha256"] = checksum_of(content)
-    refused(content, "existence")  # the declaration is over it
-    path.write_text(json.dumps(content))
-    assert "existence" in str(ns.certify.check(path).difference)
-    content["parameters"]["eta"] = "1"
-    content["system"] = "nowhere.py"
-    content["sha256"] = checksum_of(content)
-    path.write_text(json.dumps(content))
-    found = ns.certify.check(path)
-    assert "unknown system 'nowhere.py'" in str(found.difference)
 
 
 def similar(eigenvalues: Any, rng: np.random.Generator) -> Any:
@@ -644,24 +621,6 @@ def sources() -> dict[str, str]:
     return {str(file.relative_to(folder)): file.read_text() for file in folder.rglob("*.py")}
 
 
-def test_the_checker_imports_nothing_of_the_prover() -> None:
-    modules = set()
-    for source in sources().values():
-        for node in ast.walk(ast.parse(source)):
-            if isinstance(node, ast.Import):
-                modules |= {alias.name for alias in node.names}
-            elif isinstance(node, ast.ImportFrom):
-                modules.add(str(node.module))
-    own = {name for name in modules if name.startswith("nonsmooth.")}
-    checker = "nonsmooth.runtime.checker"
-    allowed = {checker, *(f"nonsmooth.runtime.core.{name}" for name in ARITHMETIC)}
-    assert {name for name in own if not name.startswith(f"{checker}.")} <= allowed
-    assert {name.partition(".")[0] for name in modules - own} - sys.stdlib_module_names == {
-        "flint",
-        "numpy",
-    }
-
-
 @pytest.fixture(scope="module")
 def alone(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The checker and its arithmetic, with nothing else of the package."""
@@ -751,38 +710,6 @@ def test_files_that_are_no_certificates(
             work(path)
 
 
-@pytest.mark.parametrize("seed", range(20))
-def test_functions_are_below_zero_if_and_only_if_samples_are(seed: int) -> None:
-    """Of waves with several frequencies, whose tangents tell nothing of what is beside them."""
-    drawn = np.random.default_rng(seed)
-    frequencies = drawn.uniform(1, 9, size=3)
-    weights, length = drawn.normal(size=(2, 3)), drawn.uniform(1, 6)
-    times = np.linspace(0, length, 20_001)
-    angles = frequencies[:, None] * times
-    wave = weights[0] @ np.cos(angles) + weights[1] @ np.sin(angles)
-    highest = wave.max()
-    if wave[0] > highest - 0.1:
-        wave, weights = -wave, -weights
-        highest = wave.max()
-    field = arb_mat(7, 7)
-    for k, frequency in enumerate(frequencies.tolist()):
-        field[2 * k, 2 * k + 1], field[2 * k + 1, 2 * k] = arb(-frequency), arb(frequency)
-    start = arb_mat([[1], [0], [1], [0], [1], [0], [1]])
-    for excess in (-0.01, 0.01):
-        row = [*map(arb, weights.T.ravel().tolist()), arb(float(excess - highest))]
-        watched: Any = SimpleNamespace(name="wall", row=row, ends_it=False, order=0)
-        orbit: Any = SimpleNamespace(
-            chain=SimpleNamespace(fields=[field]), dwell=[arb(length)],
-            now=SimpleNamespace(starts=[start]), numbers=arb_mat,
-        )  # fmt: skip
-        above, _ = _below(orbit, 0, [(watched, _Shape())])
-        assert [told.sign for told in above] == [1] * (excess > 0)
-        if excess < 0:  # how far it stays from zero is nearly found, and no more
-            above, (height,) = _below(orbit, 0, [(watched, _Shape(apart=True))])
-            assert not above
-            assert excess < height <= 0.7 * excess
-
-
 @pytest.mark.parametrize(
     ("first", "last", "given_back"), [(2, 1, True), (-2, -1, True), (2, -1, False), (0, 1, False)]
 )
@@ -803,34 +730,9 @@ def test_the_energy_gives_back_the_coordinate_left_out(
         CheckedOrbit.returns(orbit, {"free": [[1, 0]]})
 
 
-@pytest.mark.parametrize(
-    ("first", "wanted", "verdict"),
-    [
-        ((arb(1), True), (True, False), -1), ((arb(1), True), (False, True), 1),
-        ((arb(-1), True), (False, True), -1), ((arb(-1), True), (True, False), 1),
-        ((arb(-1), False), (False, True), 1), ((arb(0, 1), True), (True, True), None),
-        ((None, True), (False, True), -1), ((None, False), (False, True), 1),
-    ],
-)  # fmt: skip
-def test_the_first_transition_whose_conditions_hold_is_the_one(
-    first: tuple[Any, bool], wanted: tuple[bool, bool], verdict: int | None
-) -> None:
-    orbit: Any = SimpleNamespace(value=lambda row, state: row)
-    ways: list[Any] = [
-        SimpleNamespace(conditions=conditions, wanted=this, alike=this)
-        for conditions, this in zip(([first], []), wanted, strict=True)
-    ]
-    assert _first(orbit, ways, None) == verdict
-    for way in ways:  # another that leads where the wanted one does refutes nothing
-        way.alike = True
-    assert _first(orbit, ways, None) == (None if verdict == 1 else verdict)
-    if first == (arb(-1), True):  # none holds
-        assert _first(orbit, ways[:1], None) == 1
-
-
 @pytest.mark.parametrize("part", ["above", "below"])
 @pytest.mark.parametrize("exponents", [[0, 10_001, 0], [-1, 0, 0], [0, -1, 1], [10_001, 1, 0]])
-@of("irrational")
+@of_files("irrational")
 def test_no_power_of_any_parameter_is_too_high(
     content: dict[str, Any], part: str, exponents: list[int]
 ) -> None:

@@ -14,7 +14,7 @@ from nonsmooth.runtime.checker.state_sets.basin import _motions
 from nonsmooth.runtime.checker.stated.grids import stated_grid
 from nonsmooth.runtime.core.float_sets import ManySets
 from nonsmooth.runtime.present.checking.compare_declarations import compare
-from tests.certified import prove_basin, signed
+from tests.certified import flat, prove_basin, refused_file, runs, signed
 from tests.friction_sets import DATA
 from tests.places import GALLERY
 from tests.shared import shared_file
@@ -51,17 +51,6 @@ def belt(near):
 @pytest.fixture
 def content(path):
     return json.loads(path.read_text())
-
-
-def refused(content, tmp_path, told):
-    path = tmp_path / "false.json"
-    path.write_text(json.dumps(signed(content)))
-    try:
-        difference = ns.certify.check(path).difference
-    except ns.InputError as problem:
-        difference = str(problem)
-    assert difference is not None
-    assert told in difference, difference
 
 
 @pytest.mark.slow
@@ -111,20 +100,6 @@ def test_several_processes_prove_a_file_again(near, belt, tmp_path):
     assert "elsewhere" in ns.certify.check(false, workers=2).difference
 
 
-def flat(runs):
-    return [value for value, count in runs for _ in range(count)]
-
-
-def runs(values):
-    found = []
-    for value in values:
-        if found and found[-1][0] == value:
-            found[-1][1] += 1
-        else:
-            found.append([value, 1])
-    return found
-
-
 def edited_ranks(content, change):
     ranks = flat(content["ranks"])
     change(ranks)
@@ -136,7 +111,7 @@ def test_a_box_that_leads_elsewhere_has_no_rank(content, tmp_path):
     def too_near(ranks):
         ranks[ranks.index(max(ranks))] = 1
 
-    refused(edited_ranks(content, too_near), tmp_path, "a box of the rank 1")
+    refused_file(edited_ranks(content, too_near), tmp_path, "a box of the rank 1")
 
 
 def test_ranks_are_those_of_boxes(content, tmp_path):
@@ -147,7 +122,7 @@ def test_ranks_are_those_of_boxes(content, tmp_path):
         ranks[0] = len(ranks)
 
     for change in (below, beyond):
-        refused(edited_ranks(content, change), tmp_path, "no such ranks")
+        refused_file(edited_ranks(content, change), tmp_path, "no such ranks")
 
 
 def test_a_box_beside_the_core_is_not_in_it(belt, tmp_path):
@@ -155,35 +130,35 @@ def test_a_box_beside_the_core_is_not_in_it(belt, tmp_path):
         last = max(k for k, rank in enumerate(ranks) if rank == 0)
         ranks[last + 1] = 0
 
-    refused(edited_ranks(belt, wider), tmp_path, "not in the core")
+    refused_file(edited_ranks(belt, wider), tmp_path, "not in the core")
 
 
 def test_tiles_that_are_not_attracted_are_not_stated_to_be(belt, tmp_path):
     verdicts = flat(belt["verdicts"])
     last = max(k for k, verdict in enumerate(verdicts) if verdict == 1)
     verdicts[last] = 2
-    refused({**belt, "verdicts": runs(verdicts)}, tmp_path, "a tile may lead elsewhere")
+    refused_file({**belt, "verdicts": runs(verdicts)}, tmp_path, "a tile may lead elsewhere")
 
 
 @pytest.mark.parametrize("ends", [(-0.5, 1e300), (-0.5, 0.75), (0.0, 0.5), (0.5, -0.5)])
 def test_tiles_are_those_of_the_box_that_is_stated(content, tmp_path, ends):
     box = {**content["box"], "v1": list(ends)}
-    refused({**content, "box": box}, tmp_path, "box")
+    refused_file({**content, "box": box}, tmp_path, "box")
     tiles = content["tiles"]
     place = content["states"].index("v1")
     counts = [n - (k == place) for k, n in enumerate(tiles["counts"])]
     verdicts = runs(flat(content["verdicts"])[: prod(counts)])
     edited = {**content, "tiles": {**tiles, "counts": counts}, "verdicts": verdicts}
-    refused(edited, tmp_path, "tiles of another box")
+    refused_file(edited, tmp_path, "tiles of another box")
 
 
 @pytest.mark.slow
 def test_another_core_is_refused(content, tmp_path):
     core = content["core"]
     wide = {**core, "sides": [["3.5"]]}
-    refused({**content, "core": wide}, tmp_path, "contracted")
-    refused({**content, "contraction": "1/2"}, tmp_path, "contracted")
-    refused({**content, "contraction": "1"}, tmp_path, "the core is not contracted")
+    refused_file({**content, "core": wide}, tmp_path, "contracted")
+    refused_file({**content, "contraction": "1/2"}, tmp_path, "contracted")
+    refused_file({**content, "contraction": "1"}, tmp_path, "the core is not contracted")
 
 
 def test_a_core_that_is_mapped_elsewhere_is_refused(belt, tmp_path):
@@ -191,7 +166,7 @@ def test_a_core_that_is_mapped_elsewhere_is_refused(belt, tmp_path):
     core = belt["core"]
     (centre,), ((side,),) = core["centre"], core["sides"]
     beside = {**core, "centre": [str(float(centre) + 1.5 * abs(float(side)))]}
-    refused({**belt, "core": beside}, tmp_path, "contracted")
+    refused_file({**belt, "core": beside}, tmp_path, "contracted")
 
 
 @pytest.mark.parametrize(
@@ -208,14 +183,14 @@ def test_a_core_that_is_mapped_elsewhere_is_refused(belt, tmp_path):
     ],
 )
 def test_other_entries_are_refused(content, tmp_path, name, value, told):
-    refused({**content, name: value}, tmp_path, told)
+    refused_file({**content, name: value}, tmp_path, told)
 
 
 def test_another_declaration_is_refused(content, tmp_path):
     declared = json.loads(json.dumps(content["declaration"]))
     rows = declared["configurations"]["slip-slip"]["boundaries"]
     rows.pop(next(iter(rows)))
-    refused({**content, "declaration": declared}, tmp_path, "")
+    refused_file({**content, "declaration": declared}, tmp_path, "")
 
 
 @pytest.mark.parametrize(
@@ -234,7 +209,7 @@ def test_boxes_and_tiles_lead_to_boxes_of_smaller_ranks(tmp_path, change, told):
     assert most > 2
     content = {**kicked, "ranks": [[change(rank, most), n] for rank, n in kicked["ranks"]]}
     if told:
-        refused(content, tmp_path, told)
+        refused_file(content, tmp_path, told)
         return
     path = tmp_path / "same.json"
     path.write_text(json.dumps(signed(content)))
@@ -301,6 +276,6 @@ def test_boxes_from_which_nothing_arrives_have_no_rank(tmp_path):
     assert beyond.sum() > 1
     assert (ranks[beyond] == -1).all()
     ranks[beyond] = 1
-    refused(
+    refused_file(
         {**content, "ranks": runs(ranks.tolist())}, tmp_path, "a box of the rank 1 has no image"
     )

@@ -28,7 +28,17 @@ from nonsmooth.runtime.checker.counting.census import Side
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.present.checking.check_file import Check
 from nonsmooth.runtime.proof.counting.census import Census
-from tests.certified import LOOP, PAD, claimed, kicked, signed, struck, struck_together, unhashed
+from tests.certified import (
+    LOOP,
+    PAD,
+    between_springs,
+    claimed,
+    kicked,
+    signed,
+    struck,
+    struck_together,
+    unhashed,
+)
 
 
 @cache
@@ -258,22 +268,13 @@ def test_a_certificate_of_another_number_of_turns_is_refused(tmp_path: Path) -> 
 
 def test_an_itinerary_repeats_itself_by_its_transitions(tmp_path: Path) -> None:
     """Kicked in two ways by turns, an orbit has not the half of the phases that it names twice."""
-    x, v = sp.symbols("x v", real=True)
-    system = System(
-        "kicked-by-turns",
-        "kicked in one of two ways",
-        (x, v),
-        (),
-        (
-            Configuration("right", SecondOrder([[1]], [[1]]), (Boundary("falls", -x),)),
-            Configuration("left", SecondOrder([[1]], [[4]]), (Boundary("rises", x),)),
-        ),
-        (
-            Transition("right", {"falls"}, "left"),
-            Transition("left", {"rises"}, "right", (Condition(v - 3, "left"),), {v: v / 2 + 1}),
-            Transition("left", {"rises"}, "right", (), {v: v / 2 + sp.Rational(101, 100)}),
-        ),
-    )
+    v = sp.Symbol("v", real=True)
+    kicks = [
+        Transition("left", {"rises"}, "right", (Condition(v - 3, "left"),), {v: v / 2 + 1}),
+        Transition("left", {"rises"}, "right", (), {v: v / 2 + sp.Rational(101, 100)}),
+    ]
+    springs = SecondOrder([[1]], [[1]]), SecondOrder([[1]], [[4]])
+    system = between_springs("kicked-by-turns", springs, kicks)
     path, sides = tmp_path / "turns.json", [("2", "4"), ("1", "2")] * 2
     box = {f"tau{k}": side for k, side in enumerate(sides, 1)}
     ns.certify.all(system, {}, box, itinerary=LOOP * 2).save(path)

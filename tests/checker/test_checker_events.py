@@ -24,10 +24,8 @@ import nonsmooth as ns
 from nonsmooth.derive import (
     Boundary,
     Condition,
-    Configuration,
     Parameter,
     SecondOrder,
-    System,
     Transition,
 )
 from nonsmooth.runtime.checker import Failure, check_events
@@ -44,7 +42,7 @@ from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.present.files.kept import save_result
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
-from tests.certified import LOOP, loop, signed, unhashed
+from tests.certified import LOOP, between_springs, loop, of_files, signed, unhashed
 from tests.explore import test_continuation_forced as impacts
 
 WRONG = (Failure, ArithmeticError, KeyError, ValueError, TypeError, IndexError)
@@ -56,27 +54,20 @@ def gated() -> Any:
 
     It begins with v0 = 1/(1 - r) and comes back to x = 0 with -v0.
     """
-    x, v = sp.symbols("x v", real=True)
+    v = sp.Symbol("v", real=True)
     rest = Parameter("r", "what is left of the velocity")
     limits = [Parameter(name, name, lower=-sp.oo) for name in ("fast", "slow", "gate")]
     fast, slow, gate = (limit.symbol for limit in limits)
     kick = {v: rest.symbol * v + 1}
-    system = System(
-        "gated", "a kicked mass with limits", (x, v), (rest, *limits),
-        (
-            Configuration("right", SecondOrder([[1]], [[1]]), (
-                Boundary("falls", -x), Boundary("fast", v - fast), Boundary("slow", -v - slow))),
-            Configuration("left", SecondOrder([[1]], [[4]]), (Boundary("rises", x),)),
-        ),
-        (
-            Transition("right", {"falls"}, "left"),
-            Transition("right", {"fast"}, "right", (), {v: fast - 1}),
-            Transition("right", {"slow"}, "right", (), {v: 1 - slow}),
-            Transition("left", {"rises"}, "right", (Condition(v - gate, "left"),), kick),
-            Transition("left", {"rises"}, "right", (), {v: v + 1}),
-        ),
-    )  # fmt: skip
-    return load_system(system)
+    springs = SecondOrder([[1]], [[1]]), SecondOrder([[1]], [[4]])
+    watched = Boundary("fast", v - fast), Boundary("slow", -v - slow)
+    more = (
+        Transition("right", {"fast"}, "right", (), {v: fast - 1}),
+        Transition("right", {"slow"}, "right", (), {v: 1 - slow}),
+        Transition("left", {"rises"}, "right", (Condition(v - gate, "left"),), kick),
+        Transition("left", {"rises"}, "right", (), {v: v + 1}),
+    )
+    return load_system(between_springs("gated", springs, more, (rest, *limits), watched))
 
 
 def limited(parameter: str, lower: float, upper: float) -> Branch:
@@ -135,10 +126,6 @@ def content(request: pytest.FixtureRequest, tmp_path_factory: Any) -> dict[str, 
     return found
 
 
-def of(*names: str) -> pytest.MarkDecorator:
-    return pytest.mark.parametrize("content", names, indirect=True)
-
-
 def refused(content: dict[str, Any], match: str | None = None) -> None:
     """Make the checksum right again, and see the mathematics refuse it."""
     content["sha256"] = checksum_of(content)
@@ -159,7 +146,7 @@ def moved(entry: dict[str, str], by: Fraction) -> None:
     entry["mid"] = f"{round(middle * 10**200)}e-200"
 
 
-@of(*BRANCHES)
+@of_files(*BRANCHES)
 def test_true_events_pass(content: dict[str, Any]) -> None:
     check_events(content)
     assert [event["kind"] for event in content["events"]] == KINDS[content_name(content)]
@@ -191,7 +178,7 @@ def test_files_come_back(name: str, tmp_path: Path) -> None:
     assert alone.value.contains(Fraction(proved(name)[-1].value.mid))
 
 
-@of(*BRANCHES)
+@of_files(*BRANCHES)
 def test_centres_outside_their_enclosures_are_refused(content: dict[str, Any]) -> None:
     for place, event in enumerate(content["events"]):
         for name in event["enclosures"]:
@@ -201,7 +188,7 @@ def test_centres_outside_their_enclosures_are_refused(content: dict[str, Any]) -
                 refused(changed, f"{name} is not in its enclosure")
 
 
-@of(*BRANCHES)
+@of_files(*BRANCHES)
 def test_boxes_without_the_event_are_refused(content: dict[str, Any]) -> None:
     for place, event in enumerate(content["events"]):
         for side in range(len(event["box"])):
@@ -256,7 +243,7 @@ OTHERS = ("flip", "fold", "neimark-sacker", "vanishing-phase", "condition",
           "entry", "tangent", "simultaneous", "grazing", "branch-point", "flop")  # fmt: skip
 
 
-@of(*BRANCHES)
+@of_files(*BRANCHES)
 def test_events_of_another_kind_are_refused(content: dict[str, Any]) -> None:
     for kind in {event["kind"] for event in content["events"]} - {"branch-point"}:
         event = event_of(copy.deepcopy(content), kind)
@@ -272,7 +259,7 @@ def test_events_of_another_kind_are_refused(content: dict[str, Any]) -> None:
                     refused({**content, "events": [told]})
 
 
-@of("symmetric", "stick", "impacts", "entry", "meeting", "condition")
+@of_files("symmetric", "stick", "impacts", "entry", "meeting", "condition")
 def test_other_places_are_refused(content: dict[str, Any]) -> None:
     for event in content["events"]:
         if event["phase"] is None:
@@ -287,7 +274,7 @@ def test_other_places_are_refused(content: dict[str, Any]) -> None:
         refused({**content, "events": [{**event, "parameter": event["box"][0]["name"]}]})
 
 
-@of("symmetric", "torus", "impacts", "entry")
+@of_files("symmetric", "torus", "impacts", "entry")
 def test_another_system_has_another_event(content: dict[str, Any]) -> None:
     event = event_of(content, KINDS[content_name(content)][-1])
     configuration = event["declaration"]["phases"][0]["configuration"]
@@ -304,7 +291,7 @@ def test_another_system_has_another_event(content: dict[str, Any]) -> None:
     assert tried
 
 
-@of("rigid")
+@of_files("rigid")
 def test_what_is_kept_is_not_taken_for_granted(content: dict[str, Any]) -> None:
     event = event_of(content, "tangent")
     for change in ({"kind": "state", "dropped": -1}, {"dropped": 7}, {"form": [["0"] * 4] * 4}):
@@ -312,7 +299,7 @@ def test_what_is_kept_is_not_taken_for_granted(content: dict[str, Any]) -> None:
         refused({**content, "events": [{**event, "closing": closing}]})
 
 
-@of("wall")
+@of_files("wall")
 def test_other_constants_are_refused(content: dict[str, Any]) -> None:
     event = event_of(content, "grazing")
     assert event["parameters"]["k"] == "sqrt(2)"
@@ -322,12 +309,13 @@ def test_other_constants_are_refused(content: dict[str, Any]) -> None:
     refused({**content, "events": [{**event, "parameters": {}}]}, "parameters that are named")
 
 
-@of("rigid", "impacts")
+@of_files("rigid", "impacts")
 def test_a_file_without_events_claims_nothing(content: dict[str, Any]) -> None:
     content["events"] = []
     refused(content, "no event")
 
 
+@of_files("rigid", "impacts")
 def test_undecided_events_claim_nothing(content: dict[str, Any]) -> None:
     event = content["events"][0]
     event |= {"claim": "undecided", "reason": "none", "enclosures": {}, "kind": "flop"}
@@ -365,7 +353,7 @@ def test_pairs_on_the_circle_are_told_from_others(roots: list[complex], told: bo
     assert paired(polynomial) is told
 
 
-@of("torus")
+@of_files("torus")
 def test_a_torus_takes_a_pair_that_is_not_real(content: dict[str, Any]) -> None:
     event = event_of(content, "neimark-sacker")
     judge = JudgedEvent(event)
@@ -375,7 +363,7 @@ def test_a_torus_takes_a_pair_that_is_not_real(content: dict[str, Any]) -> None:
         events._multiplier(of_pair, "neimark-sacker")
 
 
-@of("wall")
+@of_files("wall")
 def test_a_parameter_is_not_hidden_behind_an_unknown_of_its_name(content: dict[str, Any]) -> None:
     """The one enclosure has to hold both of them."""
     event = event_of(content, "grazing")
@@ -387,7 +375,7 @@ def test_a_parameter_is_not_hidden_behind_an_unknown_of_its_name(content: dict[s
         refused({**content, "events": [told]}, f"{other} is not in its enclosure")
 
 
-@of("symmetric", "torus")
+@of_files("symmetric", "torus")
 def test_no_event_is_believed_where_a_divisor_may_be_zero(content: dict[str, Any]) -> None:
     event = content["events"][-1]
     judge = JudgedEvent(event)
@@ -402,7 +390,7 @@ def saved(content: dict[str, Any], path: Path) -> Path:
     return path
 
 
-@of("symmetric", "stick", "rigid", "wall")
+@of_files("symmetric", "stick", "rigid", "wall")
 def test_events_are_compared_with_their_system(content: dict[str, Any], tmp_path: Path) -> None:
     path = saved(content, tmp_path / "events.json")
     found = ns.certify.check(path)

@@ -13,7 +13,7 @@ from nonsmooth.runtime.checker import Failure, check_graph
 from nonsmooth.runtime.checker.state_sets.many_sets import ManyMotions
 from nonsmooth.runtime.checker.stated.grids import stated_divided_grid
 from nonsmooth.runtime.model.kernels import load_system
-from tests.certified import accepted, claimed, signed
+from tests.certified import accepted, claimed, flat, refused_file, runs, signed
 from tests.friction_sets import DATA
 from tests.horseshoes import FRICTION_DATA
 from tests.places import GALLERY
@@ -36,17 +36,6 @@ def path(found, tmp_path_factory):
 @pytest.fixture
 def content(path):
     return json.loads(path.read_text())
-
-
-def refused(content, tmp_path, told):
-    path = tmp_path / "false.json"
-    path.write_text(json.dumps(signed(content)))
-    try:
-        difference = ns.certify.check(path).difference
-    except ns.InputError as problem:
-        difference = str(problem)
-    assert difference is not None
-    assert told in difference, difference
 
 
 @pytest.mark.slow
@@ -85,21 +74,7 @@ def test_a_true_file_of_two_coordinates_is_proved_again(tmp_path):
     unknown = found.graph.unknown.astype(int)
     unknown[unknown.argmax()] = 0
     content["unknown"] = [[int(told), 1] for told in unknown]
-    refused(content, tmp_path, "the image of a box")
-
-
-def flat(runs):
-    return [value for value, count in runs for _ in range(count)]
-
-
-def runs(values):
-    found = []
-    for value in values:
-        if found and found[-1][0] == value:
-            found[-1][1] += 1
-        else:
-            found.append([value, 1])
-    return found
+    refused_file(content, tmp_path, "the image of a box")
 
 
 def rewritten(content, change):
@@ -137,13 +112,13 @@ def test_a_component_is_not_split(found, content, tmp_path):
     def split(content):
         without_edges(content, lambda s, t: (s in half) != (t in half) and {s, t} <= {*own})
 
-    refused(rewritten(content, split), tmp_path, "the image of a box")
+    refused_file(rewritten(content, split), tmp_path, "the image of a box")
 
 
 def test_edges_are_stated_once_and_in_order(content, tmp_path):
     edges = content["edges"]
-    refused({**content, "edges": [*edges, edges[-1]]}, tmp_path, "edges are not in order")
-    refused({**content, "edges": edges[::-1]}, tmp_path, "edges are not in order")
+    refused_file({**content, "edges": [*edges, edges[-1]]}, tmp_path, "edges are not in order")
+    refused_file({**content, "edges": edges[::-1]}, tmp_path, "edges are not in order")
 
 
 X, Z = sp.symbols("x z", real=True)
@@ -194,10 +169,10 @@ def test_what_is_not_trapping_is_not_added(found, content, tmp_path):
             told[outer] = 0
             content[name] = runs(told)
 
-    refused(rewritten(content, alone), tmp_path, "the image of a box")
+    refused_file(rewritten(content, alone), tmp_path, "the image of a box")
     told = flat(content["trapping"])
     told[outer] = 1
-    refused({**content, "trapping": runs(told)}, tmp_path, "a trapping region is left")
+    refused_file({**content, "trapping": runs(told)}, tmp_path, "a trapping region is left")
 
 
 @pytest.mark.slow
@@ -211,7 +186,7 @@ def test_every_edge_counts_where_images_are_sharp(found, content, tmp_path):
         def cut(content, box=box, inner=inner):
             without_edges(content, lambda s, t: (s, t) == (box, inner))
 
-        refused(rewritten(content, cut), tmp_path, "the image of a box")
+        refused_file(rewritten(content, cut), tmp_path, "the image of a box")
     assert wide
 
 
@@ -221,7 +196,7 @@ def test_an_image_that_leaves_the_region_is_said_to(content, tmp_path):
         # the same boxes, moved by one: their images are others
         content["grid"]["first"][0] += 1
 
-    refused(rewritten(content, narrower), tmp_path, "the image of a box")
+    refused_file(rewritten(content, narrower), tmp_path, "the image of a box")
 
 
 @pytest.mark.parametrize(
@@ -239,7 +214,7 @@ def test_an_image_that_leaves_the_region_is_said_to(content, tmp_path):
 )
 def test_other_numbers_of_boxes_are_refused(content, tmp_path, name, change, told):
     other = {**content, name: runs(change(flat(content[name])))}
-    refused(other, tmp_path, told)
+    refused_file(other, tmp_path, told)
 
 
 @pytest.mark.parametrize(
@@ -257,7 +232,7 @@ def test_other_numbers_of_boxes_are_refused(content, tmp_path, name, change, tol
     ],
 )
 def test_other_entries_are_refused(content, tmp_path, name, value, told):
-    refused({**content, name: value}, tmp_path, told)
+    refused_file({**content, name: value}, tmp_path, told)
 
 
 def test_a_box_is_divided_or_not():
@@ -275,11 +250,11 @@ def test_other_parameters_and_declarations_are_refused(tmp_path):
     )
     few.save(tmp_path / "few.json")
     content = json.loads((tmp_path / "few.json").read_text())
-    refused({**content, "parameters": {**content["parameters"], "ur1": "5"}}, tmp_path, "")
+    refused_file({**content, "parameters": {**content["parameters"], "ur1": "5"}}, tmp_path, "")
     declared = json.loads(json.dumps(content["declaration"]))
     rows = declared["configurations"]["slip-slip"]["boundaries"]
     rows.pop(next(iter(rows)))
-    refused({**content, "declaration": declared}, tmp_path, "")
+    refused_file({**content, "declaration": declared}, tmp_path, "")
 
 
 @pytest.mark.slow
@@ -300,4 +275,4 @@ def test_values_outside_of_their_domains_are_refused_before_anything_is_followed
     monkeypatch.setattr(ManyMotions, "leaves", None)
     for name, value in (("V", "-1.0"), ("us1", "-1/2"), ("eta", "0")):
         other = {**content, "parameters": {**content["parameters"], name: value}}
-        refused(other, tmp_path, "outside its domain")
+        refused_file(other, tmp_path, "outside its domain")

@@ -129,6 +129,7 @@ FALSE: dict[str, tuple[str, Callable[[Any], Any]]] = {
     "label of the point": ("point", lambda c: exchanged(c, STICK, "dry-friction/symmetric")),
     "label of the map": ("map", lambda c: exchanged(c, STICK, "rigid-stop/one-impact")),
     "label of the census": ("census", lambda c: exchanged(c, STICK, "dry-friction/symmetric")),
+    "a parameter of the point": ("point", lambda c: c["parameters"].update(eta="1.01")),
     "chosen": ("point", lambda c: c.update(chosen=["chi"])),
     "chosen in the map": ("map", lambda c: c.update(chosen=["e1"])),
     "a period": ("point", lambda c: c.update(given_period="7.87")),

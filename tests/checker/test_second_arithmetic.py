@@ -213,23 +213,3 @@ def test_its_enclosures_hold_what_intervals_give(content: dict[str, Any]) -> Non
     assert trace.delta < 1e-30
     assert meet(trace, enclosures["trace"])
     assert meet(sum(narrow[orbit.size :]), enclosures["period"])
-
-
-def test_its_margins_are_kept_at_all_times_that_are_tried(content: dict[str, Any]) -> None:
-    orbit = StatedOrbit(content)
-    unknowns = [around(content["enclosures"][x["name"]]) for x in content["box"]]
-    state = iv.matrix([*unknowns[: orbit.size], 1])
-    distances = [m for m in content["margins"] if m["quantity"] == "distance"]
-    assert distances
-    times = unknowns[orbit.size :]
-    for place, ((field, _, reset, rows), time) in enumerate(zip(orbit.phases, times, strict=True)):
-        flow = exponential(field * (time / 16))
-        along = [state]
-        for _ in range(16):
-            along.append(flow * along[-1])
-        for margin in distances:
-            if margin["phase"] == place + 1:
-                least = Fraction(margin["least"])
-                values = [_along(rows[margin["boundary"]], y) for y in along]
-                assert all((-value).a >= interval(least).a for value in values)
-        state = reset * along[-1]

@@ -9,6 +9,7 @@ from nonsmooth import InputError, observe
 from nonsmooth.derive import Parameter, SoftStop, oscillator
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from tests.places import GALLERY
+from tests.two_masses import STICKING
 
 PAGE = GALLERY / "den_hartog.py"
 
@@ -132,9 +133,8 @@ def test_a_picture_changes_its_style_at_the_event() -> None:
 
 def test_an_amplitude_where_a_phase_vanishes() -> None:
     """The last orbit of the branch has a phase that takes no time; its neighbours tell the rest."""
-    data = dict(chi="0.5", eta=1, V=1, us1=1, us2=1, ur1="4.0195", ur2="1.4831")
-    motion = ns.simulate("dry-friction", data, [0, 0, 0, 0], transitions=400)
-    orbit = ns.solve("dry-friction", data, itinerary=ns.itinerary_of(motion))
+    motion = ns.simulate("dry-friction", STICKING, [0, 0, 0, 0], transitions=400)
+    orbit = ns.solve("dry-friction", STICKING, itinerary=ns.itinerary_of(motion))
     branch = ns.continue_orbit(orbit, "ur1", (2.5, 4.1), points=40)
     assert abs(branch.unknowns[:, :4]).min() < 1e-12
     found = branch.quantity("amplitude_x1")

@@ -11,27 +11,19 @@ from nonsmooth import InputError, find_orbits, load, simulate, solve
 from nonsmooth.derive import RigidStop, oscillator
 from nonsmooth.runtime.explore.finding.found import label_names
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
-from nonsmooth.runtime.explore.finding.start_box import start_box
 from nonsmooth.runtime.model.kernels import compiled_engine
-from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.simulation.recurrence import canonical
 from tests.certified import edited as content_edited
 from tests.places import GALLERY
+from tests.two_masses import CHAIN, RUBBING, STICKING
 
 # the engine in Python takes minutes for these starts; test_cli_motions has a short one
 pytestmark = pytest.mark.compiled
 
-A = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
-B = {
-    **{"chi": "0.4", "eta": 4, "V": "0.6773"},
-    **{"us1": "0.0127", "ur1": "0.0255", "us2": "0.5", "ur2": 1},
-}
-STOP = {"m1": 1, "m2": 2, "k1": 1, "k2": 5}
-
 
 @cache
 def found(name):
-    data, starts = {"A": (A, 800), "B": (B, 120)}[name]
+    data, starts = {"A": (STICKING, 800), "B": (RUBBING, 120)}[name]
     return find_orbits("dry-friction", data, starts, transitions=1500, rng=1)
 
 
@@ -75,7 +67,7 @@ def test_a_second_attractor_of_less_than_one_percent_is_found():
 def test_a_planted_attractor_is_found_from_a_box():
     target = by_period("A", 15.1006).orbit.states[0]
     box = {n: (x - 1e-3, x + 1e-3) for n, x in zip(("x1", "x2", "v1", "v2"), target, strict=True)}
-    near = find_orbits("dry-friction", A, 20, transitions=800, box=box)
+    near = find_orbits("dry-friction", STICKING, 20, transitions=800, box=box)
     (orbit,) = (o for o in near.orbits if o.starts)
     assert orbit.period == pytest.approx(15.100643125310262, abs=1e-10)
     assert orbit.share == 1
@@ -162,7 +154,7 @@ def test_labels_are_where_the_starts_lead():
     result = found("B")
     for place in range(0, len(result.starts), 11):
         orbit = result.orbits[result.labels[place]].orbit
-        motion = simulate("dry-friction", B, result.starts[place], transitions=1500)
+        motion = simulate("dry-friction", RUBBING, result.starts[place], transitions=1500)
         lasted = motion.times[-1] - motion.times[-1 - len(orbit.itinerary)]
         assert lasted == pytest.approx(orbit.period, rel=1e-6)
 
@@ -173,7 +165,7 @@ def test_labels_are_where_the_starts_lead():
 @pytest.mark.slow
 def test_equal_seeds_give_equal_results():
     one, same, other = (
-        find_orbits("dry-friction", B, 30, transitions=600, rng=seed, threads=threads)
+        find_orbits("dry-friction", RUBBING, 30, transitions=600, rng=seed, threads=threads)
         for seed, threads in ((4, 1), (4, 2), (5, 1))
     )
     np.testing.assert_array_equal(one.starts, same.starts)
@@ -191,7 +183,7 @@ def test_both_engines_find_the_same(monkeypatch):
     results = []
     for backend in ("c", "numpy"):
         monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
-        results.append(find_orbits("dry-friction", B, 2, transitions=130, rng=2))
+        results.append(find_orbits("dry-friction", RUBBING, 2, transitions=130, rng=2))
     for result in results:
         assert {round(o.period, 6) for o in result.orbits if o.starts} <= {9.598694, 19.409498}
     np.testing.assert_array_equal(results[0].starts, results[1].starts)
@@ -200,19 +192,25 @@ def test_both_engines_find_the_same(monkeypatch):
 
 def test_a_generator_of_random_numbers_gives_what_its_seed_gives():
     sources = (2, np.random.SeedSequence(2), np.random.default_rng(2), 3)
-    drawn = [find_orbits("dry-friction", B, 2, transitions=20, rng=rng).starts for rng in sources]
+    drawn = [
+        find_orbits("dry-friction", RUBBING, 2, transitions=20, rng=rng).starts for rng in sources
+    ]
     np.testing.assert_array_equal(drawn[0], drawn[1])
     np.testing.assert_array_equal(drawn[0], drawn[2])
     assert (drawn[0] != drawn[3]).all()
 
 
+def drawn_from(system, data, box=None):
+    """The box in which starts are drawn."""
+    return find_orbits(system, data, 1, transitions=2, box=box).box
+
+
 def test_a_box_reaches_twice_as_far_as_any_boundary():
-    point = piecewise("rigid-stop", STOP | {"r": 1})
-    limits = start_box(point, {"v2": (-0.5, 0.25)})
+    limits = drawn_from("rigid-stop", CHAIN | {"r": 1}, {"v2": (-0.5, 0.25)})
     assert limits[0].tolist() == [-2, 2]  # the stop is at 1
     assert limits[3].tolist() == [-0.5, 0.25]
     assert (limits[:, 0] < limits[:, 1]).all()
-    friction = start_box(piecewise("dry-friction", A))
+    friction = drawn_from("dry-friction", STICKING)
     assert friction[2].tolist() == [-2, 2]  # the belt's velocity is 1
     # f1 = x1 - chi x2 reaches ur1 at x1 = ur1, x2 = ur1/chi
     assert friction[1, 1] == pytest.approx(2 * 4.0195 / 0.5)
@@ -225,15 +223,15 @@ def test_a_load_says_how_fast_starts_fall_where_nothing_returns():
         elements=[RigidStop("x", at=-height, restitution=1, side="lower", name="ground")],
     )  # fmt: skip
     for g, h in ((9.81, 0.25), (9.81e9, 2.5e-10)):
-        limits = start_box(piecewise(ball, {"gravity": g, "height": h}))
+        limits = drawn_from(ball, {"gravity": g, "height": h})
         assert limits[:, 1].tolist() == pytest.approx([2 * h, 2 * np.sqrt(g * h)], rel=1e-12)
-    without_length = piecewise(str(GALLERY / "bouncing_ball.py"), {"gravity": 9.81, "r": 0.5})
-    assert start_box(without_length)[:, 1].tolist() == [2, 2]
+    without_length = drawn_from(str(GALLERY / "bouncing_ball.py"), {"gravity": 9.81, "r": 0.5})
+    assert without_length[:, 1].tolist() == [2, 2]
 
 
 def test_progress_is_told_in_words():
     told = []
-    find_orbits("dry-friction", A, 5, transitions=200, progress=told.append)
+    find_orbits("dry-friction", STICKING, 5, transitions=200, progress=told.append)
     assert told[0] == "following 5 starts"
     assert len(told) == 3
 
@@ -241,25 +239,25 @@ def test_progress_is_told_in_words():
 @pytest.mark.slow
 def test_impacts_that_lose_energy_end():
     result = find_orbits(
-        "rigid-stop", STOP | {"r": "0.5"}, 3, transitions=3000, box={"x1": (-1, 1)}
+        "rigid-stop", CHAIN | {"r": "0.5"}, 3, transitions=3000, box={"x1": (-1, 1)}
     )
     assert not any(o.starts for o in result.orbits)
     # without damping it goes on below the stop, as one of a family of motions
     assert result.share(Outcome.FAMILY) > 0.5
     assert sum(result.outcomes.values()) == pytest.approx(1)
     place = int(np.flatnonzero(result.labels == Outcome.FAMILY)[0])
-    motion = simulate("rigid-stop", STOP | {"r": "0.5"}, result.starts[place], transitions=10_000)
+    motion = simulate("rigid-stop", CHAIN | {"r": "0.5"}, result.starts[place], transitions=10_000)
     assert motion.status.name == "QUIET"
     # it goes on for ever without the stop: x1 keeps below 1
-    later = simulate("rigid-stop", STOP | {"r": "0.5"}, motion.states[-1], until=500)
+    later = simulate("rigid-stop", CHAIN | {"r": "0.5"}, motion.states[-1], until=500)
     assert later(np.linspace(1, 500, 3000))[:, 0].max() < 1 + 1e-9
 
 
 def test_starts_inside_the_stop_are_drawn_again():
-    result = find_orbits("elastic-stop", STOP | {"k3": 1}, 10, transitions=20, box={"x1": (0, 3)})
+    result = find_orbits("elastic-stop", CHAIN | {"k3": 1}, 10, transitions=20, box={"x1": (0, 3)})
     assert len(result.starts) == 10
     assert np.unique(result.labels).tolist() != []
-    rigid = find_orbits("rigid-stop", STOP | {"r": 1}, 10, transitions=20, box={"x1": (-0.5, 2)})
+    rigid = find_orbits("rigid-stop", CHAIN | {"r": 1}, 10, transitions=20, box={"x1": (-0.5, 2)})
     assert len(rigid.starts) == 10
     assert (rigid.starts[:, 0] <= 1).all()
 
@@ -269,7 +267,7 @@ def test_starts_inside_the_stop_are_drawn_again():
     [
         ({"system": "dry-frictoin"}, "did you mean"),
         ({"parameters": {}}, "needs a value"),
-        ({"parameters": A | {"us1": 9}}, "does not hold"),
+        ({"parameters": STICKING | {"us1": 9}}, "does not hold"),
         ({"n": 0}, "n = 0"),
         ({"transitions": 1}, "transitions = 1"),
         ({"threads": 0}, "threads = 0"),
@@ -278,13 +276,13 @@ def test_starts_inside_the_stop_are_drawn_again():
         ({"box": {"x1": (1, 0)}}, "no interval"),
         ({"box": {"x1": (0, np.inf)}}, "no interval"),
         (
-            {"system": "rigid-stop", "parameters": STOP | {"r": 1}, "box": {"x1": (2, 3)}},
+            {"system": "rigid-stop", "parameters": CHAIN | {"r": 1}, "box": {"x1": (2, 3)}},
             "give another box",
         ),
     ],
 )
 def test_bad_input(changes, match):
-    arguments = {"system": "dry-friction", "parameters": A, "n": 5, "transitions": 20}
+    arguments = {"system": "dry-friction", "parameters": STICKING, "n": 5, "transitions": 20}
     with pytest.raises(InputError, match=match):
         find_orbits(**(arguments | changes))
 

@@ -4,23 +4,11 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from nonsmooth import InputError, simulate, sweep
+from nonsmooth import InputError, simulate, solve, sweep
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
-from nonsmooth.runtime.model.kernels import kernels_of
-from nonsmooth.runtime.orbits.table_many import solve_itineraries
+from tests.two_masses import CHAIN, PHASES, STICKING
 
-STICK = {"chi": "0.5", "eta": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
-TWO = {
-    **{"chi": "0.4", "eta": 4, "V": "0.6773"},
-    **{"us1": "0.0127", "ur1": "0.0255", "us2": "0.5", "ur2": 1},
-}
-ITINERARY = [
-    ("stick-stick", "first-breaks-forward"),
-    ("slip-stick", "second-breaks-forward"),
-    ("slip-slip", "first-reaches-belt"),
-    ("stick-slip", "second-reaches-belt"),
-]
-STOP = {"m1": 1, "m2": 2, "k1": 1, "k2": 5}
+STICK = {name: value for name, value in STICKING.items() if name != "V"}
 REST = dict.fromkeys(("x1", "x2", "v1", "v2"), 0)
 
 
@@ -42,12 +30,12 @@ def swept(**changes):
 @pytest.mark.compiled
 @pytest.mark.parametrize("place", range(4))
 def test_along_the_branch_a_sweep_gives_the_orbit(place):
-    diagram = swept(configuration=ITINERARY[place][0])
-    branch = solve_itineraries(
-        kernels_of("dry-friction"),
-        ITINERARY,
+    diagram = swept(configuration=PHASES[place][0])
+    branch = solve(
+        "dry-friction",
         STICK | {"V": diagram.values},
         [1.02, 2.0, 1.57, 3.28],
+        itinerary=PHASES,
         multipliers=True,
     )
     assert branch.converged.all()
@@ -151,7 +139,7 @@ def test_bad_sweeps(changes, match):
 def test_a_start_inside_the_stop_is_told():
     with pytest.raises(InputError, match="for no value of r"):
         sweep(
-            "rigid-stop", STOP, "r", [0.5, 0.6], REST | {"x1": 2}, state="x2",
+            "rigid-stop", CHAIN, "r", [0.5, 0.6], REST | {"x1": 2}, state="x2",
             configuration="free", transient=10,
         )  # fmt: skip
 

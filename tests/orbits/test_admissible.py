@@ -8,46 +8,18 @@ import pytest
 from numpy.testing import assert_allclose
 
 from nonsmooth import InputError, refine, solve
-from nonsmooth.runtime.core.values import as_value
-from nonsmooth.runtime.model.kernels import backend, load_orbit
-from nonsmooth.runtime.orbits.admissible import NEITHER, NO_ORBIT, _admissible_numpy, kernel_limits
-from nonsmooth.runtime.orbits.kernel_problem import kernel_problem
-from nonsmooth.runtime.orbits.one_point import search
-from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.present.report import orbit_json
-from tests.declared import Declared
+from nonsmooth.runtime.model.kernels import backend
+from nonsmooth.runtime.orbits.equations import equations_of
+from tests.declared import Declared, single
 
 ORBIT = "dry-friction/global-stick"
 PARAMETERS = ("chi", "eta", "V", "e1", "e2")
-UNKNOWNS = ("z10", "z20", "ta", "tau", "tau1", "tau2")
-DWELL_TIMES = UNKNOWNS[2:]
 LOWER, UPPER = np.array([0.3, 0.6, 0.7, 2.3, 0.3]), np.array([0.7, 1.6, 1.3, 3.8, 0.9])
 CONFIGURATIONS = ("stick-stick", "slip-stick", "slip-slip", "stick-slip")
 
 
-def record(point, unknowns):
-    """An orbit of given numbers, without solving."""
-    given = {n: as_value(float(v)) for n, v in zip(PARAMETERS, point, strict=True)}
-    numbers = dict(zip(UNKNOWNS, map(float, unknowns), strict=True))
-    return Orbit(kernel_problem(load_orbit(ORBIT)), given, numbers, {}, 0.0, 15, 0, 0)
-
-
 def random_points(seed, count):
     return LOWER + (UPPER - LOWER) * np.random.default_rng(seed).random((count, 5))
-
-
-def all_roots():
-    """Solutions of the equations, admissible or not, with their parameters."""
-    kernels, found = load_orbit(ORBIT), []
-    for point in random_points(21, 4):
-        roots = search(kernels, point)
-        found += [(point, root) for root in roots[:10] if root[2:].sum() < 60]
-    return found
-
-
-@pytest.fixture(scope="module")
-def roots():
-    return all_roots()
 
 
 @pytest.fixture(scope="module")
@@ -58,21 +30,7 @@ def admissible():
     many = solve(ORBIT, dict(zip(PARAMETERS, points.T, strict=True)))
     bounds = many.bounds["us1"]
     positive, ordinary = (np.flatnonzero(b) for b in (bounds > 1e-3, bounds[1000:] == 0))
-    chosen = [*positive[:4], *(1000 + ordinary)]
-    return [record(points[i], [many.unknowns[n][i] for n in UNKNOWNS]) for i in chosen]
-
-
-# --- solutions that are no motions
-
-
-def test_a_violation_is_reported_in_full(roots):
-    point, root = next(r for r in roots if record(*r).admissibility.verdict is False)
-    found = orbit_json(record(point, root))
-    assert found["admissible"] is False
-    assert "requires" not in found
-    for violation in found["violations"]:
-        assert set(violation) == {"phase", "configuration", "boundary", "time", "excess"}
-        assert float(violation["excess"]) > 0
+    return [single(many, i) for i in [*positive[:4], *(1000 + ordinary)]]
 
 
 def test_an_open_parameter_is_above_its_bound_to_the_last_bit():
@@ -104,24 +62,25 @@ def test_an_orbit_is_never_refused_for_rounding():
     refused = np.flatnonzero(many.converged & ~many.admissible)
     assert len(refused) > count // 20
     for i in refused[:: max(1, len(refused) // 100)]:
-        orbit = record(points[:, i], [many.unknowns[n][i] for n in UNKNOWNS])
-        assert max(v.excess for v in orbit.admissibility.violations) > 1e-9
+        violations = single(many, i).admissibility.violations
+        assert max(v.excess for v in violations) > 1e-9
 
 
 def test_a_dwell_time_that_is_not_positive_is_a_violation():
     for name, time in (("ta", -0.25), ("tau2", 0.0)):
-        phase = DWELL_TIMES.index(name)
         orbit = solve(ORBIT)
+        phase = orbit.dwell_time_names.index(name)
         wrong = replace(orbit, unknowns=dict(orbit.unknowns) | {name: time})
         (violation,) = wrong.admissibility.violations
         assert wrong.admissibility.verdict is False
         assert (violation.phase, violation.configuration) == (phase, CONFIGURATIONS[phase])
         assert violation.excess == -time
-        unknowns = np.array([[wrong.unknowns[n] for n in UNKNOWNS]])
-        point = np.array([[wrong.values[n] for n in PARAMETERS]])
-        limit, bounds = kernel_limits(load_orbit(ORBIT), point, unknowns)
-        assert limit[0] == NO_ORBIT
-        assert np.isnan(bounds).all()
+        told = wrong.to_json()
+        assert told["admissible"] is False
+        assert "requires" not in told
+        (told,) = told["violations"]
+        assert set(told) == {"phase", "configuration", "boundary", "time", "excess"}
+        assert float(told["excess"]) == -time
 
 
 def test_an_orbit_with_a_negative_dwell_time_is_found_and_refused():
@@ -154,31 +113,23 @@ def binding(admissible):
 
 
 @pytest.mark.parametrize("shift", [-1e-6, 1e-6])
-def test_given_forces_decide(binding, shift):
-    for orbit, us, other in binding:
-        bounds = required(orbit)
-        found = with_forces(orbit, {us: bounds[us] + shift, other: bounds[other] + 0.1})
-        assert found.admissibility.verdict is (shift > 0)
-        assert found.admissibility.requires == ()
-        violations = found.admissibility.violations
-        assert bool(violations) == (shift < 0)
-        mass = "first" if us == "us1" else "second"
-        for violation in violations:
-            assert violation.boundary == f"{mass}-breaks-backward"
-        if violations:
-            assert max(v.excess for v in violations) == pytest.approx(2e-6, rel=1e-3)
-
-
-@pytest.mark.parametrize("shift", [-1e-6, 1e-6])
-def test_static_forces_decide_as_sliding_ones(binding, shift):
+def test_given_forces_decide_the_static_as_the_sliding_ones(binding, shift):
     for orbit, us, other in binding:
         bounds = required(orbit)
         sliding = {us: bounds[us] + shift, other: bounds[other] + 0.1}
         static = {f"ur{m}": sliding[f"us{m}"] + orbit.values[f"e{m}"] for m in "12"}
         physical = {n: orbit.values[n] for n in ("chi", "eta", "V")} | sliding | static
         every = solve(ORBIT, physical, dict(orbit.unknowns))
-        alone = with_forces(orbit, static)
-        assert every.admissibility.verdict is alone.admissibility.verdict is (shift > 0)
+        for found in (with_forces(orbit, sliding), with_forces(orbit, static), every):
+            assert found.admissibility.verdict is (shift > 0)
+            assert found.admissibility.requires == ()
+            violations = found.admissibility.violations
+            assert bool(violations) == (shift < 0)
+            mass = "first" if us == "us1" else "second"
+            for violation in violations:
+                assert violation.boundary == f"{mass}-breaks-backward"
+            if violations:
+                assert max(v.excess for v in violations) == pytest.approx(2e-6, rel=1e-3)
 
 
 def test_both_forces_are_judged(binding):
@@ -289,42 +240,12 @@ def test_the_guaranteed_search_finds_it(grazing):
     assert before.admissibility.verdict == "conditional"
 
 
-def test_the_batch_finds_it(grazing):
-    points = np.array([[o.values[n] for n in PARAMETERS] for o in grazing])
-    unknowns = np.array([[o.unknowns[n] for n in UNKNOWNS] for o in grazing])
-    limit, _ = kernel_limits(load_orbit(ORBIT), points, unknowns)
-    assert list(limit == NEITHER) == [True, False]
-    many = solve(ORBIT, dict(zip(PARAMETERS, points.T, strict=True)))
-    assert_allclose(many.unknowns["tau1"], unknowns[:, 4], rtol=1e-9)
+def test_the_batch_finds_it_and_names_it(grazing):
+    equations = equations_of(grazing[0])
+    points = np.array([[o.values[n] for n in equations.names] for o in grazing])
+    assert equations.admissible(points).tolist() == [True, False]
+    many = solve(ORBIT, {n: [o.values[n] for o in grazing] for n in PARAMETERS})
+    assert_allclose(many.unknowns["tau1"], [o.unknowns["tau1"] for o in grazing], rtol=1e-9)
     # the last digits of a solution decide on the side without a violation
     assert not many.admissible[1]
-
-
-@pytest.mark.compiled
-def test_the_compiled_kernel_names_it(grazing):
-    kernels = load_orbit(ORBIT)
-    points = np.array([[o.values[n] for n in PARAMETERS] for o in grazing])
-    unknowns = np.array([[o.unknowns[n] for n in UNKNOWNS] for o in grazing])
-    _, boundary, excess, instant = kernels.admissible(points, unknowns)
-    assert boundary[0] == -1
-    found = kernels.boundaries[boundary[1]]
-    (violation,) = grazing[1].admissibility.violations
-    assert (found.phase, found.name) == KEY
-    assert excess[1] == pytest.approx(violation.excess, abs=1e-12)
-    offset = grazing[1].values["ta"] + grazing[1].values["tau"]
-    assert instant[1] == pytest.approx(violation.time - offset, abs=1e-6)
-
-
-@pytest.mark.compiled
-def test_numpy_gives_the_bounds_of_the_compiled_kernel():
-    orbit = solve(ORBIT)
-    kernels = orbit.kernels
-    points, unknowns = (
-        np.array([[float(orbit.values[key]) for key in keys]])
-        for keys in (kernels.parameter_names, kernels.unknowns)
-    )
-    crossed, bounds = _admissible_numpy(kernels, points, unknowns)
-    limit, expected = kernel_limits(kernels, points, unknowns)
-    assert crossed.tolist() == limit.tolist() == [NEITHER]
-    assert bounds.max() > 0
-    assert_allclose(bounds, expected, rtol=1e-12)
+    assert many.limits[many.limit[1]] == f"phase {KEY[0] + 1} {CONFIGURATIONS[KEY[0]]}: {KEY[1]}"

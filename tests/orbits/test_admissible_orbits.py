@@ -11,10 +11,9 @@ from numpy.testing import assert_allclose
 from nonsmooth import refine, solve
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.kernels import backend, load_orbit, orbit_names
-from nonsmooth.runtime.orbits.admissible import NEITHER, kernel_limits
+from nonsmooth.runtime.orbits.equations import equations_of
 from nonsmooth.runtime.orbits.one_point import search
-from nonsmooth.runtime.orbits.orbit import Orbit
-from tests.declared import RANGES, Declared, random_points
+from tests.declared import RANGES, Declared, random_points, single
 
 RIGID, ELASTIC = "rigid-stop/one-impact", "elastic-stop/one-contact"
 STICK = "dry-friction/global-stick"
@@ -22,13 +21,10 @@ COUNT, STIFFEST = (400, 12) if backend() == "c" else (60, 6)  # powers of ten
 every_orbit = pytest.mark.parametrize("name", orbit_names())
 
 
-def records(name, points):
+def found_at(name, points):
     """What a batch finds at the points, as orbits, with or without a motion behind them."""
     many = solve(name, points)
-    for i in np.flatnonzero(many.converged):
-        given = {n: as_value(float(a[i])) for n, a in points.items()}
-        unknowns = {n: float(a[i]) for n, a in many.unknowns.items()}
-        yield Orbit(many.problem, given, unknowns, {}, float(many.residual[i]), 15, 0, 0)
+    return (single(many, i) for i in np.flatnonzero(many.converged))
 
 
 def sampled(piece, start, duration, count):
@@ -78,7 +74,7 @@ def roots(orbit, most):
 
 @every_orbit
 def test_violations_are_those_of_dense_sampling(name):
-    verdicts, phases, found_by_batch = set(), set(), [*records(name, random_points(name, 41, 40))]
+    verdicts, phases, found_by_batch = set(), set(), [*found_at(name, random_points(name, 41, 40))]
     several = chain(*(islice(roots(orbit, 60), 10) for orbit in found_by_batch[:4]))
     for orbit in chain(found_by_batch, several if name == STICK else ()):
         found = {(v.phase, v.boundary): v for v in orbit.admissibility.violations}
@@ -116,7 +112,7 @@ def test_bounds_on_open_parameters_are_those_of_dense_sampling(name):
         points = {
             n: np.append(a, b[thrown][:4]) for (n, a), b in zip(points.items(), fast, strict=True)
         }
-    for orbit in records(name, points):
+    for orbit in found_at(name, points):
         if orbit.admissibility.verdict is False:
             continue
         required = {r.parameter: r.greater_than for r in orbit.admissibility.requires}
@@ -156,7 +152,7 @@ def test_stiff_stops_are_never_refused_for_rounding():
     points = {n: generator.uniform(*RANGES[ELASTIC][n], COUNT) for n in RANGES[ELASTIC]}
     points["k3"] = 10 ** generator.uniform(0, STIFFEST, COUNT)
     verdicts, doubtful = [], []
-    for orbit in records(ELASTIC, points):
+    for orbit in found_at(ELASTIC, points):
         if orbit.unknowns["tau"] > 300 / orbit.values["k3"] ** 0.5:
             continue  # a hundred swings in contact take long to check
         violations = orbit.admissibility.violations
@@ -181,10 +177,9 @@ def test_a_penetration_of_a_stiff_stop_is_seen():
     (violation,) = (v for v in orbit.admissibility.violations if v.phase == 0)
     assert violation.excess == pytest.approx(orbit.unknowns["u"] / 1e6, rel=1e-3)
     assert violation.time == pytest.approx(1.5 * half, rel=1e-2)
-    points = np.array([[o.values[n] for n in o.kernels.parameter_names] for o in (plain, orbit)])
-    unknowns = np.array([list(o.unknowns.values()) for o in (plain, orbit)])
-    limit, _ = kernel_limits(load_orbit(ELASTIC), points, unknowns)
-    assert (limit == NEITHER).tolist() == [True, False]
+    equations = equations_of(plain)
+    points = np.array([[o.values[n] for n in equations.names] for o in (plain, orbit)])
+    assert equations.admissible(points).tolist() == [True, False]
 
 
 def test_a_slow_penetration_is_seen_whatever_the_mass():
@@ -218,7 +213,7 @@ def test_a_penetration_too_shallow_to_be_seen_is_one():
 def test_where_a_phase_begins_on_a_boundary(name):
     """Of the table: there a boundary's function is zero, at any orbit and near it."""
     kernels = load_orbit(name)
-    for orbit in records(name, random_points(name, 44, 12)):
+    for orbit in found_at(name, random_points(name, 44, 12)):
         steps = Declared(orbit).steps
         for boundary in kernels.boundaries:
             piece, start, _ = steps[boundary.phase]
@@ -262,15 +257,13 @@ def test_units_of_time_change_nothing(name, scale):
 def test_what_meets_no_boundary_is_not_admissible(name):
     """Data that miss the boundaries by more than rounding are no motion."""
     orbit = solve(name)
-    parameters = np.array([[orbit.values[n] for n in orbit.kernels.parameter_names]])
-    exact = np.array([list(orbit.unknowns.values())])
-    assert kernel_limits(load_orbit(name), parameters, exact)[0] == NEITHER
+    equations = equations_of(orbit)
     for unknown in orbit.kernels.timed:
-        place = orbit.kernels.unknowns.index(unknown)
-        late = exact.copy()
-        late[:, place] += 1e-6  # beyond the end of a phase its boundary is crossed
-        assert kernel_limits(load_orbit(name), parameters, late)[0] != NEITHER
-        record = replace(orbit, unknowns=dict(zip(orbit.unknowns, late[0].tolist(), strict=True)))
+        # beyond the end of a phase its boundary is crossed
+        late = equations.values + 1e-6 * np.array([n == unknown for n in equations.names])
+        assert equations.admissible(np.stack([equations.values, late])).tolist() == [True, False]
+        value = late[equations.names.index(unknown)]
+        record = replace(orbit, unknowns={**orbit.unknowns, unknown: float(value)})
         assert record.admissibility.verdict is False
 
 

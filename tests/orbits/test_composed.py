@@ -6,14 +6,11 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from nonsmooth import InputError, NoConvergence, refine, solve
 from nonsmooth.derive import RigidStop, oscillator
-from nonsmooth.runtime.model.kernels import compiled_engine, load_system
-from nonsmooth.runtime.model.parameters import parameter_points
-from nonsmooth.runtime.model.piecewise import numbers_at
-from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.shooting import table_newton
-from nonsmooth.runtime.shooting.newton import CONVERGED, INVALID, NEGATIVE, SINGULAR, STALLED
-from nonsmooth.runtime.shooting.shooting_map import itinerary_shape, numbers_in, shoot
-from nonsmooth.runtime.shooting.table_newton import solve_in_python, solve_shape
+from nonsmooth.runtime.model.engine_layout import layout_of, numbers_of
+from nonsmooth.runtime.model.kernels import compiled_engine
+from tests.engines import with_both
+from tests.places import GALLERY
+from tests.shifting_systems import PULLED, SLED, settled_orbit
 from tests.two_masses import CHAIN, PHASES, RUBBING, STICKING
 
 STICK_GUESS = [1.02, 2.0, 1.57, 3.28]
@@ -22,8 +19,6 @@ SYMMETRIC_GUESS = [2.65, 2.24]
 CONTACT = [("contact", "first-leaves-stop"), ("free", "first-reaches-stop")]
 IMPACT = [("free", "first-reaches-stop")]
 TRACE = -0.980114981284158715
-
-needs_engine = pytest.mark.skipif(compiled_engine() is None, reason="the engine is not compiled")
 
 
 def stick(**changes):
@@ -53,14 +48,6 @@ def test_global_stick_from_every_phase(first):
     assert orbit.stability.rank == 1
     assert orbit.stability.verdict == "stable"
     assert orbit.admissibility.verdict is True
-
-
-def test_start_section_and_physical_coordinates():
-    orbit, kernels = stick(), solve("dry-friction/global-stick")
-    assert orbit.multipliers.shape == (2,)  # as the kernels': behind it both masses are stuck
-    chi, us1, us2 = 0.5, 1.0, 1.0
-    origin = [(us1 + us2) / (1 - chi), (chi * us1 + us2) / (chi * (1 - chi)), 0, 0]
-    assert_allclose(orbit.states, kernels.states + origin, rtol=0, atol=1e-12)
 
 
 def test_many_phases():
@@ -101,180 +88,96 @@ def test_a_transition_that_the_conditions_refuse():
     assert refused == [(3, "second-reaches-belt")]
 
 
-def test_linearisation_against_finite_differences():
-    orbit = stick()
-    numbers, cycle, step = numbers_in(orbit.tables.piecewise), orbit.tables.cycle, 1e-6
-    now = orbit.tables.shooting
-    for k, unit in enumerate(np.eye(4)):
-        moved = []
-        for sign in (1, -1):
-            change = now.rates[:, :-1] @ (sign * step * unit)
-            moved.append(
-                shoot(
-                    cycle,
-                    numbers,
-                    orbit.dwell_times + change,
-                    orbit.states[0] + sign * step * unit,
-                    np,
-                )
-            )
-        slopes = (moved[0].starts[-1] - moved[1].starts[-1]) / (2 * step)
-        assert_allclose(now.variational[:, k], slopes, rtol=0, atol=2e-8)
-        gaps = (moved[0].residual - moved[1].residual) / (2 * step)
-        assert_allclose(gaps, 0, atol=2e-8)
-
-
-def test_residual_is_removed_by_the_affine_part():
-    orbit = stick()
-    numbers, cycle = numbers_in(orbit.tables.piecewise), orbit.tables.cycle
-    errors = []
-    for size in (1e-3, 1e-4):
-        dwell = orbit.dwell_times * (1 + size * np.array([1, -1, 0.5, 0.3]))
-        first = shoot(cycle, numbers, dwell, orbit.states[0], np)
-        second = shoot(cycle, numbers, dwell + first.rates[:, -1], orbit.states[0], np)
-        errors.append(abs(second.residual).max())
-    assert errors[1] < 2e-2 * errors[0]  # of the second order
-
-
-def test_monodromy_keeps_the_field_and_saltations_map_it():
-    orbit = stick()
-    field = orbit.tables.piecewise.fields[orbit.tables.cycle.configurations[0]]
-    speed = field[:, :-1] @ orbit.states[0] + field[:, -1]
-    assert_allclose(orbit.monodromy @ speed, speed, atol=1e-13)
-    for place, jump in enumerate(orbit.saltations):
-        after = orbit.tables.piecewise.fields[orbit.tables.cycle.configurations[(place + 1) % 4]]
-        state = orbit.states[(place + 1) % 4]
-        assert_allclose(
-            jump @ orbit.tables.shooting.velocities[place],
-            after[:, :-1] @ state + after[:, -1],
-            atol=1e-12,
-        )
-    nonzero = np.linalg.eigvals(orbit.monodromy)
-    assert min(abs(nonzero - TRACE)) < 1e-7
-
-
-def made(data):
-    kernels = load_system("dry-friction")
-    points, _ = parameter_points(kernels, data)
-    (group,) = numbers_at(kernels, points)
-    return structure_of(kernels), group.flat
-
-
-@needs_engine
-@pytest.mark.parametrize("guided", [False, True])
-def test_compiled_as_in_python(guided):
+@pytest.mark.compiled
+@pytest.mark.parametrize(("guided", "threads"), [(False, None), (True, 2)])
+def test_compiled_as_in_python_whatever_the_threads(guided, threads):
     random = np.random.default_rng(11)
-    count = 50
-    data = {name: float(value) for name, value in STICKING.items()}
-    data["eta"] = 1 + 0.05 * random.uniform(-1, 1, count)
-    data["V"] = 1 + 0.05 * random.uniform(-1, 1, count)
-    data["eta"][7] = -1  # outside its domain
-    structure, flat = made(data)
-    cycle, free = itinerary_shape(structure, PHASES), np.full(count, np.nan)
-    dwell = np.tile(STICK_GUESS, (count, 1))
-    start = np.tile(stick().states[0], (count, 1)) if guided else None
-    compiled = solve_shape(cycle, flat, dwell, start, free)
-    python = solve_in_python(cycle, flat, dwell, start, free)
-    assert compiled.status[7] == python.status[7] == INVALID
-    assert np.delete(compiled.status, 7).max() == CONVERGED
-    for found, wanted in zip(compiled, python, strict=True):
-        assert_allclose(
-            np.delete(found, 7, axis=0), np.delete(wanted, 7, axis=0), rtol=0, atol=1e-12
-        )
+    eta, speed = 1 + 0.05 * random.uniform(-1, 1, (2, 50))
+    eta[7] = -1  # outside its domain
+    data = STICKING | {"eta": eta, "V": speed}
+    guess = [*STICK_GUESS, *(stick().states[0] if guided else ())]
+    compiled, python = with_both(
+        solve, "dry-friction", data, guess, itinerary=PHASES, threads=threads, multipliers=True
+    )
+    assert compiled.converged.tolist() == python.converged.tolist() == [k != 7 for k in range(50)]
+    assert "domain" in compiled.message(compiled.status[7])
+    assert_array_equal(compiled.status, python.status)
+    assert_array_equal(compiled.admissible, python.admissible)
+    for name in ("dwell_times", "starts", "trace", "multipliers", "margin", "residual"):
+        found, wanted = (getattr(each, name) for each in (compiled, python))
+        assert_allclose(found, wanted, rtol=0, atol=1e-12, err_msg=name)
+    whole = solve("dry-friction", data, guess, itinerary=PHASES, threads=1, multipliers=True)
+    for name in ("dwell_times", "starts", "trace", "multipliers"):
+        assert_array_equal(getattr(compiled, name), getattr(whole, name))
 
 
-either_solver = pytest.mark.parametrize(
-    "solver", [pytest.param(solve_shape, marks=needs_engine), solve_in_python]
-)
-
-
-@either_solver
 @pytest.mark.parametrize(
     ("system", "data", "itinerary", "guess", "period", "status"),
     [
-        ("dry-friction", STICKING, PHASES, STICK_GUESS, np.nan, CONVERGED),
-        ("dry-friction", STICKING, PHASES, STICK_GUESS, 8, STALLED),
-        ("dry-friction", STICKING, PHASES, [0.1] * 4, np.nan, NEGATIVE),
-        ("elastic-stop", CHAIN | {"k3": 1}, CONTACT, [2.1, 4.2], np.nan, SINGULAR),
-        ("elastic-stop", CHAIN | {"k3": 1}, CONTACT, [2.1, 4.2], 2 * np.pi, CONVERGED),
-        ("rigid-stop", CHAIN | {"r": 1}, IMPACT, [6.2], np.nan, SINGULAR),
-        ("rigid-stop", CHAIN | {"r": 1}, IMPACT, [6.2], np.inf, INVALID),
+        ("dry-friction", STICKING, PHASES, STICK_GUESS, None, "converged"),
+        ("dry-friction", STICKING, PHASES, STICK_GUESS, 8, "not converged"),
+        ("dry-friction", STICKING, PHASES, [0.1] * 4, None, "dwell time goes to zero"),
+        ("elastic-stop", CHAIN | {"k3": 1}, CONTACT, [2.1, 4.2], None, "singular"),
+        ("elastic-stop", CHAIN | {"k3": 1}, CONTACT, [2.1, 4.2], 2 * np.pi, "converged"),
+        ("rigid-stop", CHAIN | {"r": 1}, IMPACT, [6.2], None, "singular"),
+        ("rigid-stop", CHAIN | {"r": 1}, IMPACT, [6.2], 2 * np.pi, "converged"),
     ],
 )
-def test_either_solver_gives_every_status(solver, system, data, itinerary, guess, period, status):
-    kernels = load_system(system)
-    (group,) = numbers_at(kernels, parameter_points(kernels, data)[0])
-    cycle = itinerary_shape(structure_of(kernels), itinerary)
-    found = solver(cycle, group.flat, np.array([guess]), None, np.array([float(period)]))
-    assert found.status.tolist() == [status]
+def test_either_solver_gives_every_status(backend, system, data, itinerary, guess, period, status):
+    given = {} if period is None else {"period": period}
+    one = solve(system, data, guess, itinerary=itinerary, given=given, throw=False)
+    many = solve(system, data, [guess], itinerary=itinerary, given=given)
+    assert many.status.tolist() == [one.status]
+    assert status in one.message
+    assert one.converged == (status == "converged")
 
 
-@either_solver
-def test_what_is_lost_at_the_very_last_step_is_said_to_be_lost(solver):
+@pytest.mark.compiled
+def test_what_is_lost_at_the_very_last_step_is_said_to_be_lost():
     """Dwell times grow fourfold at each step, exponential motions along them beyond any number."""
     falling = oscillator(
         "falling", ["x"], mass=[[1]], stiffness=[[-1]],
         elements=[RigidStop("x", at=1, restitution=1, name="wall")],
     )  # fmt: skip
-    (group,) = numbers_at(load_system(falling), parameter_points(load_system(falling), {})[0])
-    cycle = itinerary_shape(group.structure, [("free", "wall-reaches-stop")])
-    count = 40
-    dwell, start = np.geomspace(1e-17, 1e-15, count)[:, None], np.tile([1.0, -1e-3], (count, 1))
-    flat = np.repeat(group.flat, count, axis=0)
-    found = solver(cycle, flat, dwell, start, np.full(count, 1e4))
-    assert set(found.status) == {STALLED, INVALID}
-    assert np.isfinite(found.residual[found.status == STALLED]).all()
-    assert (found.iterations[~np.isfinite(found.residual)] == 32).any()
+    guesses = [[dwell, 1.0, -1e-3] for dwell in np.geomspace(1e-17, 1e-15, 40)]
+    phases = [("free", "wall-reaches-stop")]
+    found, python = with_both(solve, falling, {}, guesses, itinerary=phases, given={"period": 1e4})
+    assert_array_equal(found.status, python.status)
+    told = [found.message(status).partition(":")[0] for status in found.status.tolist()]
+    assert {*told} == {"not converged", "not finite"}
+    assert 32 in found.iterations[np.array(told) == "not finite"]
 
 
-@needs_engine
-def test_compiled_as_in_python_with_a_period(monkeypatch):
-    found = []
-    for backend in ("c", "numpy"):
-        monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
-        found.append(
-            solve(
-                "elastic-stop",
-                CHAIN | {"k3": 1},
-                [2, 4],
-                itinerary=CONTACT,
-                given={"period": "2*pi"},
-            )
-        )
-    assert_allclose(found[0].dwell_times, found[1].dwell_times, atol=1e-12)
-    assert_allclose(found[0].states, found[1].states, atol=1e-12)
+def itineraries():
+    """Orbits by tables, with what is varied: two stick, one is shifted, one turns on."""
+    sled = settled_orbit(SLED, PULLED, [0, 1, 0, 0.4])
+    gear = solve(f"{GALLERY}/backlash_gear.py:rattle")
+    varied = {"eta": np.linspace(0.95, 1.05, 3)[:, None], "V": [0.98, 1.02]}
+    return [(stick(), varied), (sled, {"V": [0.5, 0.51]}), (gear, {"c": [0.0998, 0.1, 0.1002]})]
 
 
+@pytest.mark.compiled  # two of its orbits are found by simulation
 def test_many_points():
-    eta = np.linspace(0.95, 1.05, 3)[:, None]
-    data = STICKING | {"eta": eta, "V": [0.98, 1.02]}
-    many = solve("dry-friction", data, STICK_GUESS, itinerary=PHASES, multipliers=True)
-    assert many.admissible.all()
-    assert many.converged.all()
-    assert many.dwell_times.shape == (3, 2, 4)
-    assert many.starts.shape == (3, 2, 4, 4)
-    assert many.multipliers.shape == (3, 2, 2)
-    for i, j in np.ndindex(3, 2):
-        one = stick(eta=eta[i, 0], V=[0.98, 1.02][j])
-        assert_allclose(many.dwell_times[i, j], one.dwell_times, atol=1e-12)
-        assert_allclose(many.starts[i, j], one.states, atol=1e-12)
-        assert many.trace[i, j] == pytest.approx(one.trace, abs=1e-12)
-        assert_allclose(many.multipliers[i, j], one.multipliers, atol=1e-12)
-        assert many.multipliers[i, j, 1] == 0
-        assert many.margin[i, j] == pytest.approx(one.stability.margin, abs=1e-12)
-
-
-@pytest.mark.parametrize("threads", [1, 2])
-def test_threads_and_chunks_change_nothing(threads, monkeypatch):
-    monkeypatch.setattr("nonsmooth.runtime.orbits.table_many.CHUNK", 3)
-    data = STICKING | {"V": np.linspace(0.98, 1.02, 8)}
-    start = stick().states[0]
-    guess = [*STICK_GUESS, *start]
-    many = solve("dry-friction", data, guess, itinerary=PHASES, threads=threads)
-    monkeypatch.undo()
-    whole = solve("dry-friction", data, guess, itinerary=PHASES)
-    assert_array_equal(many.dwell_times, whole.dwell_times)
-    assert_array_equal(many.trace, whole.trace)
+    for orbit, varied in itineraries():
+        system, phases = orbit.problem.system, orbit.itinerary
+        data = {name: float(value) for name, value in orbit.parameters.items()} | varied
+        guess = [*map(float, orbit.dwell_times), *map(float, orbit.states[0])]
+        many = solve(system, data, guess, itinerary=phases, multipliers=True)
+        shape = np.broadcast_shapes(*(np.shape(array) for array in varied.values()))
+        assert many.converged.shape == many.admissible.shape == shape
+        assert many.dwell_times.shape == (*shape, len(phases))
+        assert many.starts.shape == (*shape, len(phases), len(orbit.states[0]))
+        for place in np.ndindex(shape):
+            point = {n: float(np.broadcast_to(a, shape)[place]) for n, a in data.items()}
+            one = solve(system, point, guess, itinerary=phases)
+            assert_allclose(many.dwell_times[place], one.dwell_times, rtol=1e-10)
+            assert_allclose(many.starts[place], one.states, atol=1e-9)
+            assert many.trace[place] == pytest.approx(one.trace, abs=1e-8)
+            missing = many.multipliers.shape[-1] - len(one.multipliers)
+            mine = np.append(one.multipliers, np.zeros(missing))
+            assert_allclose(many.multipliers[place], mine, atol=1e-8)
+            assert many.margin[place] == pytest.approx(one.stability.margin, abs=1e-9)
+            assert bool(many.admissible[place]) is one.admissibility.verdict
 
 
 @pytest.mark.parametrize("first", range(4))
@@ -296,57 +199,50 @@ def test_no_points_and_lost_points():
     none = solve("dry-friction", STICKING | {"V": []}, STICK_GUESS, itinerary=PHASES)
     assert none.dwell_times.shape == (0, 4)
     lost = solve("dry-friction", STICKING | {"V": [-1, 1]}, STICK_GUESS, itinerary=PHASES)
-    assert lost.status.tolist() == [INVALID, CONVERGED]
+    assert lost.converged.tolist() == [False, True]
     assert np.isnan(lost.dwell_times[0]).all()
     assert np.isnan(lost.trace[0])
-    assert "domain" in lost.message(INVALID)
+    assert "domain" in lost.message(lost.status[0])
 
 
-def test_forty_digits():
-    orbit = solve("dry-friction", STICKING, STICK_GUESS, itinerary=PHASES, digits=40)
-    kernels = refine(solve("dry-friction/global-stick"), 40)
-    for found, wanted in zip(orbit.dwell_times, kernels.dwell_times, strict=True):
-        assert abs(found - wanted) < 1e-40
-    assert abs(orbit.trace - kernels.trace) < 1e-38
-    assert orbit.multipliers[1] == 0
-    assert orbit.residual < 1e-40
-    assert orbit.stability.verdict == "stable"
-    assert orbit.admissibility.verdict is True
-
-
+@pytest.mark.parametrize(
+    ("orbit", "data", "itinerary", "guess", "period"),
+    [
+        ("dry-friction/global-stick", STICKING, PHASES, STICK_GUESS, None),
+        ("dry-friction/symmetric", RUBBING, SYMMETRIC, SYMMETRIC_GUESS, None),
+        ("elastic-stop/one-contact", CHAIN | {"k3": 1}, CONTACT, [2.1, 4.2], "2*pi"),
+        ("rigid-stop/one-impact", CHAIN | {"r": 1}, IMPACT, [6.2], "2*pi"),
+    ],
+)
 @pytest.mark.parametrize("digits", [15, 40])
-def test_elastic_stop_of_given_period(digits):
-    orbit = solve(
-        "elastic-stop",
-        CHAIN | {"k3": 1},
-        [2.1, 4.2],
-        itinerary=CONTACT,
-        given={"period": "2*pi"},
-        digits=digits,
-    )
-    kernels = solve("elastic-stop/one-contact")
+def test_an_orbit_by_tables_is_the_one_of_the_kernels(
+    orbit, data, itinerary, guess, period, digits
+):
+    given = {} if period is None else {"period": period}
+    system = orbit.partition("/")[0]
+    found = solve(system, data, guess, itinerary=itinerary, given=given, digits=digits)
+    kernels = solve(orbit)
     kernels = kernels if digits == 15 else refine(kernels, digits)
-    assert orbit.converged
-    assert orbit.tables.family
-    limit = 10.0 ** -(13 if digits == 15 else 40)
-    for found, wanted in zip(orbit.dwell_times, kernels.dwell_times, strict=True):
-        assert abs(found - wanted) < limit
-    for found, wanted in zip(orbit.states[0], kernels.states[0], strict=True):
-        assert abs(found - wanted) < 10 * limit
-    assert abs(orbit.trace - kernels.trace) < 100 * limit
-    assert orbit.stability.verdict == "neutral"
-    assert [m.trivial for m in orbit.stability.multipliers] == [False, False, True]
-    assert orbit.admissibility.verdict is True
+    limit = 10.0 ** -(13 if digits == 15 else 38)
+    for one, other in zip(found.dwell_times, kernels.dwell_times, strict=True):
+        assert abs(one - other) < limit
+    origin = [0] * 4 if "stop" in orbit else centre(found.values)
+    for one, other, shift in zip(found.states[0], kernels.states[0], origin, strict=True):
+        assert abs(one - other - shift) < 10 * limit
+    assert abs(found.trace - kernels.trace) < 100 * limit
+    assert found.residual < limit
+    assert found.stability.verdict == kernels.stability.verdict
+    assert found.tables.family == (period is not None)
+    for one, other in zip(found.stability.multipliers, kernels.stability.multipliers, strict=True):
+        assert abs(one.real - other.real) + abs(one.imaginary - other.imaginary) < 100 * limit
+        assert one.trivial == other.trivial
+    assert found.admissibility.verdict is True
 
 
-def test_rigid_stop_of_given_period():
-    orbit = solve("rigid-stop", CHAIN | {"r": 1}, [6.2], itinerary=IMPACT, given={"period": "2*pi"})
-    kernels = solve("rigid-stop/one-impact")
-    assert orbit.converged
-    assert_allclose(orbit.states[0], kernels.states[0], atol=1e-13)
-    assert orbit.trace == pytest.approx(kernels.trace, abs=1e-12)
-    assert orbit.stability.verdict == kernels.stability.verdict == "neutral"
-    assert orbit.admissibility.verdict is True
+def centre(values):
+    """Where the paper's positions z of the masses on the belt are zero."""
+    chi, us1, us2 = (values[name] for name in ("chi", "us1", "us2"))
+    return [(us1 + us2) / (1 - chi), (chi * us1 + us2) / (chi * (1 - chi)), 0, 0]
 
 
 @pytest.mark.parametrize(
@@ -355,7 +251,7 @@ def test_rigid_stop_of_given_period():
 )
 def test_a_family_is_said_to_be_one(system, more, itinerary, guess):
     orbit = solve(system, CHAIN | more, guess, itinerary=itinerary, digits=40, throw=False)
-    assert orbit.status == SINGULAR
+    assert orbit.message.startswith("singular")
     assert not orbit.converged
     assert "give its period" in orbit.message
     assert orbit.tables.family
@@ -372,7 +268,7 @@ def test_units_change_no_verdict():
     assert orbit.converged
     assert orbit.stability.verdict == "neutral"
     free = solve("elastic-stop", data, [2.1e-6, 4.2e-6], itinerary=CONTACT, throw=False)
-    assert free.status == SINGULAR
+    assert free.message.startswith("singular")
 
 
 def test_a_period_that_no_orbit_has():
@@ -380,7 +276,6 @@ def test_a_period_that_no_orbit_has():
     with pytest.raises(NoConvergence, match="period"):
         solve("dry-friction", STICKING, STICK_GUESS, **problem)
     orbit = solve("dry-friction", STICKING, STICK_GUESS, **problem, throw=False)
-    assert orbit.status == STALLED
     assert "period" in orbit.message
     with pytest.raises(InputError, match="no orbit"):
         _ = orbit.stability
@@ -390,7 +285,7 @@ def test_a_period_that_no_orbit_has():
 
 def test_a_phase_that_takes_no_time():
     orbit = solve("dry-friction", STICKING, [0.1] * 4, itinerary=PHASES, digits=40, throw=False)
-    assert orbit.status == NEGATIVE
+    assert "dwell time goes to zero" in orbit.message
     assert not orbit.precise
 
 
@@ -456,12 +351,10 @@ def test_bad_input_of_many(changes, match):
         solve(**arguments | changes)
 
 
-@needs_engine
+@pytest.mark.compiled
 def test_the_engine_checks_its_arrays():
-    engine = compiled_engine()
-    structure, flat = made(STICKING)
-    cycle = itinerary_shape(structure, PHASES)
-    layout = table_newton.layout_of(structure)
+    engine, system, cycle = compiled_engine(), stick().tables.piecewise, stick().tables.cycle
+    layout, flat = layout_of(system.structure), numbers_of(system)[None]
     one = np.zeros(1)
     arrays = [np.array([STICK_GUESS]), np.zeros((1, 4, 4)), np.zeros((1, 4, 4)), one.copy()]
     arrays += [np.zeros(1, dtype=np.int32), np.zeros(1, dtype=np.int32)]

@@ -15,6 +15,13 @@ KERNELS = (
     "rigid-stop/one-impact",
     "elastic-stop/one-contact",
 )
+BORDER = "dry-friction/solution-ii"
+EXCHANGED = (
+    (("e1", "e2"), {"ta": 1, "tau": 2}),
+    (("V",), {"z10": "1.2"}),
+    (("chi", "eta"), {"tau1": "1.56", "tau2": "3.3"}),
+    (("eta", "e1", "e2"), {"ta": "1.02", "tau": 2, "z20": "-2.69"}),
+)
 DECLARED = (
     f"{GALLERY}/impact_oscillator.py:two-periods",
     f"{GALLERY}/two_stops.py:symmetric",
@@ -30,32 +37,40 @@ def quantities(orbit):
 
 
 @pytest.mark.parametrize(
-    "name",
+    ("name", "exchange"),
     [
-        pytest.param(
-            name,
-            id=name.split("/")[-1],
-            marks=[pytest.mark.slow] if "jenkins" in name else [],
-        )
-        for name in (*KERNELS, *DECLARED)
+        *(pytest.param(name, ((), {}), id=name.split("/")[-1]) for name in (*KERNELS, BORDER)),
+        *(pytest.param(KERNELS[0], exchange, id="-".join(exchange[0])) for exchange in EXCHANGED),
+        *(
+            pytest.param(
+                name,
+                ((), {}),
+                id=name.split("/")[-1],
+                marks=[pytest.mark.slow] if "jenkins" in name else [],
+            )
+            for name in DECLARED
+        ),
     ],
 )
-def test_derivatives_are_those_of_orbits_of_sixty_digits(name):
-    orbit = ns.solve(name)
-    found = orbit.derivatives()
+def test_derivatives_are_those_of_orbits_of_sixty_digits(name, exchange):
+    orbit = ns.solve(name, unknown=exchange[0], given=exchange[1])
+    found = orbit.derivatives(one_sided=True)
     for place, parameter in enumerate(found.by):
         if orbit.given[parameter].exact is None:
             continue
         rates = [*found.unknowns.values(), found.period, found.trace]
         expected = [*map(float, in_digits(orbit, parameter, quantities))]
         assert_allclose([rate[place] for rate in rates], expected, rtol=1e-11, atol=1e-11)
+    for unknown in exchange[0]:
+        with pytest.raises(InputError, match=unknown):
+            orbit.derivatives(unknown)
 
 
-@pytest.mark.parametrize("name", [KERNELS[0], DECLARED[1], DECLARED[5]])
+@pytest.mark.parametrize("name", [KERNELS[0], BORDER, DECLARED[1], DECLARED[5]])
 def test_a_refined_orbit_has_derivatives_of_its_own_digits(name):
     orbit = ns.solve(name)
-    precise = ns.refine(orbit, 30).derivatives()
-    doubles = orbit.derivatives()
+    precise = ns.refine(orbit, 30).derivatives(one_sided=True)
+    doubles = orbit.derivatives(one_sided=True)
     for quantity in (*orbit.unknowns, "period", "trace", "determinant", "spectral_radius"):
         _, rates = precise.quantity(quantity)
         assert_allclose(rates.astype(float), doubles.quantity(quantity)[1], rtol=1e-11, atol=1e-12)
@@ -96,7 +111,7 @@ def test_a_function_is_nan_where_the_orbit_is_not():
 
 
 def test_a_border_collision_is_differentiated_on_request():
-    orbit = ns.solve("dry-friction/solution-ii")
+    orbit = ns.solve(BORDER)
     with pytest.raises(InputError, match=r"ta > 0.*one_sided"):
         orbit.derivatives()
     found = orbit.derivatives(one_sided=True)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import cache
 
 import mpmath
@@ -11,12 +10,10 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from nonsmooth import InputError, NoConvergence, refine, solve
-from nonsmooth.derive.systems import dry_friction
 from nonsmooth.runtime.model.kernels import load_orbit
 from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.coulomb_friction import Friction
-from tests.declared import Declared, random_points
-from tests.derive.test_equations import MP, Derived
+from tests.declared import Declared, random_points, single
 
 SYMMETRIC, STICK = "dry-friction/symmetric", "dry-friction/global-stick"
 BORDER = "dry-friction/solution-ii"
@@ -29,8 +26,7 @@ def symmetric_orbits() -> tuple[Orbit, ...]:
     many = solve(SYMMETRIC, points)
     found = [solve(SYMMETRIC)]
     for i in np.flatnonzero(many.admissible)[:4]:
-        guess = {n: float(a[i]) for n, a in many.unknowns.items()}
-        found.append(solve(SYMMETRIC, {n: float(a[i]) for n, a in points.items()}, guess))
+        found.append(single(many, i))
     assert len(found) == 5
     return tuple(found)
 
@@ -65,43 +61,6 @@ def test_the_motion_is_its_own_reversal() -> None:
                 after, before = motion(middle + shift), motion(middle - shift)
                 assert_allclose(after[:2], -before[:2], atol=1e-10)
                 assert_allclose(after[2:], before[2:], atol=1e-10)
-
-
-@cache
-def closed_in_full() -> tuple[Derived, list, list]:
-    """The same itinerary without its symmetry: exits and closure of the section."""
-    plain = replace(dry_friction.symmetric, reversor={}, start={})
-    derived = Derived(plain)
-    point = dry_friction.symmetric.reference.parameters
-    values = [MP.mpf(point[n]) for n in derived.names]
-    guess = [MP.mpf(plain.reference.guess[str(u)]) for u in derived.orbit.unknowns]
-    return derived, values, derived.solved(values, guess)
-
-
-def test_full_closure_of_the_section_gives_the_same_orbit() -> None:
-    derived, values, unknowns = closed_in_full()
-    names = [str(u) for u in derived.orbit.unknowns]
-    assert len(names) == 4  # one coordinate less to find, and to close
-    assert not any("halfway" in meaning for meaning, _ in derived.orbit.equations)
-    sharp = refine(solve(SYMMETRIC), 40)
-    for name, value in zip(names, unknowns, strict=True):
-        assert abs(MP.mpf(sharp.unknowns[name]) - value) < MP.mpf(10) ** -39
-    start = derived.run("states", values, unknowns)[:4]
-    for found, expected in zip(sharp.states[0], start, strict=True):
-        assert abs(MP.mpf(found) - expected) < MP.mpf(10) ** -38
-
-
-def test_full_closure_has_the_same_multipliers() -> None:
-    derived, values, unknowns = closed_in_full()
-    matrix = derived.matrix("poincare_jacobian", values, unknowns)
-    found = sorted(MP.eig(matrix, left=False, right=False), key=lambda m: MP.re(m))
-    sharp = refine(solve(SYMMETRIC), 40)
-    for value, multiplier, shown in zip(
-        found, sharp.stability.multipliers, MULTIPLIERS, strict=True
-    ):
-        assert abs(MP.mpf(multiplier.real) - MP.re(value)) < MP.mpf(10) ** -37
-        assert multiplier.imaginary == MP.im(value) == 0
-        assert float(multiplier.real) == pytest.approx(shown, abs=1e-8)
 
 
 def scaled_condition(matrix: np.ndarray) -> float:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -12,15 +11,9 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 import nonsmooth as ns
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
-from nonsmooth.runtime.core.complex_steps import imaginary_parts
-from nonsmooth.runtime.model.kernels import compiled_engine, uncompiled
-from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.model.table_derivatives import stepped_tables, table_rates
-from nonsmooth.runtime.orbits import many_derivatives as many
-from nonsmooth.runtime.orbits.kernel_problem import kernel_problem
-from nonsmooth.runtime.orbits.many_derivatives import derivatives_of_many
+from nonsmooth.runtime.model.kernels import compiled_engine
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
+from tests.engines import with_both
 from tests.places import GALLERY
 from tests.shifting_systems import CAPSULE, GEARED, SHAKEN, TURNED, settled_orbit
 
@@ -81,30 +74,25 @@ def cases(forced: Any) -> list[tuple[Any, dict[str, float], Any, Any]]:
 
 @pytest.mark.slow
 @pytest.mark.compiled
-def test_c_and_numpy_agree(forced: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_c_and_numpy_agree(forced: Any) -> None:
+    every: list[Any] = []
     for system, data, orbit, given in cases(forced):
-        values, guess = scattered(data, 6), [*orbit.dwell_times, *orbit.states[0]]
-        solved = ns.solve(system, values, guess, itinerary=orbit.itinerary, given=given)
-        cycle = itinerary_shape(structure_of(orbit.system), orbit.itinerary)
-        given_points = [values[table.name] for table in orbit.system.parameters]
-        points, unknowns = (
-            np.stack(part, axis=-1) for part in (given_points, [*solved.unknowns.values()])
-        )
-        dwell, start = unknowns[:, : len(cycle)], unknowns[:, len(cycle) :]
-        known = (orbit.system, cycle, points, dwell, start)
-        places = range(points.shape[1])
-        options: Any = {"timed": given is not None, "maps": True}
-        compiled = many.table_directions_many(*known, places, **options)
-        with monkeypatch.context() as patch:
-            patch.setattr(many, "compiled_engine", lambda: None)
-            plain = many.table_directions_many(*known, places, **options)
-        assert np.isfinite(plain.trace).all()
-        for mine, other in zip(compiled[:5], plain[:5], strict=True):
-            assert mine.shape == other.shape
-            assert_allclose(mine, other, rtol=1e-9, atol=1e-9 * abs(other).max())
-        alone = many.table_directions_many(*known, [1], **{**options, "maps": False})
-        assert_allclose(alone.trace[:, 0], compiled.trace[:, 1], rtol=1e-12)
-        assert alone.maps.size == alone.rates.size == 0
+        guess = [*orbit.dwell_times, *orbit.states[0]]
+        options = {"itinerary": orbit.itinerary, "given": given, "multipliers": True}
+        every.append((system, data, guess, 1e-4, options))
+    for name in KERNELS:
+        data = {key: float(value) for key, value in ns.solve(name).given.items()}
+        every.append((name, data, None, 1e-2, {}))
+    for system, data, guess, width, options in every:
+        for by in (list(data), [next(iter(data))]):
+            found, other = with_both(
+                ns.solve, system, scattered(data, 6, width), guess, derivatives=by, **options
+            )
+            for quantity, rates in other.derivatives.items():
+                for key, rate in rates.items():
+                    assert np.isfinite(rate).all()
+                    mine, scale = found.derivatives[quantity][key], abs(rate).max()
+                    assert_allclose(mine, rate, rtol=1e-8, atol=1e-9 * (1 + scale))
 
 
 @pytest.mark.compiled  # its orbit is found by simulation
@@ -145,21 +133,6 @@ def test_batches_have_the_derivatives_of_single_orbits(forced: Any) -> None:
                 mine = [rates[name][place] for name in data]
                 assert_allclose(mine, wanted, rtol=1e-8, atol=1e-8, err_msg=quantity)
         assert {"determinant", "spectral_radius"} <= {*found.derivatives}
-
-
-@pytest.mark.parametrize("name", KERNELS)
-@pytest.mark.compiled
-def test_kernels_in_c_and_on_numpy_agree(name: str) -> None:
-    orbit = ns.solve(name)
-    data = {key: float(value) for key, value in orbit.given.items()}
-    found = ns.solve(name, scattered(data, 37, 1e-2), admissibility=False)
-    kernels = found.problem.kernels
-    assert kernels.directions is not None
-    other = replace(found, problem=kernel_problem(uncompiled(kernels)))
-    mine, plain = (derivatives_of_many(each, list(data)) for each in (found, other))
-    for quantity, rates in plain.items():
-        for key, rate in rates.items():
-            assert_allclose(mine[quantity][key], rate, rtol=1e-8, atol=1e-9, err_msg=quantity)
 
 
 @pytest.mark.parametrize("rate", [1, 10**12])
@@ -210,33 +183,35 @@ def have_derivatives(orbit: Orbit, data: dict[str, float]) -> dict[str, bool]:
     return {by: bool(np.isfinite(found.derivatives["trace"][by][0])) for by in data}
 
 
-@pytest.mark.parametrize("tables", [False, True])
-def test_no_point_depends_on_its_neighbours(tables: bool) -> None:
-    name = "dry-friction/global-stick"
-    orbit = by_tables(name) if tables else ns.solve(name)
-    given = orbit.parameters if tables else orbit.given
-    values = scattered({key: float(value) for key, value in given.items()}, 600)
-    options: Any = {"derivatives": ["eta", "V"], "admissibility": False}
+@pytest.mark.parametrize(
+    ("name", "tables", "by"),
+    [
+        ("dry-friction/global-stick", False, ["eta", "V"]),
+        ("dry-friction/global-stick", True, ["eta", "V"]),
+        (f"{GALLERY}/backlash_gear.py:rattle", True, ["J", "k"]),
+        (f"{GALLERY}/two_stops.py:symmetric", True, ["d", "r"]),
+    ],
+    ids=["kernels", "tables", "rattle", "symmetric"],
+)
+def test_no_point_depends_on_its_neighbours(name: str, tables: bool, by: list[str]) -> None:
+    orbit, options = ns.solve(name), {}
+    system, given = name, orbit.given
     if tables:
-        name, options["itinerary"] = "dry-friction", orbit.itinerary
-        options["guess"] = [*orbit.dwell_times, *orbit.states[0]]
-    order = np.random.default_rng(1).permutation(600)[:531]
-    whole = ns.solve(name, values, **options)
-    part = ns.solve(name, {k: v[order] for k, v in values.items()}, **options)
-    for quantity, rates in whole.derivatives.items():
-        for key, rate in rates.items():
-            assert_array_equal(rate[order], part.derivatives[quantity][key])
-
-
-def test_table_rates_are_the_derivatives_of_the_tables() -> None:
-    kernels = by_tables("dry-friction/global-stick").system
-    point = np.array([0.4, 1.2, 0.7, 0.1, 0.2, 0.3, 0.5])
-    stepped = stepped_tables(kernels, point[None], np.eye(7), None)
-    whole = imaginary_parts(np.concatenate([part.reshape(7, -1) for part in stepped], 1), None)
-    found = table_rates(kernels, np.tile(point, (2, 1)), range(7))
-    filled = np.zeros_like(whole)
-    filled[found.directions, found.entries] = found.values[1]
-    assert_allclose(filled, whole, rtol=1e-14)
+        orbit = orbit.problem.by_tables(orbit)
+        system, given = orbit.problem.system, orbit.parameters
+        options = {"itinerary": orbit.itinerary, "multipliers": True}
+        options["guess"] = [*map(float, orbit.dwell_times), *map(float, orbit.states[0])]
+    count = 600 if "friction" in name else 40
+    values = {key: float(value) for key, value in given.items() if key != "period"}
+    values |= scattered({key: values[key] for key in by}, count)
+    order = np.random.default_rng(1).permutation(count)[: count - 3]
+    whole = ns.solve(system, values, derivatives=by, **options)
+    for chosen in (order, order[:1]):
+        given = values | {key: values[key][chosen] for key in by}
+        part = ns.solve(system, given, derivatives=by, **options)
+        for quantity, rates in whole.derivatives.items():
+            for key, rate in rates.items():
+                assert_array_equal(rate[chosen], part.derivatives[quantity][key])
 
 
 @pytest.mark.compiled
@@ -268,23 +243,3 @@ def test_arrays_that_do_not_fit_are_refused() -> None:
             engine.move(*counts, *wrong)
     with pytest.raises(ValueError, match="wrong numbers"):
         engine.move(-1, *counts[1:], *given())
-
-
-@pytest.mark.parametrize("name", ["backlash_gear.py:rattle", "two_stops.py:symmetric"])
-def test_a_point_is_the_same_alone_and_beside_another(name: str) -> None:
-    tables = ns.solve(f"{GALLERY / name}")
-    tables = tables.problem.by_tables(tables)
-    names = [parameter for parameter in tables.parameters if parameter != "period"]
-    values = {parameter: float(tables.parameters[parameter]) for parameter in names}
-    guess = np.array([*map(float, tables.dwell_times), *map(float, tables.states[0])])
-    options = {"itinerary": tables.itinerary, "multipliers": True, "derivatives": names}
-    alone, both = (
-        ns.solve(
-            tables.problem.system, values | {names[0]: np.full(count, values[names[0]])}, guess,
-            **options,
-        )
-        for count in (1, 2)
-    )  # fmt: skip
-    for quantity in ("determinant", "spectral_radius", "trace"):
-        for by in names:
-            assert alone.derivatives[quantity][by][0] == both.derivatives[quantity][by][0]

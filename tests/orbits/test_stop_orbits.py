@@ -15,16 +15,10 @@ from scipy.linalg import eigh, expm
 from scipy.optimize import brentq
 
 from nonsmooth import NoConvergence, solve
-from nonsmooth.derive import Configuration, SecondOrder, derive_equations
-from nonsmooth.derive.codegen.any_arithmetic import python_kernel
-from nonsmooth.derive.codegen.kernels import spectrum_kernel
+from nonsmooth.derive import Configuration, SecondOrder, System, derive_equations
 from nonsmooth.derive.equations.energy import energy_of
-from nonsmooth.derive.equations.program import Argument, Kernel, Output, prune
 from nonsmooth.derive.systems import elastic_stop, rigid_stop
-from nonsmooth.runtime.core.arithmetic import FLOATS
-from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.kernels import load_orbit
-from nonsmooth.runtime.orbits.kernel_problem import kernel_problem
 from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.declared import Declared, random_points
 
@@ -410,7 +404,7 @@ def test_a_stiff_stop_is_found_without_a_guess() -> None:
 # --- Eq. (4) as it is printed -----------------------------------------------------------
 
 
-def printed_itinerary() -> Any:
+def printed_system() -> System:
     """The elastic stop with k1 + k3 in the corner of K1, as the paper prints it."""
     k1, k3 = sp.Symbol("k1", positive=True), elastic_stop.k3
     stiffness = sp.Matrix([[k1 + k3, -k1], [-k1, k1 + k3]])
@@ -418,56 +412,22 @@ def printed_itinerary() -> Any:
     wrong = Configuration(
         "contact", SecondOrder(elastic_stop.MASS, stiffness, load=(k3, 0)), contact.boundaries
     )
-    system = replace(elastic_stop.system, configurations=(wrong, elastic_stop.free))
-    return replace(elastic_stop.one_contact, system=system)
+    return replace(elastic_stop.system, name="printed", configurations=(wrong, elastic_stop.free))
 
 
-def reduced_roots(itinerary: Any) -> list[dict[str, float]]:
-    """Unknowns at every sign change of the one reduced equation, from a grid of starts."""
-    equations = derive_equations(itinerary)
-    reduction, spectrum_symbols = equations.reduction, equations.spectrum.symbols
-    ((_, condition),) = reduction.equations
-    wanted = (condition, *(reduction.values[u] for u in equations.unknowns))
-    arguments = (
-        Argument("parameters", (len(equations.parameters),), equations.parameters),
-        Argument("spectrum", (len(spectrum_symbols),), spectrum_symbols),
-        Argument("reduced", (1,), reduction.unknowns),
-    )
-    outputs = (Output("results", (len(wanted),), wanted),)
-    probe = Kernel("probe", "", arguments, outputs, prune(reduction.stages, wanted))
-    namespace: dict[str, Any] = {}
-    for kernel in (spectrum_kernel(equations.spectrum), probe):
-        exec(python_kernel(kernel, None), namespace)
-    point = [DATA[str(p)] for p in equations.parameters]
-    spectral = [DATA[str(p)] for p in equations.spectrum.parameters]
-    spectrum, _ = namespace["spectrum"](spectral, lib=FLOATS)
-
-    def equation(tau: Any) -> Any:
-        return namespace["probe"](point, spectrum, [tau], lib=FLOATS)[0]
-
-    grid = np.linspace(1e-3, DATA["T"] - 1e-3, 4000)
-    found = []
-    for i in np.flatnonzero(np.diff(np.sign(equation(grid)))):
-        tau = brentq(equation, grid[i], grid[i + 1], xtol=1e-14)
-        _, *values = namespace["probe"](point, spectrum, [tau], lib=FLOATS)
-        found.append(dict(zip(map(str, equations.unknowns), map(float, values), strict=True)))
-    return found
-
-
-@pytest.mark.slow
 @pytest.mark.parametrize("printed", [False, True])
 def test_the_printed_stiffness_matrix_has_no_contact_orbit(printed: bool) -> None:
-    itinerary = printed_itinerary() if printed else elastic_stop.one_contact
+    system = printed_system() if printed else "elastic-stop"
     corner = DATA["k1"] + DATA["k3"] if printed else DATA["k1"] + DATA["k2"]
-    derived = reduced_roots(itinerary)
-    independent = contact_roots(DATA, corner, DATA["k3"])
-    assert_allclose(sorted(r["tau"] for r in derived), sorted(r[3] for r in independent), atol=1e-9)
+    phases = [("contact", "first-leaves-stop"), ("free", "first-reaches-stop")]
+    period = DATA["T"]
+    data = {name: value for name, value in DATA.items() if name != "T"}
     verdicts = []
-    for root in derived:
-        vector = [root[n] for n in ("y", "u", "w", "tau")]
-        verdicts.append(is_contact_orbit(DATA, corner, DATA["k3"], vector))
-        given = {n: as_value(v) for n, v in DATA.items()}
-        record = Orbit(kernel_problem(load_orbit(ELASTIC)), given, root, {}, 0.0, 15, 0, 0)
-        declared = Declared(record, itinerary=itinerary)
-        assert abs((declared.steps[0][0].normal @ declared.steps[0][2]).item()) < 1e-9
+    for y, u, w, tau in contact_roots(DATA, corner, DATA["k3"]):
+        guess = [tau, period - tau, 1, y, u, w]
+        orbit = solve(system, data, guess, itinerary=phases, given={"period": period})
+        assert_allclose([*orbit.dwell_times, *orbit.states[0]], guess, atol=1e-9)
+        verdicts.append(orbit.admissibility.verdict)
+        sampled = is_contact_orbit(DATA, corner, DATA["k3"], (y, u, w, tau))
+        assert verdicts[-1] is sampled
     assert verdicts == ([False, False] if printed else [True])

@@ -132,24 +132,6 @@ def test_a_motion_that_does_not_come_back() -> None:
         Itinerary.from_trajectory(motion, dry_friction.system)
 
 
-@pytest.mark.slow  # its kernels are compiled first
-def test_many_points_of_a_declared_orbit() -> None:
-    system = between()
-    phases = [("free-free", "right-reaches-stop", "T"), ("free-free", "left-reaches-stop", "S")]
-    guess = {"T": "2.6", "S": "2.6", "x": "-1", "v": "0.7", "c1": "-0.99", "s1": "-0.16"}
-    whole = Itinerary("whole", system, phases, reference=Reference({"r": "0.7"}, guess))
-    name = load_orbit(whole).name
-    values = np.linspace(0.6, 0.75, 4)
-    found = ns.solve(name, {"r": values})
-    assert found.converged.all()
-    for k, value in enumerate(values):
-        one = ns.solve(name, {"r": float(value)})
-        assert found.admissible[k] == (one.admissibility.verdict is True)
-        assert found.trace[k] == pytest.approx(one.trace, abs=1e-11)
-        assert found.unknowns["T"][k] == pytest.approx(one.unknowns["T"], rel=1e-12)
-    assert ns.solve(name, {"r": values}, admissibility=False).admissible is None
-
-
 def test_many_points_are_none_of_a_part() -> None:
     with pytest.raises(InputError, match="a part and a symmetry"):
         ns.solve(load_orbit(symmetric(between())).name, {"r": [0.6, 0.7]})

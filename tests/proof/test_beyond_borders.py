@@ -28,7 +28,7 @@ from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
 from tests.certified import PAD, accepted, certified_over, edited
-from tests.proof.test_branch_borders import HOT, SYSTEMS, THRESHOLD, WIDTH, A, B
+from tests.proof.test_branch_borders import HOT, SYSTEMS, THRESHOLD, WIDTH, A, B, two_phases
 
 GRAZING = 0.665294576295129867
 
@@ -47,8 +47,7 @@ def symmetric(tmp_path_factory: pytest.TempPathFactory) -> tuple[CertifiedBranch
 def relay(tmp_path_factory: pytest.TempPathFactory) -> tuple[CertifiedBranch, Path]:
     """Two boundaries are reached together: beyond it the other one ends the phase."""
     system, value, low, high = SYSTEMS["simultaneous"]
-    itinerary = [("on", "warm"), ("off", "cold")]
-    orbit = ns.solve(system, {"w": value}, [1.0, 1.0], itinerary=itinerary)
+    orbit = two_phases(system, value)
     found = certified_over(orbit, "w", low, high, beyond=True)
     path = tmp_path_factory.mktemp("relay") / "branch.json"
     found.save(path)
@@ -155,7 +154,7 @@ def test_itineraries_follow_each_other_or_end_together(
     push: int, side: str, verdict: str, scenario: str, tmp_path: Path
 ) -> None:
     system = corner(push)
-    orbit = ns.solve(system, {"w": "0.522"}, [1, 1], itinerary=[("on", "warm"), ("off", "cold")])
+    orbit = two_phases(system, "0.522")
     found = certified_over(orbit, "w", "0.518", "0.524", beyond=True)
     beyond = only(found)
     assert (beyond.side, beyond.own) == (side, "above")
@@ -175,8 +174,7 @@ def test_itineraries_follow_each_other_or_end_together(
 @pytest.mark.parametrize("kind", ["entry", "condition", "tangent"])
 def test_nothing_is_claimed_where_nothing_is_found(kind: str) -> None:
     system, value, low, high = SYSTEMS[kind]
-    itinerary = [("on", "warm"), ("off", "cold")]
-    orbit = ns.solve(system, {"w": value}, [1.0, 1.0], itinerary=itinerary)
+    orbit = two_phases(system, value)
     found = certified_over(orbit, "w", low, high, beyond=True)
     assert found.complete
     assert [event.beyond for event in found.events] == [()]

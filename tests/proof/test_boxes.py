@@ -25,7 +25,6 @@ from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.boxes.refusals import BoxRefusals
-from nonsmooth.runtime.proof.boxes.tile_places import Place
 from tests.certified import accepted, loop
 
 STICK = "dry-friction/global-stick"
@@ -283,15 +282,6 @@ def test_an_orbit_without_exact_parameters_is_undecided() -> None:
     assert found.claims == dict.fromkeys(PROVED, "undecided")
     assert "border collision" in found.reasons["existence"]
     assert found.decided == 0
-
-
-def test_places_are_exact() -> None:
-    box = ((Fraction(0), Fraction(1)), (Fraction(-1), Fraction(2)))
-    place = Place(((0, 0), (0, 0)))
-    left, right = place.halves(1)
-    assert left.interval(1, box) == (-1, Fraction(1, 2))
-    assert right.halves(0)[1].interval(0, box) == (Fraction(1, 2), 1)
-    assert left.share + right.share == place.share == 1
 
 
 @pytest.mark.slow

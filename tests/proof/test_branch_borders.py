@@ -20,11 +20,13 @@ from nonsmooth.derive import (
 )
 from nonsmooth.runtime.checker import Failure, check_branch, check_events
 from nonsmooth.runtime.core.arithmetic import exact_ball
+from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.certified import accepted, certified_over, edited
 
 A, B = sp.symbols("a b", real=True)
 THRESHOLD = Parameter("w", "a threshold, nondimensional", lower=-sp.oo)
 WIDTH = sp.Rational(1, 10)
+ON_AND_OFF = (("on", "warm"), ("off", "cold"))
 
 
 def relay(
@@ -55,6 +57,11 @@ def relay(
             *more,
         ),
     )
+
+
+def two_phases(system: System, value: str, threshold: str = "w") -> Orbit:
+    """The orbit of a relay that is on and off once."""
+    return ns.solve(system, {threshold: value}, [1.0, 1.0], itinerary=ON_AND_OFF)
 
 
 def peak() -> Any:
@@ -118,8 +125,7 @@ SYSTEMS = {
 @pytest.mark.parametrize("kind", SYSTEMS)
 def test_a_lone_border_is_one_event(kind: str, tmp_path: Path) -> None:
     system, value, low, high = SYSTEMS[kind]
-    itinerary = [("on", "warm"), ("off", "cold")]
-    orbit = ns.solve(system, {"w": value}, [1.0, 1.0], itinerary=itinerary)
+    orbit = two_phases(system, value)
     found = certified_over(orbit, "w", low, high)
     assert found.complete, found.statement
     (event,) = found.events
@@ -135,7 +141,7 @@ def test_a_lone_border_is_one_event(kind: str, tmp_path: Path) -> None:
 
 
 def certified(system: System, path: Path) -> Any:
-    orbit = ns.solve(system, {"w": "0.6"}, [1.0, 1.0], itinerary=[("on", "warm"), ("off", "cold")])
+    orbit = two_phases(system, "0.6")
     found = certified_over(orbit, "w", "0.45", "0.65")
     found.save(path)
     return found
@@ -259,16 +265,12 @@ def test_another_transition_that_does_the_same_is_no_other_motion(place: str) ->
         system = relay(before=(replace(plain, conditions=(condition,)),))
     else:
         system = relay(when=(condition,), more=(plain,))
-    itinerary = [("on", "warm"), ("off", "cold")]
     for value, claim in (("0.35", "undecided"), ("0.65", "proved")):
-        orbit = ns.solve(system, {"w": value}, [1.0, 1.0], itinerary=itinerary)
-        claims = ns.certify(orbit).claims
+        claims = ns.certify(two_phases(system, value)).claims
         assert claims["admissibility"] in (claim, "undecided")
     motion = ns.simulate(system, {"w": "0.35"}, [0.0, 0.0], transitions=40)
-    assert ns.itinerary_of(motion).itinerary == tuple(itinerary)
-    found = certified_over(
-        ns.solve(system, {"w": "0.6"}, [1.0, 1.0], itinerary=itinerary), "w", 0.3, 0.7
-    )
+    assert ns.itinerary_of(motion).itinerary == ON_AND_OFF
+    found = certified_over(two_phases(system, "0.6"), "w", 0.3, 0.7)
     assert "not admissible" not in {part.verdict for part in found.intervals}
 
 
@@ -280,8 +282,7 @@ def alike(content: dict[str, Any]) -> None:
 
 def test_no_file_tells_of_a_condition_behind_which_the_motion_is_the_same(tmp_path: Path) -> None:
     system, value, *_ = SYSTEMS["condition"]
-    itinerary = [("on", "warm"), ("off", "cold")]
-    orbit = ns.solve(system, {"w": value}, [1.0, 1.0], itinerary=itinerary)
+    orbit = two_phases(system, value)
     path, lone = tmp_path / "branch.json", tmp_path / "event.json"
     certified_over(orbit, "w", "0.5198", "0.6").save(path)  # one tile holds all that is below it
     check_branch(with_event(path))
@@ -301,8 +302,7 @@ def test_a_parameter_may_be_called_as_an_unknown_is(tmp_path: Path) -> None:
     own = Parameter("a0", "a threshold, nondimensional", lower=-sp.oo)
     when = (Condition(own.symbol - A, "off"),)
     system = relay(when=when, more=(Transition(**COOLED),), threshold=own)
-    itinerary = [("on", "warm"), ("off", "cold")]
-    orbit = ns.solve(system, {"a0": "0.6"}, [1.0, 1.0], itinerary=itinerary)
+    orbit = two_phases(system, "0.6", "a0")
     found = certified_over(orbit, "a0", "0.5198", "0.6")
     (event,) = found.events
     reached = exact_ball(peak())

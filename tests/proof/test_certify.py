@@ -17,12 +17,10 @@ from hypothesis import strategies as st
 
 import nonsmooth as ns
 from nonsmooth import InputError
-from nonsmooth.runtime.checker.orbits.points import JudgedOrbit
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.proof.certificate import Certificate, file_json
-from nonsmooth.runtime.proof.refusals import as_read
+from nonsmooth.runtime.proof.certificate import Certificate
 from tests.certified import FORCED, forced, loop
 from tests.explore import test_continuation_forced as impacts
 from tests.friction_sets import DATA
@@ -126,6 +124,35 @@ def test_forced_and_damped_systems_of_users(name: str) -> None:
     found = sorted((complex(float(re), float(im)) for re, im in certificate.multipliers), key=abs)
     wanted = sorted(orbit.multipliers, key=abs)[-len(found) :]
     assert np.allclose(np.sort_complex(found), np.sort_complex(wanted), atol=1e-8)
+
+
+def times(orbit: Orbit, count: int) -> Orbit:
+    """The same orbit, passed so many times."""
+    guess = [*orbit.dwell_times.tolist() * count, *orbit.states[0]]
+    return ns.solve(orbit.system, orbit.parameters, guess, itinerary=orbit.itinerary * count)
+
+
+def test_a_long_itinerary_is_enclosed_as_sharply_as_its_part() -> None:
+    """Products of 48 plain balls are hundreds of times wider than what they enclose."""
+    orbit = forced("slider")
+    part, whole = certified(orbit), certified(times(orbit, 12))
+    assert whole.proved
+    assert float(whole.trace) == pytest.approx(sum(orbit.multipliers**12).real, rel=1e-9)
+    widths = [max(e.ball.rad() for e in c.enclosures.values()) for c in (part, whole)]
+    assert widths[1] < 50 * widths[0]
+    with flint_precision(200):
+        period = part.enclosures["period"].ball * 12
+        assert whole.enclosures["period"].ball.overlaps(period)
+
+
+def test_a_long_itinerary_is_proved_over_a_box() -> None:
+    found = ns.certify.box(times(loop(r="-9/10"), 5), {"r": ("-0.905", "-0.895")})
+    assert found.proved
+    ends = [-(0.905**5), -(0.895**5)]
+    trace = found.enclosures["trace"]
+    assert trace.lower <= ends[0] < ends[1] <= trace.upper
+    assert trace.upper - trace.lower < 1.5 * (ends[1] - ends[0])
+    assert found.enclosures["v0"].contains(1 / Fraction("1.9"))
 
 
 @settings(max_examples=40)
@@ -235,21 +262,6 @@ def test_an_orbit_that_goes_back_in_time_is_refuted() -> None:
     assert certificate.claims["existence"] == "proved"
     assert certificate.claims["admissibility"] == "refuted"
     assert "its dwell time is negative" in certificate.reasons["admissibility"]
-
-
-def test_boxes_with_no_orbit_with_one_and_too_large_ones() -> None:
-    content = as_read(file_json(certified(ns.solve(STICK))))
-    own = content.pop("box")
-    judge = JudgedOrbit(content)
-    for moved, radius, claim in (
-        (Fraction(0), None, "proved"), (Fraction(1, 10**6), None, "refuted"),
-        (Fraction(0), "1", "undecided"), (Fraction(0), None, "proved"),
-    ):  # fmt: skip
-        box = [
-            {**side, "mid": str(Fraction(side["mid"]) + moved), "rad": radius or side["rad"]}
-            for side in own
-        ]
-        assert judge.locate(box).claim == claim
 
 
 def test_margins_are_true() -> None:

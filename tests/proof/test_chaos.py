@@ -5,16 +5,11 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from flint import arb_mat, fmpq
 
 import nonsmooth as ns
 from nonsmooth import certify
-from nonsmooth.runtime.checker.state_sets.section_maps import Parallelepiped
-from nonsmooth.runtime.checker.state_sets.sets import CarryingPhase, StateSet
-from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.proof.chaos.h_sets import decimal_set
-from nonsmooth.runtime.proof.chaos.search import _walks
 from tests.horseshoes import (
     FOLDED,
     FOLDED_DATA,
@@ -119,47 +114,6 @@ def test_a_mass_that_rests_at_its_stop_when_the_forcing_has_a_phase_is_not_calle
     found = certify.chaos(system, {"r": "0.2", "sigma": "0", "w": "0.7"}, {"x": -0.5, "v": 0.1})
     assert found.claim == "undecided"
     assert all("free" in told for told in found.tried)
-
-
-def test_a_time_that_depends_on_the_state_moves_the_set_with_it():
-    # x' = v, v' = 0, to x = 0: the time is -x / v
-    rows = [[fmpq(x) for x in row] for row in ([0, 1, 0], [0, 0, 0], [0, 0, 0])]
-    phase = CarryingPhase(rows, {"end": tuple(map(fmpq, (1, 0, 0)))})
-    with flint_precision(80):
-        sides = arb_mat([[0.125, 0], [0, 0.0625], [0, 0], [0, 0]])
-        states = StateSet(arb_mat([[-1], [2], [0], [1]]), sides, arb_mat(4, 1))
-        about = phase.guess(states.centre, "end")
-        found, before, after = phase.arrive(states, phase.timed(phase.rows["end"]), about)
-        x, v, time, _ = found.hull.entries()
-    assert about == pytest.approx(0.5)
-    assert x.contains(0)
-    assert float(x.rad()) < 0.03
-    for start, speed in ((-1.125, 1.9375), (-0.875, 2.0625), (-1.125, 2.0625), (-0.875, 1.9375)):
-        assert time.contains(-start / speed)
-        assert before < -start / speed < after
-        assert v.contains(speed)
-
-
-def test_walks_choose_among_sets_that_meet():
-    # 0 and 1 lie across each other and themselves; 2 to 40 meet 0, and nothing lies across them
-    centres = np.array([[0.0], [3.0], *[[0.5 - k / 40] for k in range(39)]])
-    covers = np.zeros((41, 41), dtype=bool)
-    covers[:2, :2] = covers[2:, 1] = True
-    assert _walks(covers, centres, np.ones((41, 1, 1))) == [[0, 1]]
-    # one closed walk alone is no horseshoe, nor are sets that meet
-    covers[0, 0] = covers[1, 1] = False
-    assert _walks(covers, centres, np.ones((41, 1, 1))) == []
-    covers[0, 0] = True
-    assert _walks(covers, centres, np.full((41, 1, 1), 2.0)) == []
-    covers[:] = np.eye(41, dtype=bool)
-    assert _walks(covers, centres, np.ones((41, 1, 1))) == []
-
-
-def test_sets_apart():
-    one = Parallelepiped({"centre": ("0", "0"), "sides": (("1", "0"), ("0", "1"))}, 2)
-    sides = (("1", "1"), ("0", "0.1"))
-    assert one.apart(Parallelepiped({"centre": ("2.5", "0"), "sides": sides}, 2))
-    assert not one.apart(Parallelepiped({"centre": ("1.5", "0"), "sides": sides}, 2))
 
 
 @pytest.mark.parametrize("units", [(1, 1), (1e-9, 1e-4), (1e6, 1e-6)], ids=str)

@@ -15,28 +15,24 @@ import pytest
 import sympy as sp
 from flint import arb, arb_mat
 from mpmath import MPContext
-from scipy.linalg import expm
-from scipy.optimize import brentq
 from typer.testing import CliRunner
 
 import nonsmooth as ns
 from nonsmooth import InputError, Interrupted
-from nonsmooth.derive import Boundary, Configuration, SecondOrder, System, Transition
+from nonsmooth.derive import SecondOrder, System, Transition
 from nonsmooth.runtime.checker.counting.census import Counting
 from nonsmooth.runtime.checker.counting.contraction import Linear, balls_of, contract, middles_of
-from nonsmooth.runtime.checker.counting.covering import CUTS, CoveringBox, Root, Walk
-from nonsmooth.runtime.checker.counting.dwell_equations import DwellEquations, _flow_over, _norm
-from nonsmooth.runtime.checker.stated.exact import Failure
+from nonsmooth.runtime.checker.counting.covering import CoveringBox, Root, Walk
+from nonsmooth.runtime.checker.counting.dwell_equations import DwellEquations
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.cli.tables import show_result
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.completion import complete
-from nonsmooth.runtime.model.kernels import kernels_of, load_orbit
-from nonsmooth.runtime.orbits.table_many import solve_itineraries
+from nonsmooth.runtime.model.kernels import load_orbit
 from nonsmooth.runtime.proof.counting.census import Census
 from nonsmooth.runtime.shooting.kernel_newton import solve_reduced
 from nonsmooth.runtime.shooting.newton import CONVERGED
-from tests.certified import LOOP, kicked
+from tests.certified import LOOP, between_springs, kicked
 from tests.friction_sets import DATA
 from tests.places import GALLERY
 
@@ -62,76 +58,6 @@ def over(centre: Any, slopes: list[Any], sides: Any, largest: float = 0.0) -> Li
     return Linear(centre, tuple(slopes), found, offsets, arb(largest))
 
 
-def covered(problem: Any, limit: int) -> Walk:
-    """The walk through a covering that cuts the widest side, or looks closer where that helps."""
-    walk, looked = Walk(problem), 0
-
-    def advice(part: CoveringBox) -> str:
-        nonlocal looked
-        looked += 1
-        if part.excluded or part.empty:
-            return "-"
-        if part.root is not None:
-            return "*"
-        widths = [high - low for low, high in part.sides]
-        small = max(widths) < 1e-9 or looked > limit
-        return "?" if small else CUTS[int(np.argmax(widths))]
-
-    with flint_precision(64):
-        walk.follow(advice)
-    return walk
-
-
-class Toy:
-    """A problem without coordinates: functions of arb, and their derivatives."""
-
-    def __init__(self, domain: Any, values: Any, slopes: Any) -> None:
-        self.domain, self.values, self.slopes = domain, values, slopes
-
-    def linear(self, sides: Any, *, between: bool = False) -> Linear:
-        """Values in the middle, derivatives over the box."""
-        centre = arb_mat([[x] for x in self.values(*middles_of(sides))])
-        rows = self.slopes(*balls_of(sides))
-        slopes = [arb_mat([[row[j]] for row in rows]) for j in range(len(sides))]
-        return over(centre, slopes, sides)
-
-
-class Pole:
-    """The two equations q = u and q sin u = 1: u sin u = 1."""
-
-    domain = ((0.5, 20.0),)
-
-    def linear(self, sides: Any, *, between: bool = False) -> Linear:
-        """Rows [1, -u] and [sin u, -1] on (q, 1)."""
-        (u,), (m,) = balls_of(sides), middles_of(sides)
-        centre = arb_mat([[arb(1), -m], [m.sin(), arb(-1)]])
-        slope = arb_mat([[arb(0), arb(-1)], [u.cos(), arb(0)]])
-        return over(centre, [slope], sides, 100.0)
-
-
-def test_a_circle_and_a_line_meet_twice_or_never_and_a_tangent_is_undecided() -> None:
-    def found(distance: str) -> Any:
-        shift = arb(distance)
-        toy = Toy(
-            ((-3.0, 4.0), (-3.0, 5.0)),
-            lambda x, y: [x * x + y * y - 2, x + y - shift],
-            lambda x, y: [[2 * x, 2 * y], [arb(1), arb(1)]],
-        )
-        return covered(toy, 20_000)
-
-    two, none, tangent = found("1"), found("2.001"), found("2")
-    assert (len(two.roots), two.undecided) == (2, [])
-    for root in two.roots:
-        (x, y) = (low for low, _ in root.sides)
-        assert abs(x + y - 1) < 1e-12
-        assert abs(x * x + y * y - 2) < 1e-12
-        assert max(high - low for low, high in root.sides) < 1e-14
-    assert (none.roots, none.undecided) == ([], [])
-    assert tangent.roots == []
-    assert len(tangent.undecided) == 1
-    assert all(low < 1 < high for low, high in tangent.undecided[0])
-
-
 def test_a_root_is_unique_only_inside_the_very_numbers_of_a_box() -> None:
     """Not in the balls around its sides, which are wider by roundings."""
     random, seen = np.random.default_rng(2), set()
@@ -149,30 +75,6 @@ def test_a_root_is_unique_only_inside_the_very_numbers_of_a_box() -> None:
             seen.add((found.unique, found.empty))
             assert contract(replace(linear, trivial=True), [], ((low, high),)) is None
     assert {(True, False), (False, False)} <= seen
-
-
-@pytest.mark.parametrize("tree", ["-", "a-*", "a*-", "aa**?", "**", "b", "", "a=*"])
-def test_a_tree_that_tells_what_is_not_so_is_refused(tree: str) -> None:
-    toy = Toy(((0.0, 1.0),), lambda x: [x * x - 0.1], lambda x: [[2 * x]])
-    letters = iter(tree)
-    with flint_precision(64), pytest.raises(Failure):  # noqa: PT012
-        walk = Walk(toy)
-        walk.follow(lambda _: next(letters, ""))
-        assert walk.roots  # one of the trees is that of the box
-        assert next(letters, "") == ""
-
-
-def test_a_root_where_boxes_are_cut_counts_once() -> None:
-    toy = Toy(
-        ((-1.0, 1.0), (-1.0, 1.0)),
-        lambda x, y: [x + y * y, y - x * x],
-        lambda x, y: [[arb(1), 2 * y], [-2 * x, arb(1)]],
-    )
-    found = covered(toy, 10_000)
-    # the other one is x = -1, y = 1, a corner: it is found from inside, or left undecided
-    at_zero = [r for r in found.roots if all(low <= 0 <= high for low, high in r.sides)]
-    assert len(at_zero) == 1
-    assert len(found.roots) <= 2
 
 
 class Line:
@@ -212,25 +114,11 @@ def test_of_two_roots_that_may_be_one_the_surer_is_kept() -> None:
     small = Root(((0.1, 0.2),), ((0.05, 0.25),), ())
     large = Root(((0.3, 0.4),), ((0.0, 0.5),), ())
     for roots in ((small, large), (large, small)):
-        walk = Walk(Toy(((0.0, 1.0),), None, None))
+        equations: Any = Line("1")
+        walk = Walk(equations)
         for root in roots:
             walk._add(root)
         assert (walk.roots, walk.left) == ([large], [])
-
-
-def test_singular_linear_equations_are_no_obstacle() -> None:
-    found = covered(Pole(), 10_000)
-    grid = np.linspace(0.5, 20, 20_001)
-    signs = np.sign(grid * np.sin(grid) - 1)
-    exact = [
-        brentq(lambda u: u * math.sin(u) - 1, a, b, xtol=1e-15)
-        for a, b, s, t in zip(grid, grid[1:], signs, signs[1:], strict=False)
-        if s != t
-    ]
-    assert found.undecided == []
-    centres = sorted(root.sides[0][0] for root in found.roots)
-    assert np.allclose(centres, exact, atol=1e-12, rtol=0)
-    assert len(centres) == len(exact) == 7
 
 
 @pytest.mark.slow
@@ -290,10 +178,12 @@ def test_orbits_in_dwell_times_are_those_that_newton_finds() -> None:
     random = np.random.default_rng(3)
     starts = random.uniform((3, 0.01), (7, 6), size=(400, 2))
     values = {name: float(text) for name, text in DATA.items()}
-    orbits = solve_itineraries(kernels_of("dry-friction"), TWO, values, starts)
-    reached = orbits.dwell_times[orbits.status == CONVERGED]
+    orbits = ns.solve(
+        "dry-friction", values | {"V": np.full(400, values["V"])}, starts, itinerary=TWO
+    )
+    reached = orbits.dwell_times[orbits.converged]
     inside = (reached[:, 0] >= 3) & (reached <= (7, 6)).all(axis=1) & (reached > 1e-6).all(axis=1)
-    small = np.abs(orbits.starts[orbits.status == CONVERGED][:, 0]).max(axis=-1) < 90
+    small = np.abs(orbits.starts[orbits.converged][:, 0]).max(axis=-1) < 90
     distances = np.abs(reached[inside & small][:, None] - found).max(axis=-1)
     assert distances.min(axis=1).max() < 1e-6
     assert distances.min(axis=0).max() < 1e-6
@@ -409,25 +299,13 @@ def drawn(seed: int) -> tuple[System, Any]:
     lows, highs = (30, 0, -60, 30, 0, -60, 20, 50), (300, 30, 60, 300, 30, 60, 90, 200)
     numbers = [sp.Rational(int(n), 100) for n in random.integers(lows, highs)]
     k, c, load, other, loss, pull, r, a = numbers
-    x, v = sp.symbols("x v", real=True)
-    right, left = (
+    v = sp.Symbol("v", real=True)
+    sides = (
         SecondOrder([[1]], [[k]], [load], [[c]]),
         SecondOrder([[1]], [[other]], [pull], [[loss]]),
     )
-    system = System(
-        f"drawn-{seed}",
-        "a mass between two springs",
-        (x, v),
-        (),
-        (
-            Configuration("right", right, (Boundary("falls", -x),)),
-            Configuration("left", left, (Boundary("rises", x),)),
-        ),
-        (
-            Transition("right", {"falls"}, "left"),
-            Transition("left", {"rises"}, "right", (), {v: r * v + a}),
-        ),
-    )
+    kick = Transition("left", {"rises"}, "right", (), {v: r * v + a})
+    system = between_springs(f"drawn-{seed}", sides, [kick])
     return system, [float(number) for number in numbers]
 
 
@@ -537,38 +415,6 @@ def test_equations_over_boxes_enclose_those_at_points(tmp_path: Path) -> None:
 def touch(wide: Any, narrow: Any) -> bool:
     """Whether the balls of two matrices overlap."""
     return all(x.overlaps(y) for x, y in zip(wide.entries(), narrow.entries(), strict=True))
-
-
-def test_divided_conditions_are_the_flow_over_the_time(tmp_path: Path) -> None:
-    two = ns.certify.all("dry-friction", DATA, {"tau1": 9, "tau2": 9}, itinerary=TWO, limit=1)
-    with flint_precision(64):
-        problem = equations_of(two, tmp_path)
-        field, row = problem._fields[0], problem._rows[0]
-        numbers = np.array([[float(x.mid()) for x in line] for line in field.tolist()])
-        normal = np.array([float(x.mid()) for x in row.entries()])
-        for time in (1e-3, 0.2, 0.7):
-            divided, rate = problem._divided(0, arb(time))
-            flow = expm(numbers * time)
-            exact = (normal @ flow - normal) / time
-            slope = normal @ flow @ numbers / time - exact / time
-            for found, wanted, error in ((divided, exact, 1e-11), (rate, slope, 1e-8)):
-                numbers_found = [float(x.mid()) for x in found.entries()]
-                assert np.allclose(numbers_found, wanted, atol=error)
-
-
-def test_a_flow_over_a_wide_time_encloses_those_at_all_times() -> None:
-    random = np.random.default_rng(11)
-    with flint_precision(64):
-        for width in (0.01, 0.5, 2.0, 9.0):
-            numbers = random.uniform(-1, 1, (4, 4))
-            field = arb_mat(numbers.tolist())
-            found = _flow_over(field, _norm(field), arb(1.5, width))
-            for time in random.uniform(1.5 - width, 1.5 + width, 40):
-                exact = (field * arb(time)).exp()
-                pairs = zip(found.entries(), exact.entries(), strict=True)
-                assert all(b.contains(e) for b, e in pairs)
-            if width < 1:  # no wider than it has to be
-                assert max(float(b.rad()) for b in found.entries()) < 40 * width
 
 
 def test_too_few_boxes_leave_the_rest_undecided() -> None:

@@ -24,7 +24,7 @@ from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.certificate import Certificate
-from tests.certified import LOOP, accepted, loop, rooted, struck_together
+from tests.certified import LOOP, accepted, between_springs, loop, rooted, struck_together
 from tests.places import GALLERY
 
 STICK = "dry-friction/global-stick"
@@ -237,23 +237,12 @@ def test_sums_move_what_was_left_open() -> None:
 
 def test_slopes_of_energy_that_are_equal_are_told_alike_in_every_arithmetic():
     # x'' = -q sign(x), of the period T: v0 = q T/4, where both slopes of the energy are q
-    x, v, load = *sp.symbols("x v", real=True), Parameter("q", "load")
-    right = SecondOrder([[1]], [[0]], load=[-load.symbol])
-    left = SecondOrder([[1]], [[0]], load=[load.symbol])
-    system = System(
-        "vee",
-        "",
-        (x, v),
-        (load,),
-        (
-            Configuration("right", right, (Boundary("falls", -x),)),
-            Configuration("left", left, (Boundary("rises", x),)),
-        ),
-        (Transition("right", {"falls"}, "left"), Transition("left", {"rises"}, "right")),
-    )
-    guess, phases = [2, 2, 0, 1.4142], [("right", "falls"), ("left", "rises")]
-    given = {"period": "4"}
-    orbit = ns.solve(system, {"q": "sqrt(2)"}, guess, itinerary=phases, given=given)
+    load = Parameter("q", "load")
+    sides = [SecondOrder([[1]], [[0]], load=[sign * load.symbol]) for sign in (-1, 1)]
+    rises = Transition("left", {"rises"}, "right")
+    system = between_springs("vee", (sides[0], sides[1]), [rises], [load])
+    guess, given = [2, 2, 0, 1.4142], {"period": "4"}
+    orbit = ns.solve(system, {"q": "sqrt(2)"}, guess, itinerary=LOOP, given=given)
     found = ns.certify(orbit, 64, derivatives=True)
     assert not found.no_derivatives
     assert found.derivatives["v0"]["q"].contains("1")

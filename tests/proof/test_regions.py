@@ -25,8 +25,6 @@ from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.taylor_models import space_of
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.boxes.refusals import BoxRefusals
-from nonsmooth.runtime.proof.boxes.regions import edges_of
-from nonsmooth.runtime.proof.boxes.tile_places import Place
 from tests.certified import accepted, claimed, content_of, loop, place_in, signed, unhashed
 
 SYMMETRIC = "dry-friction/symmetric"
@@ -376,19 +374,6 @@ def test_the_command_tells_regions_curves_and_open_boxes(tmp_path: Path) -> None
     assert told["open"] == []
 
 
-def test_edges_are_shared_by_more_than_a_point() -> None:
-    whole = Place(((0, 0), (0, 0)))
-    left, right = whole.halves(0)
-    low, high = right.halves(1)
-    edges = {(e.first, e.second): e.ends for e in edges_of([left, low, high])}
-    half = Fraction(1, 2)
-    assert edges == {
-        (0, 1): ((half, Fraction(0)), (half, half)),
-        (0, 2): ((half, half), (half, Fraction(1))),
-        (1, 2): ((half, half), (Fraction(1), half)),
-    }
-
-
 def away_of(number: Any, centre: tuple[float, ...]) -> float:
     """How far the zeros of a number of p and q are from p = c(q), as the checker finds it."""
     curve = DividingCurve("flip", (), None, 0, centre)
@@ -423,15 +408,6 @@ def test_borders_that_are_crossed_in_both_directions_have_no_verdict() -> None:
     division.signs = {True, False}
     with pytest.raises(Failure, match="in both directions"):
         division.verdicts(lambda point: pytest.fail("it is not asked"))
-
-
-@pytest.mark.parametrize("away", [0.0, 1e-9, 1e-7])
-def test_a_band_is_wider_than_what_it_has_to_hold(away: float) -> None:
-    for level in range(12):
-        band = Band.about(0, (0.0, 0.5), arb(away), ((0, level), (0, 0)))
-        assert band.radius > away
-    with pytest.raises(Failure, match="too wide"):
-        Band.about(0, (0.0, 0.5), arb(1e-5), ((0, 0), (0, 0)))
 
 
 def test_sides_of_a_band_are_connected() -> None:

@@ -5,22 +5,18 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Callable
-from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
 import pytest
+import sympy as sp
 from flint import arb, fmpq
 
 from nonsmooth import InputError, certify
+from nonsmooth.derive import Boundary, Configuration, SecondOrder, System, Transition
 from nonsmooth.derive.systems import dry_friction, elastic_stop, rigid_stop
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.model.structure import BoundaryShape
 from nonsmooth.runtime.proof.certificate import Stated
-from nonsmooth.runtime.proof.motion.ball_flow import AffineFlow
-from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
-from nonsmooth.runtime.proof.motion.exact_rows import Invariants
-from nonsmooth.runtime.proof.motion.first_crossing import first_crossing
 from nonsmooth.runtime.proof.motion.motion_proof import Proof
 from tests.counting import calls_of
 from tests.declared_motion import DeclaredMotion, mp
@@ -195,44 +191,17 @@ def test_a_start_on_a_boundary() -> None:
     assert pushed.times[1].ball.is_zero()
 
 
-def test_facts_stay_as_long_as_the_field_keeps_them() -> None:
-    at = enclosed_system("dry-friction", FIRST)(64)
-    velocity = [0, 0, 1, 0, fmpq(-1)]
-    position = [1, 0, 0, 0, fmpq(-2)]
-    invariants = Invariants.of([velocity, position])
-    stuck, slipping = (at.structure.configuration(c) for c in ("stick-slip", "slip-slip"))
-    assert invariants.lasting(at.exact.fields[stuck]) == Invariants.of([velocity])
-    assert invariants.lasting(at.exact.fields[slipping]) == Invariants.of([])
-    # one mode of slip-slip alone: x1 + x2/2 and its velocity keep their values
-    both = Invariants.of([[2, 1, 0, 0, fmpq(-88, 5)], [0, 0, 2, 1, fmpq(0)]])
-    commensurate = enclosed_system("dry-friction", COMMENSURATE)(64)
-    assert both.lasting(commensurate.exact.fields[slipping]) == both
-    # a velocity set by a reset is known whatever came before
-    assert Invariants.of([]).reset(at.exact.resets[2]) == Invariants.of([velocity])
-
-
 def test_boundaries_that_are_multiples_are_reached_together() -> None:
-    """No digits tell that x1 - 1 and 2 x1 - 2 vanish at one instant, their rows do."""
-    at = enclosed_system("rigid-stop", CHAIN | {"r": "1"})(128)
-    twice = BoundaryShape("twice", len(at.exact.rows), False)
-    rows = (*at.exact.rows, tuple(2 * x for x in at.exact.rows[0]))
-    free, contact = at.structure.boundaries
-    more = replace(
-        at,
-        structure=replace(at.structure, boundaries=((*free, twice), contact)),
-        exact=replace(at.exact, rows=rows),
-        flows=tuple(AffineFlow(field, rows, 128) for field in at.exact.fields),
-    )
-    with flint_precision(128):
-        state = [arb("0.5"), arb("0.2"), arb(1), arb(0)]
-        invariants = Invariants.of([[0, 0, 0, 1, fmpq(0)]])
-        found = first_crossing(more, 0, invariants, invariants.lasting(at.exact.fields[0]), state)
-        alone = first_crossing(at, 0, invariants, invariants.lasting(at.exact.fields[0]), state)
-    assert found is not None
-    assert alone is not None
-    assert found[1] == (0, 1)
-    assert alone[1] == (0,)
-    assert found[0].overlaps(alone[0])
+    """No digits tell that x - 1 and 2 x - 2 vanish at one instant, their rows do."""
+    x, v = sp.symbols("x v", real=True)
+    both = Boundary("one", x - 1), Boundary("twice", 2 * x - 2)
+    system = System(
+        "bouncing", "", (x, v), (), (Configuration("free", SecondOrder([[1]], [[1]]), both),),
+        (Transition("free", {"one", "twice"}, "free", (), {v: -v}),),
+    )  # fmt: skip
+    proof = certify.motion(system, {}, ["0", "2"], "free", 3)
+    assert proof.sets == (("one", "twice"),) * 3
+    assert proof.times[1].contains(mp.asin(mp.mpf(1) / 2))
 
 
 def test_the_start_is_taken_exactly() -> None:

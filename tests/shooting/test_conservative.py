@@ -28,7 +28,7 @@ from nonsmooth.derive.equations.energy import energy_of, is_conservative
 from nonsmooth.derive.systems import SYSTEMS, declaration, rigid_stop
 from nonsmooth.runtime.model.kernels import load_orbit
 from nonsmooth.runtime.orbits.orbit import Orbit
-from tests.declared import RANGES, Declared, itinerary_of, random_points
+from tests.declared import RANGES, Declared, itinerary_of, random_points, single
 
 RIGID, ELASTIC = "rigid-stop/one-impact", "elastic-stop/one-contact"
 POINTS: list[tuple[str, dict[str, str]]] = [
@@ -212,8 +212,7 @@ def test_the_verdict_is_that_of_the_trace(name: str) -> None:
     many = solve(name, points)
     verdicts = []
     for i in np.flatnonzero(many.admissible):
-        guess = {n: float(a[i]) for n, a in many.unknowns.items()}
-        found = solve(name, {n: float(a[i]) for n, a in points.items()}, guess)
+        found = single(many, i)
         sum_of_pair = np.trace(Declared(found).monodromy()) - 2
         stability = found.stability
         verdicts.append(stability.verdict)

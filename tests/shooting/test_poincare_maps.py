@@ -16,7 +16,7 @@ from scipy.optimize import linear_sum_assignment
 
 from nonsmooth import refine, solve
 from nonsmooth.derive.equations.linearisation import saltation_matrix
-from tests.declared import RANGES, Declared, random_points
+from tests.declared import RANGES, Declared, random_points, single
 
 PROPERTY = settings(max_examples=40)
 every_orbit = pytest.mark.parametrize("name", RANGES)
@@ -28,8 +28,7 @@ def orbits(name):
     points, found = random_points(name, 51, 40), [solve(name)]
     many = solve(name, points)
     for i in np.flatnonzero(many.admissible)[:4]:
-        guess = {n: float(a[i]) for n, a in many.unknowns.items()}
-        found.append(solve(name, {n: float(a[i]) for n, a in points.items()}, guess))
+        found.append(single(many, i))
     assert len(found) == 5
     return tuple(found)
 

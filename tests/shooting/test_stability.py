@@ -7,6 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from nonsmooth import poincare_map, refine, simulate, solve
+from tests.declared import single
 
 ORBIT = "dry-friction/global-stick"
 PARAMETERS = ("chi", "eta", "V", "e1", "e2")
@@ -38,24 +39,17 @@ def simulated_map(orbit):
 
 @cache
 def at_random_points():
-    """Random points, and the orbits there."""
+    """Orbits at random points."""
     points = LOWER + (UPPER - LOWER) * np.random.default_rng(11).random((1500, 5))
-    return points, solve(ORBIT, dict(zip(PARAMETERS, points.T, strict=True)))
+    return solve(ORBIT, dict(zip(PARAMETERS, points.T, strict=True)))
 
 
 def orbits_where(select, count):
     """Admissible orbits of random points whose trace is selected."""
-    points, many = at_random_points()
+    many = at_random_points()
     chosen = np.flatnonzero(many.admissible & (many.trace != 0) & select(many))[:count]
     assert len(chosen) == count
-    return [
-        solve(
-            ORBIT,
-            dict(zip(PARAMETERS, map(float, points[i]), strict=True)),
-            {n: float(a[i]) for n, a in many.unknowns.items()},
-        )
-        for i in chosen
-    ]
+    return [single(many, i) for i in chosen]
 
 
 @pytest.fixture(scope="module")
@@ -110,11 +104,7 @@ def test_batches_have_the_same_trace_and_both_verdicts_occur():
     many = solve(ORBIT, dict(zip(PARAMETERS, points.T, strict=True)))
     verdicts = set()
     for i in np.flatnonzero(many.admissible)[::3]:
-        orbit = solve(
-            ORBIT,
-            dict(zip(PARAMETERS, map(float, points[i]), strict=True)),
-            {n: float(a[i]) for n, a in many.unknowns.items()},
-        )
+        orbit = single(many, i)
         assert orbit.trace == pytest.approx(float(many.trace[i]), abs=1e-9)
         assert orbit.stability.margin == 1 - abs(orbit.trace)
         verdicts.add(orbit.stability.verdict)

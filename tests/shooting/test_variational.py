@@ -13,7 +13,6 @@ from numpy.testing import assert_allclose
 from scipy.linalg import expm
 
 from nonsmooth.runtime.core.arithmetic import exact_ball
-from nonsmooth.runtime.core.exponentials.matrices import exponentials
 from nonsmooth.runtime.core.taylor_models import range_of, space_of
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.shooting.variational import (
@@ -184,30 +183,6 @@ def test_the_variational_is_the_derivative() -> None:
     for unknown in range(COUNT + SIZE):
         slope = (moved(unknown, 1) - moved(unknown, -1)) / (2 * step)
         assert max(abs(slope - jacobian[:, unknown])) < mp.mpf(10) ** -25
-
-
-def test_a_complex_step_gives_the_derivative_by_a_parameter() -> None:
-    data, along, tiny = data_of(5), data_of(6), 1e-30
-
-    def at(parameter: Any) -> Data:
-        parts = zip(data[:3], along[:3], strict=True)
-        return Data(*(a + parameter * b for a, b in parts), data.dwell, data.start)
-
-    complex_data = at(1j * tiny)
-    generators = np.zeros((COUNT, SIZE + 1, SIZE + 1), dtype=complex)
-    generators[:, :SIZE] = complex_data.fields * data.dwell[:, None, None]
-    flows, unit = exponentials(generators)[:, :SIZE], np.eye(COUNT + SIZE)
-    start, rates = data.start[:, None].astype(complex), list(unit[:COUNT, None])
-    phases = phases_of(complex_data)
-    found = shooting_map(ARRAYS, phases, flows, start, unit[COUNT:], rates)
-    plain = in_floats(data).free
-    assert_allclose(found.variational.real, plain.variational, rtol=1e-12, atol=1e-12)
-    assert_allclose(np.real(found.slopes), plain.slopes, rtol=1e-12, atol=1e-12)
-    step = 1e-6
-    pairs = [in_floats(at(sign * step)).free for sign in (1, -1)]
-    values = [np.concatenate([*now.residual, now.starts[-1]]) for now in (*pairs, found)]
-    slope = (values[0] - values[1]) / (2 * step)
-    assert_allclose(values[2].imag / tiny, slope, rtol=1e-6, atol=1e-7)
 
 
 @pytest.mark.parametrize("seed", [21, 22, 23])
