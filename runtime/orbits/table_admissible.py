@@ -20,7 +20,7 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.events.crossings_and_maxima import maximum
 from nonsmooth.runtime.events.leading_derivative import derivatives, leading, square
-from nonsmooth.runtime.events.quasi_polynomials import ConfigurationTable
+from nonsmooth.runtime.events.quasi_polynomials import ModeFunctions, functions_along
 from nonsmooth.runtime.events.transition_choice import Decider, choose
 from nonsmooth.runtime.model.boundary_sets import lowest_of, mask_of
 from nonsmooth.runtime.model.contacts.law import ContactEvent
@@ -72,24 +72,27 @@ def assess_cycle(
     behind = projection_along(translations_of(system)) @ now.starts[-1]
     now = now._replace(starts=np.concatenate([now.starts[:-1], behind[None]]))
     begins = np.concatenate([[0.0], np.cumsum(dwell)])
-    tables: dict[int, ConfigurationTable] = {}
+    modes = {
+        c: ModeFunctions(cycle.structure.shapes[c], system.exponents[c])
+        for c in {*cycle.configurations}
+    }
     violations = []
     for place, duration in enumerate(dwell.tolist()):
         configuration = cycle.configurations[place]
         name = cycle.structure.configurations[configuration]
-        if configuration not in tables:
-            tables[configuration] = ConfigurationTable(system, configuration)
-        table = tables[configuration]
-        if not duration * table.fastest <= LONGEST_WAIT:
+        functions = modes[configuration]
+        if not duration * functions.fastest <= LONGEST_WAIT:
             raise InputError(
                 f"{name} lasts {duration:.6g}, more than {LONGEST_WAIT:g} over its largest"
                 " exponent: no guarantee reaches that far"
             )
         noise = _noise(cycle, numbers, now, place, duration)
-        state = [*map(float, now.starts[place]), 1.0]
         shapes = cycle.structure.boundaries[configuration]
-        for boundary, shape in zip(table.boundaries, shapes, strict=True):
-            function = table.function(boundary, state, [abs(x) for x in state])
+        along = functions, system.flows[configuration]
+        rows = system.rows[[shape.row for shape in shapes]]
+        state = np.append(now.starts[place], 1.0)
+        curves = functions_along(*along, rows, state, abs(state))
+        for function, shape in zip(curves, shapes, strict=True):
             rounding = max(function.rounding(0.0), function.rounding(duration))
             excess, time = maximum(function, duration, rounding + float(noise[shape.row]))
             if not math.isnan(time):
