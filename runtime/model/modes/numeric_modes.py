@@ -17,7 +17,7 @@ The first of four ways that succeeds is taken:
   factor.
 - `subspace_modes` where other eigenvalues are equal, and always from `LARGE` states on.
 - `precise_modes`, in many digits, where eigenvalues are neither equal nor apart: chains of at most
-  seven that nearly meet, and series for defective groups of more, as of a cascade of filters.
+  seven that nearly meet. More of them are refused.
 """
 
 from __future__ import annotations

@@ -24,12 +24,8 @@ from nonsmooth.runtime.model.structure import mode_shapes
 
 __all__ = [
     "LARGE",
-    "LONGEST_CHAIN",
     "groupings",
-    "is_real",
-    "largest_term",
     "leads",
-    "real_parts_of",
     "subspace_modes",
 ]
 
@@ -39,7 +35,7 @@ _NEARNESS = (1e-9, 1e-7, 3e-6, 1e-4)  # of the largest modulus: what is taken to
 _ASIDE = 0.1  # shift of an inverse iteration, in units of the distance to what is not meant
 _ITERATIONS = 20
 _SETTLED = 4 * _EPSILON  # change of a basis in an iteration
-LONGEST_CHAIN = 24  # powers of time with one exponent
+_LONGEST_CHAIN = 24  # powers of time with one exponent
 _NORM, _LARGEST = 2.0, 1e5  # of a projector: by states; and at most
 # error of the sum and of its derivative over a radian, relative to these; for many states
 _CLOSE, _CLOSE_OF_MANY = 1e-13, 1e-11
@@ -128,7 +124,7 @@ def _modes_of(
     parts = [
         part
         for values, basis in groups
-        for part in ((basis,) if is_real(values) else (basis, basis.conj()))
+        for part in ((basis,) if _is_real(values) else (basis, basis.conj()))
     ]
     right = np.hstack(parts)
     if right.shape[1] != size:
@@ -139,7 +135,7 @@ def _modes_of(
     modes, place, blocks = [], 0, np.zeros((size, size), dtype=complex)
     largest, unit, dropped = _NORM * size, scale or 1.0, np.zeros((size, size))
     for values, basis in groups:
-        count, twice = basis.shape[1], 1 if is_real(values) else 2
+        count, twice = basis.shape[1], 1 if _is_real(values) else 2
         for first in range(place, place + twice * count, count):
             inside = slice(first, first + count), slice(first, first + count)
             blocks[inside] = moved[inside]
@@ -184,7 +180,7 @@ def _factors(
 def _powers(centre: complex, terms: list[np.ndarray], depends: np.ndarray) -> _ModeParts:
     """Matrices of the powers of time of a group of eigenvalues."""
     size = len(depends) - 1
-    found = real_parts_of(terms, oscillates=centre.imag != 0)
+    found = _real_parts_of(terms, oscillates=centre.imag != 0)
     matrices = [np.where(depends, array, 0.0)[:size] for array in found]
     return _ModeParts(centre, np.empty((0, size)), np.empty((0, size + 1)), matrices)
 
@@ -242,10 +238,10 @@ def _linked_groups(values: list[complex], distance: float) -> list[list[complex]
 
 def leads(group: list[complex]) -> bool:
     """Whether a group is real or is, of two conjugate groups, the one that is kept."""
-    return is_real(group) or sum(group).imag > 0
+    return _is_real(group) or sum(group).imag > 0
 
 
-def is_real(group: list[complex]) -> bool:
+def _is_real(group: list[complex]) -> bool:
     """Whether a group has the conjugate of each of its eigenvalues."""
     return {v.conjugate() for v in group} == set(group)
 
@@ -269,12 +265,12 @@ def _cluster_terms(
     before = 1.0
     power, silent = np.eye(len(block), dtype=complex), 0
     terms: list[np.ndarray] = []
-    for k in range(LONGEST_CHAIN):
+    for k in range(_LONGEST_CHAIN):
         size = float(np.linalg.norm(power, 2))
         if k and size <= error * before:
             return terms
         before = size
-        silent = silent + 1 if size * largest_term(k, centre.real, longest) <= _EPSILON else 0
+        silent = silent + 1 if size * _largest_term(k, centre.real, longest) <= _EPSILON else 0
         if silent == 2 and k >= len(block):
             return terms[:-1]
         terms.append(right @ power @ left)
@@ -282,7 +278,7 @@ def _cluster_terms(
     return None
 
 
-def largest_term(k: int, rate: float, longest: float) -> float:
+def _largest_term(k: int, rate: float, longest: float) -> float:
     """Largest value of t^k/k! e^(rate t) over t < longest; relative to e^(rate t) if that grows."""
     peak = min(longest, k / -rate) if rate < 0 and k else longest
     if k == 0 or peak == 0:
@@ -292,7 +288,7 @@ def largest_term(k: int, rate: float, longest: float) -> float:
     return math.exp(k * math.log(peak) - math.lgamma(k + 1) + min(rate, 0.0) * peak)
 
 
-def real_parts_of(terms: list[np.ndarray], *, oscillates: bool) -> list[np.ndarray]:
+def _real_parts_of(terms: list[np.ndarray], *, oscillates: bool) -> list[np.ndarray]:
     """The real matrices of the functions t^k e^(st) of a cluster, or of their cosines and sines."""
     found = []
     for k, term in enumerate(terms):
