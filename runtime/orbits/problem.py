@@ -38,7 +38,7 @@ from nonsmooth.runtime.orbits.refine import refine_tables
 from nonsmooth.runtime.orbits.table_admissible import assess_cycle
 from nonsmooth.runtime.shooting.closure_conditions import closing, closure_equations
 from nonsmooth.runtime.shooting.multipliers import Stability
-from nonsmooth.runtime.shooting.newton import CONVERGED, LEAST, SINGULAR
+from nonsmooth.runtime.shooting.newton import CONVERGED, LEAST, SINGULAR, message_of
 from nonsmooth.runtime.shooting.section_map import assess, saltations
 from nonsmooth.runtime.shooting.shooting_map import (
     ItineraryShape,
@@ -48,7 +48,7 @@ from nonsmooth.runtime.shooting.shooting_map import (
     shoot,
 )
 from nonsmooth.runtime.shooting.symmetry import Symmetry
-from nonsmooth.runtime.shooting.table_newton import message_of, sizes
+from nonsmooth.runtime.shooting.table_newton import sizes
 from nonsmooth.runtime.shooting.translations import (
     gauges_of,
     translations_of,
@@ -200,7 +200,7 @@ class OrbitProblem:
 
     def message(self, status: int, *, timed: bool) -> str:
         """Return what a status means and suggests, where the period was given (`timed`) or not."""
-        return message_of(status, timed=timed)
+        return message_of(status, derived=self.derived, timed=timed)
 
     def evaluation(self, orbit: Orbit) -> Evaluation:
         """Return what the equations tell at an orbit of this problem."""

@@ -9,9 +9,8 @@ from nonsmooth.runtime.core.values import parse
 from nonsmooth.runtime.model.completion import default_parameters
 from nonsmooth.runtime.model.kernels import backend, load_orbit, orbit_names
 from nonsmooth.runtime.orbits.admissible import NO_ORBIT
-from nonsmooth.runtime.orbits.kernel_problem import STATUS
 from nonsmooth.runtime.shooting.kernel_newton import solve_reduced
-from nonsmooth.runtime.shooting.newton import CONVERGED
+from nonsmooth.runtime.shooting.newton import CONVERGED, STATUS
 from tests.declared import random_points
 from tests.two_masses import PHASES, STICKING
 
