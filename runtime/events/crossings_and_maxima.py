@@ -31,7 +31,6 @@ __all__ = [
     "Start",
     "falling_zeros",
     "first_crossing",
-    "largest",
     "maximum",
 ]
 
@@ -347,17 +346,15 @@ class _Sample(NamedTuple):
     slope: float
 
 
-def largest(
-    function: QuasiPolynomial, times: Sequence[float], slack: float | None = None
-) -> Maximum:
+def _largest(function: QuasiPolynomial, times: Sequence[float]) -> Maximum:
     """The maximum of a function over cells whose ends are some times, in ascending order.
 
-    Cells are split until a bound on the function over each is at most `slack` above the maximum, a
-    quarter of its error if it is not told; after far too many splits that bound, which is safe but
+    Cells are split until a bound on the function over each is at most a quarter of its error above
+    the maximum; after far too many splits that bound, which is safe but
     not attained, becomes the maximum. Raises OverflowError where the function is not finite.
     """
     jets = [function.jet(time) for time in times]
-    slack = max(error for *_, error in jets) / 4 if slack is None else slack
+    slack = max(error for *_, error in jets) / 4
     samples = [_Sample(jet[0], time, jet[1]) for time, jet in zip(times, jets, strict=True)]
     best, splits = Maximum(*max(samples, key=itemgetter(0))[:2]), 0
     waiting = [(*ends, False) for ends in pairwise(samples)]
@@ -411,7 +408,7 @@ def maximum(function: QuasiPolynomial, duration: float, floor: float = -math.inf
         if first is None:
             return Maximum(floor, math.nan)
         count = 1 + int(function.fastest * (duration - first) / _CELL)
-        return largest(function, np.linspace(first, duration, count + 1).tolist())
+        return _largest(function, np.linspace(first, duration, count + 1).tolist())
     except OverflowError:
         raise InputError("the function overflows") from None
 

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from itertools import accumulate, count, islice, zip_longest
 from typing import NamedTuple
@@ -40,8 +40,8 @@ __all__ = [
     "Jet",
     "ModeFunctions",
     "QuasiPolynomial",
+    "functions_along",
     "plain_functions",
-    "row_factors",
 ]
 
 TINY = 1e-300  # what underflow may take away
@@ -77,32 +77,52 @@ class ModeFunctions:
         ends = [0, *accumulate(map(len, pairs))]
         # for each function the places of its real and, if it has one, its imaginary part
         self.places = [places for each in pairs for places in each]
+        numbers = [complex(*exponent) for exponent in exponents.tolist()]
         self.parts = [
             _JoinedModes(
                 ends[first],
                 ends[last],
-                complex(*exponents[first].tolist()),
+                numbers[first],
                 exponents[first:last],
                 tuple(shapes[first:last]) if chain else (),
-                float(np.hypot(*exponents[first:last].T).max()),
+                max(map(abs, numbers[first:last])),
             )
             for first, last, chain in chains(shapes)
         ]
+        self.fastest = max(part.fastest for part in self.parts)
         # what each function's value loses in a unit of time, in its own rounding
         self.losses = [
-            float(abs(part.exponents[:, 0]).max()) / 8
+            max(abs(rate) for rate, _ in part.exponents.tolist()) / 8
             for part in self.parts
             for _ in range(part.first, part.end)
         ]
-        matrix, heads = derivative_matrix(shapes, exponents), [p[0] for p in self.places]
+        # factor of each function in its own derivative; then numbers of a function, of another
+        # one whose derivative contains it, and the factor there
+        self._own: list[complex] = []
+        self._others: list[tuple[int, int, complex]] = []
+        for part in self.parts:
+            if part.shapes:
+                self._add_chain(part)
+                continue
+            self._own += [part.exponent] * (part.end - part.first)
+            powers = range(part.first + 1, part.end)
+            self._others += [(i - 1, i, complex(i - part.first)) for i in powers]
+
+    def _add_chain(self, part: _JoinedModes) -> None:
+        """Add what the functions of a chain have in their derivatives."""
+        begin, places = self.places[part.first][0], self.places[part.first : part.end]
+        matrix = derivative_matrix(part.shapes, part.exponents)
+        heads = [head - begin for head, *_ in places]
         turned = matrix[heads][:, heads].astype(complex)
-        for row, (_, *imaginary) in enumerate(self.places):
+        for row, (_, *imaginary) in enumerate(places):
             for place in imaginary:
-                turned[row] += 1j * matrix[place, heads]
-        self._own = np.diag(turned).tolist()
+                turned[row] += 1j * matrix[place - begin, heads]
+        self._own += np.diag(turned).tolist()
         np.fill_diagonal(turned, 0)
-        # numbers of a function, of another one whose derivative contains it, and the factor there
-        self._others = [(int(j), int(i), complex(turned[i, j])) for i, j in np.argwhere(turned)]
+        self._others += [
+            (part.first + int(j), part.first + int(i), complex(turned[i, j]))
+            for i, j in np.argwhere(turned)
+        ]
 
     def derived(self, factors: Sequence[complex]) -> tuple[complex, ...]:
         """Factors of the functions in the derivative of their sum with some factors."""
@@ -203,12 +223,14 @@ class QuasiPolynomial:
     def derivative(self) -> QuasiPolynomial:
         """The function g', with the rounding errors of its own factors."""
         sizes = self.functions.derived_sizes(self.sizes)
-        return replace(self, factors=self._order(1), sizes=sizes)
+        return QuasiPolynomial(self.functions, self._order(1), sizes)
 
     def raised(self, by: float) -> QuasiPolynomial:
-        """The function g + by."""
+        """The function g + by, whose derivatives are those of g."""
         head, *rest = self.factors
-        return replace(self, factors=(head + by, *rest))
+        found = QuasiPolynomial(self.functions, (head + by, *rest), self.sizes)
+        found._orders.extend(self._orders[1:])
+        return found
 
     @cached_property
     def parts(self) -> list[_JoinedModes]:
@@ -354,31 +376,34 @@ class QuasiPolynomial:
         )
 
 
-def row_factors(flow: Flows, row: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """What each function of time has in an affine function (N + 1,) along a flow, and its size.
+def functions_along(
+    functions: ModeFunctions, flow: Flows, rows: np.ndarray, state: np.ndarray, size: np.ndarray
+) -> list[QuasiPolynomial]:
+    """The affine functions with rows (b, N + 1) along a flow, as functions of time.
 
-    Both are (functions, N + 1): they are multiplied by the extended start.
+    `functions` are those that the flow has parts of. The flow starts from an extended state
+    (N + 1,), whose numbers were added up from the absolute values `size`.
     """
     if isinstance(flow, FactoredFlows):
-        values, sizes = flow.rows(row[:-1])
+        moved, sizes = flow.parts(state), flow.sizes(size)
     else:
-        values = np.einsum("i,fij->fj", row[:-1], flow)
-        sizes = np.einsum("i,fij->fj", abs(row[:-1]), abs(flow))
-    values[0, -1] += row[-1]  # the constant joins the first function, which is 1
-    sizes[0, -1] += abs(row[-1])
-    return values, sizes
+        moved, sizes = flow @ state, abs(flow) @ size
+    parts = []
+    for factors, of_rows in ((moved, rows), (sizes, abs(rows))):
+        found = of_rows[:, :-1] @ factors.T
+        found[:, 0] += of_rows[:, -1]  # the constant joins the first function, which is 1
+        parts.append(found.tolist())
+    return [QuasiPolynomial.of(functions, *each) for each in zip(*parts, strict=True)]
 
 
 class BoundaryTable:
-    """One boundary of a configuration: coefficients by functions of time, and derivatives."""
+    """One boundary of a configuration, with its derivatives along the field."""
 
     def __init__(self, system: PiecewiseLinear, configuration: int, index: int) -> None:
         shape = system.structure.boundaries[configuration][index]
-        row, flow = system.rows[shape.row], system.flows[configuration]
-        values, sizes = row_factors(flow, row)
         self.row, self.reached = shape.row, shape.reached
-        self.values, self.sizes = rows_of(values), rows_of(sizes)
-        self.orders, self.bounds = orders(row, system.fields[configuration], ORDERS)
+        row, field = system.rows[shape.row], system.fields[configuration]
+        self.orders, self.bounds = orders(row, field, ORDERS)
 
 
 class ConfigurationTable:
@@ -388,7 +413,7 @@ class ConfigurationTable:
         shape, self._flows = system.structure, system.flows[index]
         self.functions = ModeFunctions(shape.shapes[index], system.exponents[index])
         rates, speeds = system.exponents[index][:, 0], np.hypot(*system.exponents[index].T)
-        self.fastest = float(speeds.max())
+        self.fastest = self.functions.fastest
         self.slowest = min(filter(None, speeds.tolist()), default=0.0)
         self.growth = max(0.0, float(rates.max()))
         self.bounded = not rates.any() and all(
@@ -397,6 +422,7 @@ class ConfigurationTable:
         self.boundaries = [
             BoundaryTable(system, index, b) for b in range(len(shape.boundaries[index]))
         ]
+        self._rows = system.rows[[boundary.row for boundary in self.boundaries]]
         self.field = rows_of(system.fields[index])
 
     @cached_property
@@ -414,16 +440,13 @@ class ConfigurationTable:
         """Sum of `sizes` over the functions of time."""
         return rows_of(abs(matrices_of(self._flows)).sum(axis=0))
 
-    def function(
-        self, boundary: BoundaryTable, state: list[float], size: list[float]
-    ) -> QuasiPolynomial:
-        """A boundary function in time, from an extended state and its absolute values.
+    def along(self, state: list[float], size: list[float]) -> list[QuasiPolynomial]:
+        """The boundary functions in time, from an extended state and its absolute values.
 
         The state has N + 1 numbers, in the system's units; `size` are absolute values of as many.
         """
-        values = [dot(row, state) for row in boundary.values]
-        sizes = [dot(row, size) for row in boundary.sizes]
-        return QuasiPolynomial.of(self.functions, values, sizes)
+        at = np.array(state), np.array(size)
+        return functions_along(self.functions, self._flows, self._rows, *at)
 
     def after(self, state: list[float], t: float) -> list[float]:
         """The extended state, N + 1 numbers, a time t later; all is in the system's units."""

@@ -11,10 +11,9 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.model.completion import complete
 from nonsmooth.runtime.model.kernels import OrbitKernels, load_orbit
-from nonsmooth.runtime.orbits.kernel_problem import STATUS
 from nonsmooth.runtime.orbits.one_point import solve_kernels
 from nonsmooth.runtime.orbits.solve import solve
-from nonsmooth.runtime.shooting.newton import CONVERGED, SINGULAR
+from nonsmooth.runtime.shooting.newton import CONVERGED, SINGULAR, STATUS
 
 __all__ = ["Interval", "admissible_intervals", "singular_values"]
 

@@ -114,21 +114,6 @@ class FactoredFlows:
         positive = FactoredFlows(self.shapes, *map(abs, (self.matrices, self.left, self.right)))
         return positive._parts(extended, abs(_places(self.shapes).sign))
 
-    def rows(self, row: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """A row (N,) times the matrices of one point, and bounds of the sums of absolute values.
-
-        Both are (functions, N + 1).
-        """
-        sign, arrays = _places(self.shapes).sign, (row, self.matrices, self.left, self.right)
-        values, sizes = (
-            self._placed(one @ matrices, (left @ one)[:, None], right, signs)
-            for one, matrices, left, right, signs in (
-                (*arrays, sign),
-                (*map(abs, arrays), abs(sign)),
-            )
-        )
-        return values, sizes
-
     def all(self) -> np.ndarray:
         """The matrices (..., functions, N, N + 1) of all functions: N / 2 times as many numbers."""
         found = self._placed(

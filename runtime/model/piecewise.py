@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -82,8 +82,7 @@ def piecewise(
     """
     kernels = kernels_of(system)
     values = system_parameters(kernels, parameters)
-    found = piecewise_at(kernels, np.array([float(value) for value in values.values()]))
-    return replace(found, parameters=values)
+    return _piecewise(kernels, values, np.array([float(value) for value in values.values()]))
 
 
 def piecewise_at(
@@ -95,6 +94,15 @@ def piecewise_at(
     `InputError` where double precision does not tell the modes from each other.
     """
     values = {p.name: as_value(x) for p, x in zip(kernels.parameters, point.tolist(), strict=True)}
+    return _piecewise(kernels, values, point, visited)
+
+
+def _piecewise(
+    kernels: SystemKernels,
+    values: dict[str, Value],
+    point: np.ndarray,
+    visited: Collection[int] | None = None,
+) -> PiecewiseLinear:
     tables = [part[0] for part in _evaluated(kernels, point[None])]
     structure = structure_of(kernels)
     if structure.modes is not None:

@@ -25,8 +25,8 @@ from nonsmooth.runtime.events.crossings_and_maxima import maximum
 from nonsmooth.runtime.events.quasi_polynomials import (
     ModeFunctions,
     QuasiPolynomial,
+    functions_along,
     plain_functions,
-    row_factors,
 )
 from nonsmooth.runtime.model.completion import follow
 from nonsmooth.runtime.model.engine_run import LONGEST_WAIT
@@ -291,14 +291,15 @@ def _along_motions(
     kernels: OrbitKernels, states: np.ndarray, fields: np.ndarray, rows: np.ndarray
 ) -> Iterator[tuple[Boundary, QuasiPolynomial]]:
     """Yield the boundaries and their functions along damped or forced motions at one point."""
-    starts = states[:-1]
-    modes = [numeric_modes(field) for field in np.split(fields, len(starts))]
-    functions = [ModeFunctions(each.shapes, each.exponents) for each in modes]
-    for boundary, row in zip(kernels.boundaries, rows, strict=True):
-        phase, start = boundary.phase, np.append(starts[boundary.phase], 1.0)
-        values, sizes = row_factors(modes[phase].flows, row)
-        parts = (values @ start).tolist(), (sizes @ abs(start)).tolist()
-        yield boundary, QuasiPolynomial.of(functions[phase], *parts)
+    phases = np.array([boundary.phase for boundary in kernels.boundaries])
+    found: dict[int, QuasiPolynomial] = {}
+    for phase, field in enumerate(np.split(fields, len(states) - 1)):
+        modes, places = numeric_modes(field), np.flatnonzero(phases == phase)
+        functions = ModeFunctions(modes.shapes, modes.exponents)
+        state = np.append(states[phase], 1.0)
+        curves = functions_along(functions, modes.flows, rows[places], state, abs(state))
+        found.update(zip(places.tolist(), curves, strict=True))
+    yield from zip(kernels.boundaries, map(found.__getitem__, range(len(found))), strict=True)
 
 
 def kernel_limits(

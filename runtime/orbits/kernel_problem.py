@@ -43,17 +43,7 @@ from nonsmooth.runtime.shooting.multipliers import (
     modulus,
     stability_of,
 )
-from nonsmooth.runtime.shooting.newton import (
-    BEYOND,
-    CONVERGED,
-    INVALID,
-    LEAST,
-    NEGATIVE,
-    OUTSIDE,
-    SINGULAR,
-    STALLED,
-    UNSURE,
-)
+from nonsmooth.runtime.shooting.newton import LEAST
 from nonsmooth.runtime.shooting.section_map import reciprocal
 
 if TYPE_CHECKING:
@@ -61,7 +51,6 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = [
-    "STATUS",
     "KernelProblem",
     "assess_stability",
     "chosen_parameters",
@@ -70,18 +59,6 @@ __all__ = [
 ]
 
 _WIDE = 50.0  # ratio of frequencies beyond which doubles lose digits of the Poincare map
-STATUS = {
-    CONVERGED: "converged",
-    STALLED: "not converged: give a guess nearer to the orbit, or none and let it be searched",
-    INVALID: "not finite: a parameter is outside its domain or the guess is far from any orbit",
-    NEGATIVE: "a dwell time is not positive, or is zero within its error: no motion has this"
-    " itinerary here; change the parameters or search without a guess",
-    OUTSIDE: "a parameter that was solved for is outside its domain: no such system exists;"
-    " change what is given",
-    SINGULAR: "singular: at these parameters (a resonance) the equations do not determine an"
-    " orbit; there is none, or a whole family: change a parameter",
-    UNSURE: BEYOND,
-}
 
 
 @lru_cache(maxsize=64)
@@ -197,10 +174,6 @@ class KernelProblem(OrbitProblem):
         if not found.converged:
             raise InputError(f"{self.name}: {found.message}")
         return found
-
-    def message(self, status: int, *, timed: bool) -> str:
-        """See `OrbitProblem`."""
-        return STATUS[status]
 
     def evaluation(self, orbit: Orbit) -> KernelEvaluation:
         """See `OrbitProblem`."""

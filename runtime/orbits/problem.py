@@ -38,7 +38,7 @@ from nonsmooth.runtime.orbits.refine import refine_tables
 from nonsmooth.runtime.orbits.table_admissible import assess_cycle
 from nonsmooth.runtime.shooting.closure_conditions import closing, closure_equations
 from nonsmooth.runtime.shooting.multipliers import Stability
-from nonsmooth.runtime.shooting.newton import CONVERGED, LEAST, SINGULAR
+from nonsmooth.runtime.shooting.newton import CONVERGED, LEAST, SINGULAR, message_of
 from nonsmooth.runtime.shooting.section_map import assess, saltations
 from nonsmooth.runtime.shooting.shooting_map import (
     ItineraryShape,
@@ -48,7 +48,7 @@ from nonsmooth.runtime.shooting.shooting_map import (
     shoot,
 )
 from nonsmooth.runtime.shooting.symmetry import Symmetry
-from nonsmooth.runtime.shooting.table_newton import message_of, sizes
+from nonsmooth.runtime.shooting.table_newton import sizes
 from nonsmooth.runtime.shooting.translations import (
     gauges_of,
     translations_of,
@@ -200,7 +200,7 @@ class OrbitProblem:
 
     def message(self, status: int, *, timed: bool) -> str:
         """Return what a status means and suggests, where the period was given (`timed`) or not."""
-        return message_of(status, timed=timed)
+        return message_of(status, derived=self.derived, timed=timed)
 
     def evaluation(self, orbit: Orbit) -> Evaluation:
         """Return what the equations tell at an orbit of this problem."""
@@ -299,15 +299,22 @@ class Evaluation:
     @cached_property
     def piecewise(self) -> PiecewiseLinear:
         """The system at these parameters, in the orbit's arithmetic."""
-        system, parameters = self.orbit.system, self.orbit.parameters
-        if self.orbit.precise:
-            return piecewise_in(system, parameters, self.orbit.arithmetic)
-        return piecewise(system, parameters)
+        asked = self.orbit.system, self.orbit.parameters
+        return (
+            piecewise_in(*asked, self.orbit.arithmetic) if self.orbit.precise else piecewise(*asked)
+        )
 
     @cached_property
     def translations(self) -> np.ndarray:
         """Directions (m, N) along which the system does not change; m = 0 is the rule."""
         return translations_of(self.piecewise)
+
+    @cached_property
+    def _in_doubles(self) -> PiecewiseLinear:
+        """The system at these parameters, in double precision."""
+        if self.orbit.precise:
+            return piecewise(self.orbit.system, self.orbit.parameters)
+        return self.piecewise
 
     @property
     def shift(self) -> dict[str, Any]:
@@ -411,7 +418,7 @@ class Evaluation:
     def admissibility(self) -> Admissibility:
         """Whether the orbit is a motion of the real system."""
         self._check_found()
-        system = piecewise(self.orbit.system, self.orbit.parameters)
+        system = self._in_doubles
         cycle = self.cycle.at(system.structure)
         dwell, start = self.orbit.dwell_times.astype(float), self.states[0].astype(float)
         now = shoot(cycle, numbers_in(system), dwell, start, np)
@@ -424,7 +431,7 @@ class Evaluation:
         """
         self._check_found()
         return motion_along(
-            piecewise(self.orbit.system, self.orbit.parameters),
+            self._in_doubles,
             self.cycle,
             self.orbit.dwell_times.astype(float),
             self.states.astype(float),

@@ -14,13 +14,14 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from types import ModuleType
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.events.crossings_and_maxima import maximum
 from nonsmooth.runtime.events.leading_derivative import derivatives, leading, square
-from nonsmooth.runtime.events.quasi_polynomials import ConfigurationTable
+from nonsmooth.runtime.events.quasi_polynomials import ModeFunctions, functions_along
 from nonsmooth.runtime.events.transition_choice import Decider, choose
 from nonsmooth.runtime.model.boundary_sets import lowest_of, mask_of
 from nonsmooth.runtime.model.contacts.law import ContactEvent
@@ -72,24 +73,27 @@ def assess_cycle(
     behind = projection_along(translations_of(system)) @ now.starts[-1]
     now = now._replace(starts=np.concatenate([now.starts[:-1], behind[None]]))
     begins = np.concatenate([[0.0], np.cumsum(dwell)])
-    tables: dict[int, ConfigurationTable] = {}
+    modes = {
+        c: ModeFunctions(cycle.structure.shapes[c], system.exponents[c])
+        for c in {*cycle.configurations}
+    }
     violations = []
     for place, duration in enumerate(dwell.tolist()):
         configuration = cycle.configurations[place]
         name = cycle.structure.configurations[configuration]
-        if configuration not in tables:
-            tables[configuration] = ConfigurationTable(system, configuration)
-        table = tables[configuration]
-        if not duration * table.fastest <= LONGEST_WAIT:
+        functions = modes[configuration]
+        if not duration * functions.fastest <= LONGEST_WAIT:
             raise InputError(
                 f"{name} lasts {duration:.6g}, more than {LONGEST_WAIT:g} over its largest"
                 " exponent: no guarantee reaches that far"
             )
         noise = _noise(cycle, numbers, now, place, duration)
-        state = [*map(float, now.starts[place]), 1.0]
         shapes = cycle.structure.boundaries[configuration]
-        for boundary, shape in zip(table.boundaries, shapes, strict=True):
-            function = table.function(boundary, state, [abs(x) for x in state])
+        along = functions, system.flows[configuration]
+        rows = system.rows[[shape.row for shape in shapes]]
+        state = np.append(now.starts[place], 1.0)
+        curves = functions_along(*along, rows, state, abs(state))
+        for function, shape in zip(curves, shapes, strict=True):
             rounding = max(function.rounding(0.0), function.rounding(duration))
             excess, time = maximum(function, duration, rounding + float(noise[shape.row]))
             if not math.isnan(time):
@@ -231,53 +235,71 @@ def first_limits(
     """Return which boundary each of n orbits of one itinerary crosses first, as an int (n,).
 
     It is the number among all boundaries, phase after phase; `NEITHER` where the orbit is
-    a motion, `UNTOLD` where no guarantee reaches. `numbers` (n, size) are as `numbers_at`
-    gives them, `points` is (n, parameters), `dwell` (n, p), and `starts` (n, p, N) where
-    the phases begin.
+    a motion, `UNTOLD` where no guarantee reaches, or a dwell time is NaN. `numbers` (n, size)
+    are as `numbers_at` gives them, `points` is (n, parameters), `dwell` (n, p), and `starts`
+    (n, p, N) where the phases begin.
     """
-    limit = np.full(len(points), NEITHER)
-    unsure = np.asarray((dwell <= 0).any(axis=-1))
-    engine = compiled_engine()
-    if engine is None:
-        unsure[:] = True
-    first, count = 0, len(cycle)
-    for place, configuration in enumerate(cycle.configurations):
-        rows = np.flatnonzero((limit == NEITHER) & ~unsure)
-        if engine is not None and len(rows):
-            times = dwell[rows, place]
-            ends = run_motions(
-                engine,
-                cycle.structure,
-                numbers,
-                rows,
-                starts[rows, place],
-                np.full(len(rows), configuration),
-                _LONGER * times,
-                1,
-                2,
-            )
-            reached, when = ends.last_sets[:, 1], ends.last_times[:, 1]
-            own = mask_of(cycle.transitions[place].boundaries)
-            moved = ends.status == Status.TRANSITIONS
-            expected = moved & (reached == own) & (np.abs(when - times) <= _CLOSE * times)
-            expected &= ends.last_configurations[:, 1] == cycle.configurations[(place + 1) % count]
-            if cycle.boundaries[place] is None:  # the forcing's phase begins anew: none is reached
-                expected = np.isin(ends.status, (Status.UNTIL, Status.QUIET))
-            unsure[rows[~expected]] = True
-            early = np.flatnonzero(moved & ~expected)
-            if len(early):
-                rows, reached, when, times = rows[early], reached[early], when[early], times[early]
-                close = np.where((reached & own) != 0, _EARLY, _CLOSE) * times
-                lowest, at_once = lowest_of(reached), when <= _CLOSE * times
-                rises = _rises(
-                    cycle, configuration, numbers[rows], starts[rows, place], lowest, times
-                )
-                crossed = (when < times - close) & ((when > close) | (at_once & rises))
-                limit[rows[crossed]], unsure[rows[crossed]] = first + lowest[crossed], False
-        first += len(cycle.structure.boundaries[configuration])
+    unsure = np.isfinite(dwell).all(axis=-1)
+    limit = np.where(unsure, NEITHER, UNTOLD)
+    engine, (sure,) = compiled_engine(), np.nonzero(unsure & (dwell > 0).all(axis=-1))
+    if engine is not None and len(sure):
+        at = numbers, sure, dwell[sure], starts[sure]
+        limit[sure], unsure[sure] = _limits_by_engine(engine, cycle, *at)
     for row in np.flatnonzero(unsure).tolist():
         limit[row] = _guaranteed(system, cycle, points[row], dwell[row], starts[row, 0])
     return limit
+
+
+def _limits_by_engine(
+    engine: ModuleType,
+    cycle: ItineraryShape,
+    numbers: np.ndarray,
+    points: np.ndarray,
+    dwell: np.ndarray,
+    starts: np.ndarray,
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the limits (n,) that the engine tells of orbits, and where its rounding may decide.
+
+    `points` (n,) are rows of the numbers.
+    """
+    count, phases = dwell.shape
+    limit, unsure = np.full(count, NEITHER), np.full(count, False)
+    # the phases of a point one after the other: the engine prepares its numbers once
+    ends = run_motions(
+        engine,
+        cycle.structure,
+        numbers,
+        np.repeat(points, phases),
+        starts.reshape(count * phases, -1),
+        np.tile(cycle.configurations, count),
+        _LONGER * dwell.ravel(),
+        1,
+        2,
+    ).reshaped(count, phases)
+    first = 0
+    for place, configuration in enumerate(cycle.configurations):
+        rows = np.flatnonzero((limit == NEITHER) & ~unsure)
+        found, times = ends.at((rows, place)), dwell[rows, place]
+        reached, when = found.last_sets[:, 1], found.last_times[:, 1]
+        own = mask_of(cycle.transitions[place].boundaries)
+        moved = found.status == Status.TRANSITIONS
+        expected = moved & (reached == own) & (np.abs(when - times) <= _CLOSE * times)
+        expected &= found.last_configurations[:, 1] == cycle.configurations[(place + 1) % phases]
+        if cycle.boundaries[place] is None:  # the forcing's phase begins anew: none is reached
+            expected = np.isin(found.status, (Status.UNTIL, Status.QUIET))
+        unsure[rows[~expected]] = True
+        early = np.flatnonzero(moved & ~expected)
+        if len(early):
+            rows, reached, when, times = rows[early], reached[early], when[early], times[early]
+            close = np.where((reached & own) != 0, _EARLY, _CLOSE) * times
+            lowest, at_once = lowest_of(reached), when <= _CLOSE * times
+            rises = _rises(
+                cycle, configuration, numbers[points[rows]], starts[rows, place], lowest, times
+            )
+            crossed = (when < times - close) & ((when > close) | (at_once & rises))
+            limit[rows[crossed]], unsure[rows[crossed]] = first + lowest[crossed], False
+        first += len(cycle.structure.boundaries[configuration])
+    return limit, unsure
 
 
 def _rises(

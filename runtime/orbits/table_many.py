@@ -254,9 +254,10 @@ class TableBatch:
                 for array, values in zip(found, solved, strict=True):
                     array[rows] = values
                 if limits:
-                    there = np.flatnonzero(solved.status == CONVERGED)
-                    at = points[rows[there]], flat[there], solved.dwell[there], solved.starts[there]
-                    limit[rows[there]] = first_limits(system, here, *at)
+                    there = solved.status == CONVERGED
+                    waits = np.where(there[:, None], solved.dwell, np.nan)
+                    told = first_limits(system, here, points[rows], flat, waits, solved.starts)
+                    limit[rows] = np.where(there, told, NO_ORBIT)
 
         in_parallel(work, range(0, count, step), threads)
         for array in (*found[:4], margin):

@@ -16,7 +16,6 @@ from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.core.errors import NoConvergence
 
 __all__ = [
-    "BEYOND",
     "CONVERGED",
     "DETERMINED",
     "DOUBLE",
@@ -29,6 +28,7 @@ __all__ = [
     "SHORTEST",
     "SINGULAR",
     "STALLED",
+    "STATUS",
     "TOLERANCE",
     "UNSURE",
     "climb",
@@ -36,6 +36,7 @@ __all__ = [
     "iterate",
     "judged",
     "lost",
+    "message_of",
     "precisions",
     "sure_digits",
 ]
@@ -46,18 +47,49 @@ OUTSIDE = 4  # only of exchanged equations
 SINGULAR = 5
 GOING = -1  # only while iterating
 UNSURE = 6  # of what has converged: rounding leaves too few digits
-BEYOND = (
-    "beyond double precision: the parameters are so far apart that rounding leaves no"
-    " sure digits; change their ratios"
-)
 DOUBLE = 15  # decimal digits up to which doubles serve
 DETERMINED = 0.1  # error of an unknown x, in units of max(1, |x|), beyond which nothing is known
 TOLERANCE = 1e-9  # of the last step, which Newton's method squares
 SHORTEST = 1e-6  # in units of the period: a dwell time on its way to zero
 LEAST = 1e-10  # relative singular value below which equations are dependent
 MARGIN = 10  # decimals that the linear algebra of a step may lose
+STATUS = {
+    CONVERGED: "converged",
+    STALLED: "not converged: give a guess nearer to the orbit, or none and let it be searched",
+    INVALID: "not finite: a parameter is outside its domain or the guess is far from any orbit",
+    NEGATIVE: "a dwell time is not positive, or is zero within its error: no motion has this"
+    " itinerary here; change the parameters or search without a guess",
+    OUTSIDE: "a parameter that was solved for is outside its domain: no such system exists;"
+    " change what is given",
+    SINGULAR: "singular: at these parameters (a resonance) the equations do not determine an"
+    " orbit; there is none, or a whole family: change a parameter",
+    UNSURE: "beyond double precision: the parameters are so far apart that rounding leaves no"
+    " sure digits; change their ratios",
+}
+_COMPOSED = {
+    STALLED: "not converged: give a guess nearer to the orbit",
+    NEGATIVE: "a dwell time goes to zero, or is zero within its error: near the guess no motion"
+    " has this itinerary; leave that phase out, or change the parameters",
+    SINGULAR: "singular: one of a family of orbits, as there is where a first integral is kept;"
+    " give its period",
+}
+_TIMED = {
+    **_COMPOSED,
+    STALLED: "not converged: near the guess there may be no orbit of this period; give none, or"
+    " a guess nearer to the orbit",
+    SINGULAR: "singular: the period does not single an orbit out here; change a parameter",
+}
 _MOST_ITERATIONS = 32
 _MOST_LOST = 0.75  # of a dwell time in one step
+
+
+def message_of(status: int, *, derived: bool, timed: bool) -> str:
+    """What a status means, and a suggestion.
+
+    Other words are for orbits whose equations are `derived`, and where the period was given
+    (`timed`).
+    """
+    return STATUS[status] if derived else (STATUS | (_TIMED if timed else _COMPOSED))[status]
 
 
 def iterate(count: int, advance: Callable[[np.ndarray], Any]) -> tuple[np.ndarray, np.ndarray]:

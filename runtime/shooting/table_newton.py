@@ -19,7 +19,6 @@ from nonsmooth.runtime.model.kernels import compiled_engine
 from nonsmooth.runtime.model.time_functions import functions_at
 from nonsmooth.runtime.shooting.closure_conditions import closure_equations
 from nonsmooth.runtime.shooting.newton import (
-    BEYOND,
     CONVERGED,
     DETERMINED,
     GOING,
@@ -30,7 +29,6 @@ from nonsmooth.runtime.shooting.newton import (
     SINGULAR,
     STALLED,
     TOLERANCE,
-    UNSURE,
     damping,
     iterate,
     judged,
@@ -52,7 +50,6 @@ __all__ = [
     "TableSolution",
     "digits_of",
     "fitting_start",
-    "message_of",
     "sizes",
     "solve_in_python",
     "solve_shape",
@@ -68,22 +65,6 @@ _TURNED = 1.0  # radians of the fastest mode in which rounding of exponents adds
 _MOST_ERROR = 1e-4  # by a bound that is a hundred times the error, or more
 _WIDE = 1e4  # between a flow's rates, or in radians: nearer together rounding loses few digits
 NOTHING = 1e-18  # of the largest state: rounding of rounding is smaller
-
-_MESSAGES = {
-    CONVERGED: "converged",
-    STALLED: "not converged: give a guess nearer to the orbit",
-    INVALID: "not finite: a parameter is outside its domain or the guess is far from any orbit",
-    NEGATIVE: "a dwell time goes to zero, or is zero within its error: near the guess no motion"
-    " has this itinerary; leave that phase out, or change the parameters",
-    SINGULAR: "singular: one of a family of orbits, as there is where a first integral is kept;"
-    " give its period",
-    UNSURE: BEYOND,
-}
-_TIMED = {
-    STALLED: "not converged: near the guess there may be no orbit of this period; give none, or"
-    " a guess nearer to the orbit",
-    SINGULAR: "singular: the period does not single an orbit out here; change a parameter",
-}
 
 
 class TableSolution(NamedTuple):
@@ -139,11 +120,6 @@ def solve_shape(
         layout_of(cycle.structure), cycle.packed, period, flat, *found, start is not None
     )
     return found
-
-
-def message_of(status: int, *, timed: bool = False) -> str:
-    """The meaning of a status and a suggestion; `timed` says that the period was given."""
-    return _TIMED.get(status, _MESSAGES[status]) if timed else _MESSAGES[status]
 
 
 def solve_in_python(

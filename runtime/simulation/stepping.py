@@ -114,10 +114,10 @@ class _Stepper:
         """
         table = self.configuration(configuration)
         found = []
-        for index, boundary in enumerate(table.boundaries):
+        along = zip(table.boundaries, table.along(state, size), strict=True)
+        for index, (boundary, function) in enumerate(along):
             if index in left_out:
                 continue
-            function = table.function(boundary, state, size)
             start = _start(boundary, function, state, size, error, boundary.row in zero)
             if start.sign:
                 found.append(_WatchedFunction(index, boundary, function, start))
@@ -199,7 +199,7 @@ def _start(
         drift = error * abs(dot(boundary.orders[order + 1], state))
         return 0 if not abs(value) > judged[order][1] + drift else 1 if value > 0 else -1
 
-    found = leading(boundary.orders[: len(boundary.values)], sign, int(zero))
+    found = leading(boundary.orders[:-1], sign, int(zero))
     if found is None or not found.order:
         return Start(0, None) if found is None else Start(found.sign, None, found.sign > 0)
     if found.sign > 0:

@@ -9,7 +9,7 @@ from flint import arb
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from nonsmooth.runtime.events.crossings_and_maxima import largest, maximum
+from nonsmooth.runtime.events.crossings_and_maxima import maximum
 from tests.sums import trigonometric
 
 amplitudes = st.floats(-2, 2).map(lambda x: round(x, 6))
@@ -200,13 +200,3 @@ def test_a_floor_that_is_no_number_is_refused():
 )
 def test_a_sum_rises_where_its_slope_is_surely_positive(arguments, noise, expected):
     assert trigonometric(*arguments).rises(noise) is expected
-
-
-@pytest.mark.parametrize("slack", [1e-6, 1e-9, 1e-12])
-@pytest.mark.parametrize("cells", [3, 20, 80])
-def test_a_maximum_is_exceeded_by_no_more_than_the_slack(slack, cells):
-    for phase in np.random.default_rng(4).uniform(0.5, 2.5, 20).tolist():
-        wave = trigonometric(0.0, 0.0, (math.cos(phase),), (math.sin(phase),), (1.0,))
-        found = largest(wave, np.linspace(0, 3, cells + 1).tolist(), slack)
-        assert 1 - slack <= found.value <= 1 + wave.rounding(3.0)
-        assert found.value == wave(found.time)

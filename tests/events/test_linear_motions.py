@@ -13,7 +13,7 @@ import pytest
 from flint import arb, arb_mat, ctx
 
 from nonsmooth.runtime.events.crossings_and_maxima import maximum
-from nonsmooth.runtime.events.quasi_polynomials import ModeFunctions, QuasiPolynomial, row_factors
+from nonsmooth.runtime.events.quasi_polynomials import ModeFunctions, functions_along
 from nonsmooth.runtime.model.modes.numeric_modes import numeric_modes
 from tests.places import CHECKOUT
 
@@ -82,9 +82,9 @@ class LinearMotion(NamedTuple):
 def along(motion, row):
     """Give a function of a motion by the modes of its field."""
     modes, start = numeric_modes(motion.field), np.append(motion.start, 1.0)
-    values, sizes = row_factors(modes.flows, np.asarray(row, dtype=float))
-    functions = ModeFunctions(modes.shapes, modes.exponents)
-    return QuasiPolynomial.of(functions, values @ start, sizes @ abs(start))
+    functions, rows = ModeFunctions(modes.shapes, modes.exponents), np.array([row], dtype=float)
+    (found,) = functions_along(functions, modes.flows, rows, start, abs(start))
+    return found
 
 
 def motions(count, seed, most=7):

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from nonsmooth.runtime.model.modes.numeric_modes import grouped_modes, numeric_modes
-from nonsmooth.runtime.model.modes.projectors import exponentials_at
+from nonsmooth.runtime.model.modes.precise_modes import exponentials_at
 from nonsmooth.runtime.model.time_functions import functions_at
 
 

@@ -40,13 +40,13 @@ from nonsmooth.runtime.model.naming import units_of
 from nonsmooth.runtime.model.saved_system import named
 from nonsmooth.runtime.orbits.admissible import NEITHER, NO_ORBIT, UNTOLD
 from nonsmooth.runtime.orbits.kernel_many import NUMPY_JUDGED
-from nonsmooth.runtime.orbits.kernel_problem import STATUS
 from nonsmooth.runtime.orbits.solve import (
     DeclaredPoints,
     OrbitPoints,
     declared_kernels,
     points_of,
 )
+from nonsmooth.runtime.shooting.newton import STATUS
 
 __all__ = ["OrbitChart", "held_orbit_chart", "orbit_chart"]
 

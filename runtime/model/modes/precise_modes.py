@@ -1,40 +1,39 @@
 """Modes in many digits, rounded once, where double precision does not tell eigenvalues apart.
 
-Clusters of eigenvalues, in larger and larger groups, have projectors in many digits. A cluster of
-few eigenvalues is then Newton's interpolation of the exponential,
+Clusters of eigenvalues, in larger and larger groups, have projectors in many digits. With a
+circle of centre m and radius r between the cluster and all other eigenvalues,
+
+    P = (1 + ((B - m)/r)^n)^-1
+
+is its projector in the limit of n = 2, 4, 8, ...: no eigenvalue or eigenvector is used, so that
+they may be equal, defective, or anything between. The cluster is then Newton's interpolation of the
+exponential,
 
     sum_k e[p_0, ..., p_k] (B - p_0) ... (B - p_(k-1)) P,
 
-a chain of modes that is exact at all times; one of more is the series of its centre. The sum is
-compared with the exponential, and the first that misses no more than rounding is taken.
+a chain of modes that is exact at all times. The sum is compared with the exponential, and the
+first that misses no more than rounding is taken.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from itertools import islice
-from typing import NamedTuple
+from collections.abc import Collection, Iterator
+from typing import Any, NamedTuple
 
 import numpy as np
+from flint import acb, acb_mat, arb_mat, fmpq, fmpq_mat
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.model.engine_run import LONGEST_WAIT, MOST_POLES
+from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.model.engine_run import MOST_POLES
 from nonsmooth.runtime.model.factored_flows import matrices_of
-from nonsmooth.runtime.model.modes.projectors import chain, exponentials_at, newton, poles_of
 from nonsmooth.runtime.model.modes.simple_modes import NumericModes, snapped
-from nonsmooth.runtime.model.modes.subspace_modes import (
-    LONGEST_CHAIN,
-    groupings,
-    is_real,
-    largest_term,
-    leads,
-    real_parts_of,
-)
+from nonsmooth.runtime.model.modes.subspace_modes import groupings, leads
 from nonsmooth.runtime.model.structure import mode_shapes
 from nonsmooth.runtime.model.time_functions import functions_at
 
-__all__ = ["best_modes", "precise_candidates"]
+__all__ = ["best_modes", "exponentials_at", "precise_candidates"]
 
 _EPSILON = float(np.finfo(float).eps)
 _NEARNESS = (1e-9, 1e-7, 3e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1, math.inf)  # of the largest modulus
@@ -46,14 +45,18 @@ _ANGLES = (1 / 64, 1.0, 16.0)  # radians of the fastest at which sums are compar
 _LONG = 1024.0  # the same where eigenvalues were taken for equal
 _TURNED = 32.0  # radians in which an exponent's rounding grows to that of the sum
 _GROWTH = 100.0  # exponent beyond which nothing is compared
+_BITS = 600  # to which a projector is known: its last power may be tiny
+_FEW_BITS = 256  # an exponential that loses no more than two thirds of them is known
+_DOUBLE = 80  # and is rounded to 53
+_MOST_BITS = 120_000
+_TINY = 1e-6  # radius of a circle around equal eigenvalues, relative to the nearest other one
 
 
 class Cluster(NamedTuple):
-    """Eigenvalues taken together: the terms ``t^k e^(mu t)`` with their matrices."""
+    """Eigenvalues taken together as a chain of poles, each with one of Newton's products."""
 
-    centre: complex
-    terms: list[np.ndarray] | None  # None where the powers do not end
-    poles: tuple[complex, ...] = ()  # of a chain: its terms are Newton's products
+    poles: tuple[complex, ...]
+    terms: list[np.ndarray]
 
 
 def best_modes(matrix: np.ndarray, depends: np.ndarray, known: NumericModes | None) -> NumericModes:
@@ -68,8 +71,8 @@ def best_modes(matrix: np.ndarray, depends: np.ndarray, known: NumericModes | No
     def candidates() -> Iterator[NumericModes]:
         if known is not None:
             yield known
-        for clusters in precise_candidates(matrix, values.tolist(), scale):
-            shapes, exponents, terms = _modes_of(_sorted(clusters))
+        for clusters in precise_candidates(matrix, scale):
+            shapes, exponents, terms = _modes_of(clusters)
             yield NumericModes(
                 shapes, exponents, np.where(depends, matrices_of(terms), 0.0)[:, :-1]
             )
@@ -117,95 +120,49 @@ def _missed(matrix: np.ndarray, modes: NumericModes, scale: float) -> float:
     return worst
 
 
-def precise_candidates(
-    matrix: np.ndarray, values: list[complex], scale: float
-) -> Iterator[list[Cluster]]:
-    """Sets of clusters in more digits: chains of few eigenvalues, then larger and larger groups.
+def precise_candidates(matrix: np.ndarray, scale: float) -> Iterator[list[Cluster]]:
+    """Sets of clusters of nearby eigenvalues of a matrix (N, N), in larger and larger groups.
 
-    `values` are the eigenvalues of the matrix (N, N), and `scale` their largest modulus, the
-    unit of distances.
+    `scale` is the largest modulus of an eigenvalue, the unit of distances.
     """
-    yield from _chains(matrix, scale)
-    for groups in groupings(values, _NEARNESS, scale):
-        found = [_exact_cluster(matrix, group, groups, scale) for group in groups if leads(group)]
-        if all(cluster.terms is not None for cluster in found):
-            yield found
-
-
-def _chains(matrix: np.ndarray, scale: float) -> Iterator[list[Cluster]]:
-    """Sets of clusters that are chains of nearby eigenvalues, at larger and larger distances."""
-    poles: list[complex] = snapped(np.array(poles_of(matrix)), _EPSILON * scale).tolist()
+    poles: list[complex] = snapped(np.array(_poles_of(matrix)), _EPSILON * scale).tolist()
     for groups in groupings(poles, _NEARNESS, scale):
         if max(map(len, groups)) > MOST_POLES:
             continue
         try:
-            yield [_newton_cluster(matrix, group, groups) for group in groups if leads(group)]
+            yield [_cluster(matrix, group, groups) for group in groups if leads(group)]
         except (ValueError, ZeroDivisionError):  # no circle, or one that cuts an eigenvalue
             continue
 
 
-def _newton_cluster(
-    matrix: np.ndarray, group: list[complex], groups: list[list[complex]]
-) -> Cluster:
-    others = [v for other in groups if other is not group for v in other]
+def _cluster(matrix: np.ndarray, group: list[complex], groups: list[list[complex]]) -> Cluster:
+    """Poles p of a group, with (B - p_0) ... (B - p_(k-1)) P (N, N), complex, for each of them.
+
+    `matrix` is B, exact. Raises `ValueError` if no circle of some width has the group alone inside.
+    """
+    projector, bits = _projector(matrix, group, [v for g in groups if g is not group for v in g])
     # zero first, then what is real, then pairs of conjugates
     poles = tuple(sorted(group, key=lambda v: (v.imag != 0, abs(v.imag), abs(v), -v.imag)))
-    terms = newton(matrix, group, others, list(poles))
-    return Cluster(poles[0], terms, poles)
-
-
-def _exact_cluster(
-    matrix: np.ndarray, group: list[complex], groups: list[list[complex]], scale: float
-) -> Cluster:
-    """A cluster whose terms are exact up to one rounding each."""
-    others = [v for other in groups if other is not group for v in other]
-    tiny = 8 * len(matrix) * _EPSILON * scale
-    constant = min(map(abs, group)) <= tiny
-    longest = LONGEST_WAIT / scale if scale else math.inf
-    terms: list[np.ndarray] = []
-    silent, norm = 0, 0.0
-    try:
-        for k, (centre, term) in enumerate(
-            islice(chain(matrix, group, others, is_real(group), constant), LONGEST_CHAIN)
-        ):
-            centre = complex(snapped(np.array(centre), tiny))
-            size = float(np.abs(term).max())
-            if not size < _HUGE:
-                break
-            if k:
-                # what the rounding of the matrix may make of zero is zero
-                shifted = np.abs(matrix - centre * np.eye(len(matrix)))
-                if (np.abs(term) <= 64 * _EPSILON * shifted @ np.abs(terms[-1])).all():
-                    return Cluster(centre, terms)
-            else:
-                norm = size
-            silent = (
-                silent + 1 if size * largest_term(k, centre.real, longest) <= _EPSILON * norm else 0
-            )
-            if silent == 2 and k >= len(group):
-                return Cluster(centre, terms[:-1])
-            terms.append(term)
-    except (ValueError, ZeroDivisionError):  # no circle, or one that cuts an eigenvalue
-        pass
-    return Cluster(0j, None)
+    terms = []
+    with flint_precision(bits):
+        exact, unit = acb_mat(matrix.tolist()), _unit(len(matrix))
+        for pole in poles:
+            terms.append(np.array(projector.tolist()).astype(complex))
+            projector = ((exact - unit * acb(pole)) * projector).mid()
+    return Cluster(poles, terms)
 
 
 def _modes_of(clusters: list[Cluster]) -> NumericModes:
     """Modes of clusters, with a square matrix for each function of time."""
     shapes: list[tuple[int, bool, bool, bool]] = []
     exponents, terms = [], []
-    for cluster in clusters:
-        assert cluster.terms is not None
-        if cluster.poles:
-            modes, factors = _chained(cluster.poles, cluster.terms)
-            shapes += [shape for shape, _ in modes]
-            exponents += [pole for _, pole in modes]
-            terms += factors
-            continue
-        oscillates = cluster.centre.imag > 0
-        terms += real_parts_of(cluster.terms, oscillates=oscillates)
-        exponents.append(cluster.centre)
-        shapes.append((len(cluster.terms), oscillates, False, False))
+    for poles, products in sorted(
+        clusters, key=lambda c: (c.poles[0] != 0, c.poles[0].imag, c.poles[0].real)
+    ):
+        modes, factors = _chained(poles, products)
+        shapes += [shape for shape, _ in modes]
+        exponents += [pole for _, pole in modes]
+        terms += factors
     pairs = np.array([(pole.real, pole.imag) for pole in exponents])
     return NumericModes(mode_shapes(shapes), pairs, np.array(terms))
 
@@ -238,5 +195,73 @@ def _chained(
     return modes, terms
 
 
-def _sorted(clusters: list[Cluster]) -> list[Cluster]:
-    return sorted(clusters, key=lambda c: (c.centre != 0, c.centre.imag, c.centre.real))
+def _poles_of(matrix: np.ndarray) -> list[complex]:
+    """The eigenvalues of an exact matrix B (N, N), each to its last digit.
+
+    They come with their conjugates and multiplicities.
+    """
+    with flint_precision(_BITS):
+        rational = fmpq_mat([[_rational(x) for x in row] for row in matrix.tolist()])
+        found: list[complex] = []
+        roots: Any = rational.charpoly().numer().complex_roots()
+        for root, count in roots:
+            pole = complex(root)
+            if pole.imag > 0:
+                found += [pole, pole.conjugate()] * count
+            elif pole.imag == 0:
+                found += [pole] * count
+    return found
+
+
+def _rational(number: float) -> fmpq:
+    return fmpq(*number.as_integer_ratio())
+
+
+def _projector(
+    matrix: np.ndarray, group: list[complex], others: list[complex]
+) -> tuple[acb_mat, int]:
+    """The projector of a cluster, and the bits it is computed with; ValueError without a circle."""
+    middle = sum(group) / len(group)
+    inside = max(abs(v - middle) for v in group)
+    outside = min((abs(v - middle) for v in others), default=math.inf)
+    if outside < 1.2 * inside:
+        raise ValueError("no circle has the cluster alone inside")
+    size, farthest = len(matrix), max((abs(v - middle) for v in others), default=0.0)
+    radius = math.sqrt(max(inside, _TINY * outside) * outside) if others else 1.0
+    steps = math.ceil(math.log2(_BITS / math.log2(outside / radius))) if others else 0
+    bits = math.ceil(2**steps * math.log2(max(farthest / radius, 2.0))) + 2 * _BITS
+    if bits > _MOST_BITS:
+        raise ValueError("the circle is too narrow")
+    if not others:
+        return _unit(size), bits
+    with flint_precision(bits):
+        exact, unit = acb_mat(matrix.tolist()), _unit(size)
+        power = (exact - unit * acb(middle)) * (1 / acb(radius))
+        for _ in range(steps):
+            power = (power * power).mid()
+        return (unit + power).inv().mid(), bits
+
+
+def exponentials_at(matrix: np.ndarray, times: Collection[float]) -> dict[float, np.ndarray]:
+    """The matrices e^(B t) by time, each entry to its last digit; B (N, N) is exact and real.
+
+    Times are powers of two, as each exponential is one of half the time, squared.
+    """
+    for bits in (_FEW_BITS, _BITS):
+        found, now = {}, min(times)
+        least = math.inf
+        with flint_precision(bits):
+            power = arb_mat((matrix * now).tolist()).exp()
+            for time in sorted(times):
+                while now < time:
+                    power, now = power * power, 2 * now
+                entries = power.entries()
+                least = min(least, *(ball.rel_accuracy_bits() for ball in entries))
+                found[time] = np.array([float(ball) for ball in entries]).reshape(matrix.shape)
+        if least > _DOUBLE:
+            break
+    return found
+
+
+def _unit(size: int) -> acb_mat:
+    return acb_mat(np.eye(size, dtype=int).tolist())

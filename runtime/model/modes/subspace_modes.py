@@ -24,12 +24,8 @@ from nonsmooth.runtime.model.structure import mode_shapes
 
 __all__ = [
     "LARGE",
-    "LONGEST_CHAIN",
     "groupings",
-    "is_real",
-    "largest_term",
     "leads",
-    "real_parts_of",
     "subspace_modes",
 ]
 
@@ -37,9 +33,9 @@ LARGE = 20  # states from which on factors are faster than matrices
 _EPSILON = float(np.finfo(float).eps)
 _NEARNESS = (1e-9, 1e-7, 3e-6, 1e-4)  # of the largest modulus: what is taken together
 _ASIDE = 0.1  # shift of an inverse iteration, in units of the distance to what is not meant
-_ITERATIONS = 20
-_SETTLED = 4 * _EPSILON  # change of a basis in an iteration
-LONGEST_CHAIN = 24  # powers of time with one exponent
+_ITERATIONS = 8
+_SETTLED = 16 * _EPSILON  # change of a basis in an iteration
+_LONGEST_CHAIN = 24  # powers of time with one exponent
 _NORM, _LARGEST = 2.0, 1e5  # of a projector: by states; and at most
 # error of the sum and of its derivative over a radian, relative to these; for many states
 _CLOSE, _CLOSE_OF_MANY = 1e-13, 1e-11
@@ -74,22 +70,27 @@ def subspace_modes(matrix: np.ndarray, depends: np.ndarray) -> tuple[NumericMode
         return None
     tiny = 8 * len(matrix) * _EPSILON * scale
     snug = [complex(v) if abs(v) > tiny else 0j for v in values.tolist()]
-    # modes that nearly cancel each other are taken only where no grouping leaves none of them
-    for norm in (_NORM * len(matrix), _LARGEST):
-        for groups in groupings(snug, _NEARNESS, scale):
-            try:
-                bases = [
-                    _Subspace(group, _basis(matrix, snug, vectors, group))
-                    for group in groups
-                    if leads(group)
-                ]
-                modes = _modes_of(matrix, depends, bases, scale, norm)
-            except np.linalg.LinAlgError:  # vectors that do not span the space
-                continue
-            if modes is not None:
-                sure = all(len(group) == 1 or not any(group) for group in groups)
-                return _record(modes, len(matrix) - 1), sure
-    return None
+    kept = None
+    for groups in groupings(snug, _NEARNESS, scale):
+        try:
+            bases = [
+                _Subspace(group, _basis(matrix, snug, vectors, group))
+                for group in groups
+                if leads(group)
+            ]
+            found = _modes_of(matrix, depends, bases, scale)
+        except np.linalg.LinAlgError:  # vectors that do not span the space
+            continue
+        if found is None:
+            continue
+        moderate = found[1] <= _NORM * len(matrix)
+        # modes that nearly cancel each other are taken only where no grouping leaves none of them
+        if kept is None or moderate:
+            sure = all(len(group) == 1 or not any(group) for group in groups)
+            kept = _record(found[0], len(matrix) - 1), sure
+        if moderate:
+            break
+    return kept
 
 
 def _basis(
@@ -121,14 +122,13 @@ def _modes_of(
     depends: np.ndarray,
     groups: Sequence[_Subspace],
     scale: float,
-    norm: float,
-) -> list[_ModeParts] | None:
-    """Modes of all groups; None if a projector's norm is too large or they miss the motion."""
+) -> tuple[list[_ModeParts], float] | None:
+    """Modes of all groups, and the largest norm of a projector; None if they miss the motion."""
     size = len(matrix)
     parts = [
         part
         for values, basis in groups
-        for part in ((basis,) if is_real(values) else (basis, basis.conj()))
+        for part in ((basis,) if _is_real(values) else (basis, basis.conj()))
     ]
     right = np.hstack(parts)
     if right.shape[1] != size:
@@ -139,7 +139,7 @@ def _modes_of(
     modes, place, blocks = [], 0, np.zeros((size, size), dtype=complex)
     largest, unit, dropped = _NORM * size, scale or 1.0, np.zeros((size, size))
     for values, basis in groups:
-        count, twice = basis.shape[1], 1 if is_real(values) else 2
+        count, twice = basis.shape[1], 1 if _is_real(values) else 2
         for first in range(place, place + twice * count, count):
             inside = slice(first, first + count), slice(first, first + count)
             blocks[inside] = moved[inside]
@@ -149,7 +149,8 @@ def _modes_of(
         centre = complex(np.trace(block)) / count if min(map(abs, values)) else 0j
         centre = complex(centre.real) if twice == 1 else centre
         centre = complex(snapped(np.array(centre), 8 * size * _EPSILON * scale))
-        largest = max(largest, float(np.linalg.norm(rows, 2) * np.linalg.norm(basis, 2)))
+        factors = (rows[0], basis[:, 0]) if count == 1 else (rows, basis)
+        largest = max(largest, math.prod(float(np.linalg.norm(part, 2)) for part in factors))
         if count == 1:
             modes.append(_factors(centre, basis[:, 0], rows[0], depends))
             continue
@@ -165,8 +166,8 @@ def _modes_of(
     sums = right @ left - np.eye(size), (right @ blocks @ left - matrix) / unit, dropped
     missed = max(float(np.abs(part).max()) for part in sums)
     lost = largest / (_NORM * size)  # digits that a large projector costs
-    sound = largest <= norm and missed <= close * lost
-    return modes if sound else None
+    sound = largest <= _LARGEST and missed <= close * lost
+    return (modes, largest) if sound else None
 
 
 def _factors(
@@ -184,7 +185,7 @@ def _factors(
 def _powers(centre: complex, terms: list[np.ndarray], depends: np.ndarray) -> _ModeParts:
     """Matrices of the powers of time of a group of eigenvalues."""
     size = len(depends) - 1
-    found = real_parts_of(terms, oscillates=centre.imag != 0)
+    found = _real_parts_of(terms, oscillates=centre.imag != 0)
     matrices = [np.where(depends, array, 0.0)[:size] for array in found]
     return _ModeParts(centre, np.empty((0, size)), np.empty((0, size + 1)), matrices)
 
@@ -242,10 +243,10 @@ def _linked_groups(values: list[complex], distance: float) -> list[list[complex]
 
 def leads(group: list[complex]) -> bool:
     """Whether a group is real or is, of two conjugate groups, the one that is kept."""
-    return is_real(group) or sum(group).imag > 0
+    return _is_real(group) or sum(group).imag > 0
 
 
-def is_real(group: list[complex]) -> bool:
+def _is_real(group: list[complex]) -> bool:
     """Whether a group has the conjugate of each of its eigenvalues."""
     return {v.conjugate() for v in group} == set(group)
 
@@ -269,12 +270,12 @@ def _cluster_terms(
     before = 1.0
     power, silent = np.eye(len(block), dtype=complex), 0
     terms: list[np.ndarray] = []
-    for k in range(LONGEST_CHAIN):
+    for k in range(_LONGEST_CHAIN):
         size = float(np.linalg.norm(power, 2))
         if k and size <= error * before:
             return terms
         before = size
-        silent = silent + 1 if size * largest_term(k, centre.real, longest) <= _EPSILON else 0
+        silent = silent + 1 if size * _largest_term(k, centre.real, longest) <= _EPSILON else 0
         if silent == 2 and k >= len(block):
             return terms[:-1]
         terms.append(right @ power @ left)
@@ -282,7 +283,7 @@ def _cluster_terms(
     return None
 
 
-def largest_term(k: int, rate: float, longest: float) -> float:
+def _largest_term(k: int, rate: float, longest: float) -> float:
     """Largest value of t^k/k! e^(rate t) over t < longest; relative to e^(rate t) if that grows."""
     peak = min(longest, k / -rate) if rate < 0 and k else longest
     if k == 0 or peak == 0:
@@ -292,7 +293,7 @@ def largest_term(k: int, rate: float, longest: float) -> float:
     return math.exp(k * math.log(peak) - math.lgamma(k + 1) + min(rate, 0.0) * peak)
 
 
-def real_parts_of(terms: list[np.ndarray], *, oscillates: bool) -> list[np.ndarray]:
+def _real_parts_of(terms: list[np.ndarray], *, oscillates: bool) -> list[np.ndarray]:
     """The real matrices of the functions t^k e^(st) of a cluster, or of their cosines and sines."""
     found = []
     for k, term in enumerate(terms):

@@ -4,8 +4,8 @@ import mpmath
 import numpy as np
 import pytest
 
-from nonsmooth.runtime.model.modes import projectors
-from nonsmooth.runtime.model.modes.projectors import exponentials_at
+from nonsmooth.runtime.model.modes import precise_modes
+from nonsmooth.runtime.model.modes.precise_modes import exponentials_at
 from tests.large_systems import chain
 
 
@@ -15,7 +15,7 @@ def test_exponentials_are_right_to_the_last_digit(
 ) -> None:
     """Also where the first precision is not enough: it is told, and more is taken."""
     if bits is not None:
-        monkeypatch.setattr(projectors, "_FEW_BITS", bits)
+        monkeypatch.setattr(precise_modes, "_FEW_BITS", bits)
     field = chain(count).fields[0]
     matrix = np.vstack([field, np.zeros(field.shape[1])])
     found = exponentials_at(matrix, [4.0, 2.0**-11, 0.5])
