@@ -9,11 +9,13 @@ single eigenvalue wherever its projector is small enough to be known well; eigen
 equal, or so near each other that their projectors cancel, are taken together. The powers of a
 cluster end at its size where its eigenvalues are equal, and a little later where they are not.
 
-The first of three ways that succeeds is taken:
+The first of four ways that succeeds is taken:
 
 - `simple_modes` where all eigenvalues are apart, for a whole stack of fields: it serves sweeps.
-- `subspace_modes` where some are equal, as those of a held coordinate and a constant, and always
-  from `LARGE` states on.
+- `driven_modes` where only what drives a structure has equal eigenvalues, as a held coordinate and
+  a constant: it costs half of the next, and a forcing may be faster than the structure by any
+  factor.
+- `subspace_modes` where other eigenvalues are equal, and always from `LARGE` states on.
 - `precise_modes`, in many digits, where eigenvalues are neither equal nor apart: chains of at most
   seven that nearly meet. More of them are refused.
 """
@@ -26,6 +28,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.factored_flows import Flows, arrays_of, matrices_of
+from nonsmooth.runtime.model.modes.driven_modes import driven_modes
 from nonsmooth.runtime.model.modes.natural_units import dependence, fall_rates, natural_units
 from nonsmooth.runtime.model.modes.precise_modes import best_modes
 from nonsmooth.runtime.model.modes.simple_modes import (
@@ -151,6 +154,8 @@ def _found_in_natural_units(field: np.ndarray) -> NumericModes:
     if size < LARGE:
         for group in simple_modes(field[None]):
             return NumericModes(group.shapes, group.exponents[0], group.flows[0][0])
+        if (driven := driven_modes(field, numeric_modes)) is not None:
+            return driven
     whole = np.vstack([field, np.zeros(size + 1)])
     depends = dependence(whole[None])[0]
     found, sure = subspace_modes(whole, depends) or (None, False)

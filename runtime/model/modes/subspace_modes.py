@@ -33,8 +33,8 @@ LARGE = 20  # states from which on factors are faster than matrices
 _EPSILON = float(np.finfo(float).eps)
 _NEARNESS = (1e-9, 1e-7, 3e-6, 1e-4)  # of the largest modulus: what is taken together
 _ASIDE = 0.1  # shift of an inverse iteration, in units of the distance to what is not meant
-_ITERATIONS = 8
-_SETTLED = 16 * _EPSILON  # change of a basis in an iteration
+_ITERATIONS = 20
+_SETTLED = 4 * _EPSILON  # change of a basis in an iteration
 _LONGEST_CHAIN = 24  # powers of time with one exponent
 _NORM, _LARGEST = 2.0, 1e5  # of a projector: by states; and at most
 # error of the sum and of its derivative over a radian, relative to these; for many states
@@ -70,27 +70,22 @@ def subspace_modes(matrix: np.ndarray, depends: np.ndarray) -> tuple[NumericMode
         return None
     tiny = 8 * len(matrix) * _EPSILON * scale
     snug = [complex(v) if abs(v) > tiny else 0j for v in values.tolist()]
-    kept = None
-    for groups in groupings(snug, _NEARNESS, scale):
-        try:
-            bases = [
-                _Subspace(group, _basis(matrix, snug, vectors, group))
-                for group in groups
-                if leads(group)
-            ]
-            found = _modes_of(matrix, depends, bases, scale)
-        except np.linalg.LinAlgError:  # vectors that do not span the space
-            continue
-        if found is None:
-            continue
-        moderate = found[1] <= _NORM * len(matrix)
-        # modes that nearly cancel each other are taken only where no grouping leaves none of them
-        if kept is None or moderate:
-            sure = all(len(group) == 1 or not any(group) for group in groups)
-            kept = _record(found[0], len(matrix) - 1), sure
-        if moderate:
-            break
-    return kept
+    # modes that nearly cancel each other are taken only where no grouping leaves none of them
+    for norm in (_NORM * len(matrix), _LARGEST):
+        for groups in groupings(snug, _NEARNESS, scale):
+            try:
+                bases = [
+                    _Subspace(group, _basis(matrix, snug, vectors, group))
+                    for group in groups
+                    if leads(group)
+                ]
+                modes = _modes_of(matrix, depends, bases, scale, norm)
+            except np.linalg.LinAlgError:  # vectors that do not span the space
+                continue
+            if modes is not None:
+                sure = all(len(group) == 1 or not any(group) for group in groups)
+                return _record(modes, len(matrix) - 1), sure
+    return None
 
 
 def _basis(
@@ -122,8 +117,9 @@ def _modes_of(
     depends: np.ndarray,
     groups: Sequence[_Subspace],
     scale: float,
-) -> tuple[list[_ModeParts], float] | None:
-    """Modes of all groups, and the largest norm of a projector; None if they miss the motion."""
+    norm: float,
+) -> list[_ModeParts] | None:
+    """Modes of all groups; None if a projector's norm is too large or they miss the motion."""
     size = len(matrix)
     parts = [
         part
@@ -149,8 +145,7 @@ def _modes_of(
         centre = complex(np.trace(block)) / count if min(map(abs, values)) else 0j
         centre = complex(centre.real) if twice == 1 else centre
         centre = complex(snapped(np.array(centre), 8 * size * _EPSILON * scale))
-        factors = (rows[0], basis[:, 0]) if count == 1 else (rows, basis)
-        largest = max(largest, math.prod(float(np.linalg.norm(part, 2)) for part in factors))
+        largest = max(largest, float(np.linalg.norm(rows, 2) * np.linalg.norm(basis, 2)))
         if count == 1:
             modes.append(_factors(centre, basis[:, 0], rows[0], depends))
             continue
@@ -166,8 +161,8 @@ def _modes_of(
     sums = right @ left - np.eye(size), (right @ blocks @ left - matrix) / unit, dropped
     missed = max(float(np.abs(part).max()) for part in sums)
     lost = largest / (_NORM * size)  # digits that a large projector costs
-    sound = largest <= _LARGEST and missed <= close * lost
-    return (modes, largest) if sound else None
+    sound = largest <= norm and missed <= close * lost
+    return modes if sound else None
 
 
 def _factors(
