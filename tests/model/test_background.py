@@ -209,7 +209,7 @@ def waiting(monkeypatch: pytest.MonkeyPatch, cache: Path) -> KernelLibrary:
     monkeypatch.setattr(background, "_CHILD", code)
     monkeypatch.setattr(background, "lacking", lambda: None)
     library = KernelLibrary("k" * 16, "d" * 16, "kicked")
-    library.declare("system", ())
+    library.declare(lambda: ("system", ()))
     assert library.wanted(1.0) is None
     until = time.monotonic() + 300
     while not list(cache.glob("*.partial")) and time.monotonic() < until:

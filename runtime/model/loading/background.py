@@ -22,6 +22,7 @@ import sys
 import sysconfig
 import tempfile
 import time
+from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -48,6 +49,8 @@ _LONGEST_BUILD = 900.0  # seconds
 _CHILD = "from nonsmooth.runtime.model.loading.background import build; build()"
 _LOG = logging.getLogger(__name__)
 
+_Declaration = tuple[Any, tuple[Any, ...]]  # a system, and orbits of it
+
 
 @dataclass
 class KernelLibrary:
@@ -59,7 +62,8 @@ class KernelLibrary:
     derivation: str | None
     stem: str  # name of the system in identifiers
     many_points: bool = False  # whether they are those that solve orbits at many points
-    _declared: tuple[Any, tuple[Any, ...]] | None = None
+    # gives the system and the orbits; None where these are not at hand
+    _declared: Callable[[], _Declaration | None] | None = None
     _tried: bool = False
     _module: ModuleType | None = None
     _sought: bool = False
@@ -67,9 +71,9 @@ class KernelLibrary:
     _asked: float = 0.0
     _lock: Any = field(default_factory=RLock)
 
-    def declare(self, system: Any, orbits: tuple[Any, ...]) -> None:
-        """State the system and orbits of the kernels, so that missing kernels can be made."""
-        self._declared = system, orbits
+    def declare(self, declared: Callable[[], _Declaration | None]) -> None:
+        """State what gives the system and orbits, so that missing kernels can be made."""
+        self._declared = declared
 
     def module(self) -> ModuleType | None:
         """The compiled kernels, if they exist by now."""
@@ -93,7 +97,7 @@ class KernelLibrary:
                 return found
             if self._declared is not None and not self._tried:
                 self._tried = True
-                self._building = _begin(self.key, self._declared, many_points=self.many_points)
+                self._building = _begin(self.key, self._declared(), many_points=self.many_points)
             building = self._building
         if building is not None and (at_once or seconds >= _WORTH_WAITING):
             # so it takes at most twice as long as with NumPy from the start
@@ -171,9 +175,9 @@ class _Build:
         self.process.wait()
 
 
-def _begin(key: str, declared: tuple[Any, tuple[Any, ...]], *, many_points: bool) -> _Build | None:
+def _begin(key: str, declared: _Declaration | None, *, many_points: bool) -> _Build | None:
     """Start to compile; None if something is missing or there is nowhere to keep the result."""
-    missing = lacking()
+    missing = lacking() if declared else "their declaration is gone"
     if missing is not None:
         _LOG.info("kernels are not compiled and run on NumPy: %s", missing)
         return None
@@ -183,7 +187,7 @@ def _begin(key: str, declared: tuple[Any, tuple[Any, ...]], *, many_points: bool
     work = folder / f"{key}-{os.getpid()}{PARTIAL}"
     with tempfile.TemporaryFile() as given:
         try:
-            _Pickler(given).dump((key, work, many_points, *declared))
+            _Pickler(given).dump((key, work, many_points, declared))
         except Exception as problem:  # parts of a user's own classes
             _LOG.info("kernels are not compiled and run on NumPy: %s", problem)
             return None
@@ -219,7 +223,7 @@ def lacking() -> str | None:
 def build() -> None:
     """Derive, compile and store the kernels that standard input names, in the other process."""
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # what is open is closed
-    key, folder, many_points, system, orbits = pickle.load(sys.stdin.buffer)
+    key, folder, many_points, (system, orbits) = pickle.load(sys.stdin.buffer)
     try:
         folder.mkdir(mode=0o700)
         files = system.many_points(orbits) if many_points else system.library(orbits)

@@ -7,6 +7,7 @@ import math
 import os
 import re
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from functools import lru_cache
 from pathlib import Path
 from types import ModuleType
@@ -21,9 +22,9 @@ from nonsmooth.runtime.model.loading.caching import Modules, cached, module_of_t
 from nonsmooth.runtime.model.loading.compiling import extension_in, load_extension
 from nonsmooth.runtime.model.loading.declared import (
     Declared,
-    DeclaredOrbit,
     DeclaredSystem,
     declaration_in,
+    hash_of_text,
 )
 from nonsmooth.runtime.model.loading.folder import COMMAND, PROVENANCE, recorded
 from nonsmooth.runtime.model.loading.growing import (
@@ -64,7 +65,7 @@ def load_declared(system: DeclaredSystem, orbits: Sequence[Any] = ()) -> SystemK
         _MODULES.add(key, cached(key, lambda: system.source(tuple(orbits))), f"<{name}>")
     module = _MODULES[key]
     for library in _libraries(key, module):
-        library.declare(system, tuple(orbits))
+        library.declare(lambda: (system, tuple(orbits)))
     return SystemKernels(name, module)
 
 
@@ -215,11 +216,13 @@ def load_path(path: Path, orbit: str | None = None, *, compiled: bool) -> System
         stamps = (_stamp(path / PROVENANCE), *map(_stamp, path.glob("*.py")))
         found = _folder(path, stamps, library, library and _stamp(library))
         return found if orbit is None or orbit in found.module.ORBITS else None
-    declared = _file(path, _stamp(path))
-    wanted = tuple(o for o in declared.orbits if o.name == orbit)
-    if orbit is not None and not wanted:
-        return None
-    return SystemKernels(str(path), _derived(path, _stamp(path), wanted))
+    key = (path, _stamp(path), orbit)
+    if key not in _FILES:
+        module = _recalled(*key) or _derived(*key)
+        if module is None:
+            return None
+        _FILES[key] = module
+    return SystemKernels(str(path), _FILES[key])
 
 
 def orbits_of(path: Path) -> tuple[str, ...]:
@@ -247,14 +250,57 @@ def _file(path: Path, stamp: _Stamp) -> Declared:
     return declaration_in(path)
 
 
-def _derived(path: Path, stamp: _Stamp, orbits: Sequence[DeclaredOrbit]) -> ModuleType:
-    key = (path, stamp, *(orbit.name for orbit in orbits))
-    if key not in _FILES:
-        try:
-            _FILES[key] = load_declared(_file(path, stamp).system, orbits).module
-        except ValueError as problem:
-            raise InputError(f"{path}: {problem}") from problem
-    return _FILES[key]
+def _chosen(path: Path, stamp: _Stamp, orbit: str | None) -> tuple[Any, tuple[Any, ...]] | None:
+    """The system of a file with the orbit of a name; None if it has no such orbit."""
+    declared = _file(path, stamp)
+    orbits = tuple(o for o in declared.orbits if o.name == orbit)
+    return None if orbit is not None and not orbits else (declared.system, orbits)
+
+
+def _derived(path: Path, stamp: _Stamp, orbit: str | None) -> ModuleType | None:
+    """The module of a file and one of its orbits; None if it has no such orbit.
+
+    Where the file's text alone says what it declares, the module's name is kept under its hash.
+    """
+    note, chosen = _note(path, orbit), _chosen(path, stamp, orbit)
+    if chosen is None:
+        return None
+    try:
+        loaded = load_declared(*chosen)
+    except ValueError as problem:
+        raise InputError(f"{path}: {problem}") from problem
+    if note is not None and note == _note(path, orbit) and growth_of(loaded.module) is None:
+        cached(note, lambda: loaded.name)
+    return loaded.module
+
+
+def _recalled(path: Path, stamp: _Stamp, orbit: str | None) -> ModuleType | None:
+    """The module that an equal file had before, without executing the file; None if unknown."""
+    note = _note(path, orbit)
+    try:
+        found = None if note is None else load_named(stored(note) or "")
+    except InputError:  # its text is no longer kept
+        return None
+    if found is None:
+        return None
+    key = found.name.rpartition("@")[2]
+
+    def again() -> tuple[Any, tuple[Any, ...]] | None:
+        with suppress(InputError):
+            chosen = _chosen(path, stamp, orbit)
+            if chosen is not None and chosen[0].fingerprint(chosen[1]) == key:
+                return chosen
+        return None
+
+    for library in _libraries(key, found.module):
+        library.declare(again)
+    return found.module
+
+
+def _note(path: Path, orbit: str | None) -> str | None:
+    """The key under which the name of a file's module is kept; None if its text is not enough."""
+    text = hash_of_text(path)
+    return text and hashlib.sha256(f"{text} {orbit}".encode()).hexdigest()[:16]
 
 
 _FILES: dict[tuple[Any, ...], ModuleType] = {}  # what files declare, each file as it was read
