@@ -333,7 +333,7 @@ def test_kernels_are_compiled_of_the_declaration_that_was_loaded(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path, begun = declare(tmp_path), []
-    monkeypatch.setattr(background, "_begin", lambda _, declared, **__: begun.append(declared))
+    monkeypatch.setattr(background, "_begin", lambda _, declared: begun.append(declared))
     declared = read(path)
     for text in (KICKED, KICKED.replace("[[4]]", "[[9]]")):
         load_orbit(f"{path}:loop")

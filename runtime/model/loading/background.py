@@ -41,7 +41,7 @@ from nonsmooth.runtime.model.loading.caching import (
 )
 from nonsmooth.runtime.model.loading.compiling import compile_files, compiler, load_extension
 
-__all__ = ["KernelLibrary", "build", "lacking"]
+__all__ = ["Declaration", "KernelLibrary", "build", "lacking"]
 
 _WORTH_BUILDING = 0.1  # seconds that NumPy takes for all that was asked for
 _WORTH_WAITING = 2.0  # seconds that NumPy takes for what is asked for at once
@@ -49,7 +49,7 @@ _LONGEST_BUILD = 900.0  # seconds
 _CHILD = "from nonsmooth.runtime.model.loading.background import build; build()"
 _LOG = logging.getLogger(__name__)
 
-_Declaration = tuple[Any, tuple[Any, ...]]  # a system, and orbits of it
+Declaration = tuple[Any, tuple[Any, ...]]  # a system, and orbits of it
 
 
 @dataclass
@@ -58,12 +58,11 @@ class KernelLibrary:
 
     key: str  # hash of the declaration and of the code that derives it
     # hash of the kernels that the compiled ones have to have; None if it is not known before they
-    # are made
+    # are made, with the tables that they need
     derivation: str | None
     stem: str  # name of the system in identifiers
-    many_points: bool = False  # whether they are those that solve orbits at many points
     # gives the system and the orbits; None where these are not at hand
-    _declared: Callable[[], _Declaration | None] | None = None
+    _declared: Callable[[], Declaration | None] | None = None
     _tried: bool = False
     _module: ModuleType | None = None
     _sought: bool = False
@@ -71,7 +70,7 @@ class KernelLibrary:
     _asked: float = 0.0
     _lock: Any = field(default_factory=RLock)
 
-    def declare(self, declared: Callable[[], _Declaration | None]) -> None:
+    def declare(self, declared: Callable[[], Declaration | None]) -> None:
         """State what gives the system and orbits, so that missing kernels can be made."""
         self._declared = declared
 
@@ -97,7 +96,7 @@ class KernelLibrary:
                 return found
             if self._declared is not None and not self._tried:
                 self._tried = True
-                self._building = _begin(self.key, self._declared(), many_points=self.many_points)
+                self._building = _begin(self.key, self._declared())
             building = self._building
         if building is not None and (at_once or seconds >= _WORTH_WAITING):
             # so it takes at most twice as long as with NumPy from the start
@@ -109,7 +108,7 @@ class KernelLibrary:
         return self.module()
 
     def _found(self) -> ModuleType | None:
-        if self.many_points and stored(self.key) is None:  # its tables went: both are made again
+        if self.derivation is None and stored(self.key) is None:  # both are made again
             return None
         path = stored_library(self.key)
         module = None if path is None else load_extension(path)
@@ -175,7 +174,7 @@ class _Build:
         self.process.wait()
 
 
-def _begin(key: str, declared: _Declaration | None, *, many_points: bool) -> _Build | None:
+def _begin(key: str, declared: Declaration | None) -> _Build | None:
     """Start to compile; None if something is missing or there is nowhere to keep the result."""
     missing = lacking() if declared else "their declaration is gone"
     if missing is not None:
@@ -187,7 +186,7 @@ def _begin(key: str, declared: _Declaration | None, *, many_points: bool) -> _Bu
     work = folder / f"{key}-{os.getpid()}{PARTIAL}"
     with tempfile.TemporaryFile() as given:
         try:
-            _Pickler(given).dump((key, work, many_points, declared))
+            _Pickler(given).dump((key, work, declared))
         except Exception as problem:  # parts of a user's own classes
             _LOG.info("kernels are not compiled and run on NumPy: %s", problem)
             return None
@@ -223,10 +222,10 @@ def lacking() -> str | None:
 def build() -> None:
     """Derive, compile and store the kernels that standard input names, in the other process."""
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # what is open is closed
-    key, folder, many_points, (system, orbits) = pickle.load(sys.stdin.buffer)
+    key, folder, (system, orbits) = pickle.load(sys.stdin.buffer)
     try:
         folder.mkdir(mode=0o700)
-        files = system.many_points(orbits) if many_points else system.library(orbits)
+        files = system.library(orbits)
         (text,) = (text for name, text in files.items() if name.endswith(".py"))
         cached(key, lambda: text)
         for name, content in compile_files(files, folder).items():

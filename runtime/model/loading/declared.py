@@ -54,10 +54,6 @@ class DeclaredSystem(Protocol):
         ...
 
     def library(self, orbits: Sequence[Any] = ()) -> dict[str, str]:
-        """The same kernels as the files of an extension in C, with a Python module of them."""
-        ...
-
-    def many_points(self, orbits: Sequence[Any] = ()) -> dict[str, str]:
         """The files of kernels that solve orbits at many points, in C and in Python."""
         ...
 

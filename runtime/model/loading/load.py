@@ -6,7 +6,7 @@ import hashlib
 import math
 import os
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from functools import lru_cache
 from pathlib import Path
@@ -17,7 +17,7 @@ from weakref import WeakKeyDictionary
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import read_file
 from nonsmooth.runtime.model.kernel_records import SystemKernels
-from nonsmooth.runtime.model.loading.background import KernelLibrary
+from nonsmooth.runtime.model.loading.background import Declaration, KernelLibrary
 from nonsmooth.runtime.model.loading.caching import Modules, cached, module_of_text, stored
 from nonsmooth.runtime.model.loading.compiling import extension_in, load_extension
 from nonsmooth.runtime.model.loading.declared import (
@@ -64,8 +64,7 @@ def load_declared(system: DeclaredSystem, orbits: Sequence[Any] = ()) -> SystemK
     if key not in _MODULES:
         _MODULES.add(key, cached(key, lambda: system.source(tuple(orbits))), f"<{name}>")
     module = _MODULES[key]
-    for library in _libraries(key, module):
-        library.declare(lambda: (system, tuple(orbits)))
+    _declare(key, module, lambda: (system, tuple(orbits)))
     return SystemKernels(name, module)
 
 
@@ -97,12 +96,20 @@ def library_of(module: ModuleType) -> KernelLibrary | None:
 
     None for other modules, and if no orbit has kernels.
     """
-    return _LIBRARIES.get(module)
+    return _LIBRARIES.get(module) if _has_kernels(module) else None
 
 
 _LIBRARIES: WeakKeyDictionary[ModuleType, KernelLibrary] = WeakKeyDictionary()
-_MANY_POINTS: WeakKeyDictionary[ModuleType, KernelLibrary] = WeakKeyDictionary()
 _HELD: dict[str, KernelLibrary] = {}  # those of many points that were found, by their key
+
+
+def _has_kernels(module: ModuleType) -> bool:
+    return any(orbit["derived"] for orbit in module.ORBITS.values())
+
+
+def _library_of_many(module: ModuleType) -> KernelLibrary | None:
+    """The compiled kernels of a module that has orbits with kernels for many points alone."""
+    return _LIBRARIES.get(module) if hasattr(module, "MANY_POINTS") else None
 
 
 def many_points_key(module: ModuleType) -> str | None:
@@ -110,7 +117,7 @@ def many_points_key(module: ModuleType) -> str | None:
 
     None if no orbit of the module has such kernels.
     """
-    library = _MANY_POINTS.get(module)
+    library = _library_of_many(module)
     return None if library is None else library.key
 
 
@@ -121,9 +128,9 @@ def load_many_points(loaded: SystemKernels, orbit: str, key: str | None) -> Syst
     derivation in which the orbit is composed, or data of that; for data, `key` is that of the
     kernels, which are then loaded but not made. None if there are none and no way to make them.
     """
-    library = _MANY_POINTS.get(loaded.module)
+    library = _library_of_many(loaded.module)
     if library is None and key is not None and _KEY.fullmatch(key):
-        library = _HELD.get(key, KernelLibrary(key, None, _stem(loaded.module), many_points=True))
+        library = _HELD.get(key, KernelLibrary(key, None, _stem(loaded.module)))
     compiled = None if library is None else library.wanted(math.inf, at_once=True)
     if library is None or compiled is None:
         return None
@@ -144,16 +151,20 @@ def _stem(module: ModuleType) -> str:
     return str(module.SYSTEM["name"]).replace("-", "_")
 
 
-def _libraries(key: str, module: ModuleType) -> list[KernelLibrary]:
-    """The compiled kernels of a declaration: of its orbits, and those for many points."""
-    stem = _stem(module)
-    if module not in _LIBRARIES and any(orbit["derived"] for orbit in module.ORBITS.values()):
-        _LIBRARIES[module] = KernelLibrary(key, module.DERIVATION, stem)
-    if module not in _MANY_POINTS and getattr(module, "MANY_POINTS", None):
-        own = hashlib.sha256(f"{key}, many points".encode()).hexdigest()[:16]
-        _MANY_POINTS[module] = KernelLibrary(own, None, stem, many_points=True)
-    found = (_LIBRARIES.get(module), _MANY_POINTS.get(module))
-    return [library for library in found if library is not None]
+def _declare(key: str, module: ModuleType, declared: Callable[[], Declaration | None]) -> None:
+    """State what gives the declaration of a module, so that missing kernels can be made."""
+    library = _library(key, module)
+    if library is not None:
+        library.declare(declared)
+
+
+def _library(key: str, module: ModuleType) -> KernelLibrary | None:
+    """The compiled kernels of a declaration; None if no orbit has any."""
+    many = hasattr(module, "MANY_POINTS")
+    if module not in _LIBRARIES and (many or _has_kernels(module)):
+        own = hashlib.sha256(f"{key}, compiled".encode()).hexdigest()[:16]
+        _LIBRARIES[module] = KernelLibrary(own, None if many else module.DERIVATION, _stem(module))
+    return _LIBRARIES.get(module)
 
 
 def remember(loaded: SystemKernels) -> SystemKernels:
@@ -186,7 +197,7 @@ def load_named(name: str) -> SystemKernels | None:
         _MODULES.add(key, text, f"<{name}>")
     module = _MODULES[key]
     if not hasattr(module, "SAVED"):
-        _libraries(key, module)
+        _library(key, module)
     return SystemKernels(name, module)
 
 
@@ -250,7 +261,7 @@ def _file(path: Path, stamp: _Stamp) -> Declared:
     return declaration_in(path)
 
 
-def _chosen(path: Path, stamp: _Stamp, orbit: str | None) -> tuple[Any, tuple[Any, ...]] | None:
+def _chosen(path: Path, stamp: _Stamp, orbit: str | None) -> Declaration | None:
     """The system of a file with the orbit of a name; None if it has no such orbit."""
     declared = _file(path, stamp)
     orbits = tuple(o for o in declared.orbits if o.name == orbit)
@@ -285,15 +296,14 @@ def _recalled(path: Path, stamp: _Stamp, orbit: str | None) -> ModuleType | None
         return None
     key = found.name.rpartition("@")[2]
 
-    def again() -> tuple[Any, tuple[Any, ...]] | None:
+    def again() -> Declaration | None:
         with suppress(InputError):
             chosen = _chosen(path, stamp, orbit)
             if chosen is not None and chosen[0].fingerprint(chosen[1]) == key:
                 return chosen
         return None
 
-    for library in _libraries(key, found.module):
-        library.declare(again)
+    _declare(key, found.module, again)
     return found.module
 
 
