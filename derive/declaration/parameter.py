@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property, lru_cache
 from keyword import iskeyword
 from typing import Any
 
@@ -101,7 +102,7 @@ class Parameter:
         if not self.lower < self.upper:
             raise DeclarationError(f"parameter {self.name}: the domain is empty")
 
-    @property
+    @cached_property
     def symbol(self) -> sp.Symbol:
         """Symbol that carries as much of the domain as SymPy's assumptions can."""
         if self.lower >= 0:
@@ -131,7 +132,8 @@ class Parameter:
         return self.symbol
 
 
-def is_positive(expression: sp.Expr, parameters: Iterable[Parameter]) -> bool:
+@lru_cache(maxsize=4096)  # configurations share their masses and stiffnesses
+def is_positive(expression: sp.Expr, parameters: tuple[Parameter, ...]) -> bool:
     """Whether an expression is shown to be positive on the whole domain of the parameters.
 
     True is a proof; False means "not shown". Each parameter is replaced by a map of a
