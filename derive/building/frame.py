@@ -20,7 +20,7 @@ from nonsmooth.derive.declaration.algebra import (
     is_affine,
     remembered,
 )
-from nonsmooth.derive.declaration.parameter import Parameter, exact, is_positive
+from nonsmooth.derive.declaration.parameter import Parameter, exact, sign_of
 from nonsmooth.derive.declaration.system import TIME
 from nonsmooth.derive.errors import DeclarationError
 
@@ -153,12 +153,7 @@ class Frame:
     @remembered
     def sign(self, expression: sp.Expr) -> int | None:
         """Sign of an expression of parameters on their whole domain; None if none is shown."""
-        expression = sp.cancel(expression)
-        if expression == 0:
-            return 0
-        if is_positive(expression, self.parameters):
-            return 1
-        return -1 if is_positive(-expression, self.parameters) else None
+        return sign_of(sp.cancel(expression), self.parameters)
 
 
 def inferred_parameters(

@@ -21,6 +21,7 @@ __all__ = [
     "is_positive",
     "is_rational",
     "set_fields",
+    "sign_of",
 ]
 
 
@@ -151,6 +152,13 @@ def is_positive(expression: sp.Expr, parameters: tuple[Parameter, ...]) -> bool:
     if numerator.is_positive and denominator.is_positive:
         return True
     return _one_sign(numerator) * _one_sign(denominator) > 0
+
+
+def sign_of(expression: sp.Expr, parameters: tuple[Parameter, ...]) -> int | None:
+    """Sign of an expression on the whole domain of the parameters; None if none is shown."""
+    if expression == 0:
+        return 0
+    return next((sign for sign in (1, -1) if is_positive(sign * expression, parameters)), None)
 
 
 def is_rational(expression: sp.Expr) -> bool:

@@ -25,6 +25,7 @@ from nonsmooth.derive.declaration.parameter import (
     check_finite,
     is_positive,
     is_rational,
+    sign_of,
 )
 from nonsmooth.derive.errors import DeclarationError
 
@@ -297,7 +298,7 @@ def _check_landing(system: System, transition: Transition) -> None:
             )
     for constraint in target.constraints:
         value = _value_on(system, constraint.xreplace(rules), surfaces)
-        if value is not None and any(is_positive(s * value, system.parameters) for s in (1, -1)):
+        if value is not None and sign_of(value, system.parameters):
             raise DeclarationError(
                 f"{where}: behind it {constraint} is {value}, where the target keeps it zero"
             )

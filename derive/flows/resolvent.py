@@ -23,7 +23,7 @@ from typing import Any
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
-from nonsmooth.derive.declaration.parameter import Parameter, is_positive
+from nonsmooth.derive.declaration.parameter import Parameter, is_positive, sign_of
 from nonsmooth.derive.errors import DerivationError
 
 __all__ = ["MOST_ROOTS", "resolvent"]
@@ -319,7 +319,7 @@ def _apart(one: sp.Expr, other: sp.Expr, parameters: tuple[Parameter, ...]) -> b
     difference = one - other
     if difference.is_number:
         return bool(difference**2 > _NEAR * (one**2 + other**2))
-    return any(is_positive(d, parameters) for d in (difference, -difference))
+    return sign_of(difference, parameters) in (1, -1)
 
 
 def _tidy(expression: sp.Expr) -> sp.Expr:
