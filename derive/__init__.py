@@ -123,7 +123,7 @@ _HOMES = {
         "DerivationError",
     ),
     # what systems and equations ask for, though it stands above them
-    "codegen.emit": ("emit_library", "emit_many_points"),
+    "codegen.emit": ("emit_library",),
     "codegen.python_file": ("emit_python",),
     "document.describe": ("equation_latex", "equation_lines", "expression_latex"),
     "document.hypertext": ("equation_html",),

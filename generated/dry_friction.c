@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation f9b07911035c2ae1 */
+ * SymPy 1.14.0, derivation 17c69fcb1a7b4a60 */
 #include "dry_friction.h"
 
 #include <math.h>
@@ -376,29 +376,62 @@ void dry_friction_fields(
     /* fields */
     const double t0 = chi*eta;
     const double t1 = eta*us2;
-    static const unsigned char nonsmooth_fields_places[] = {
-        0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 2, 3, 0, 0, 4, 5, 6, 0, 0, 7, 0, 0, 1, 0, 0,
-        0, 0, 0, 1, 0, 2, 3, 0, 0, 4, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0,
-        2, 3, 0, 0, 4, 5, 6, 0, 0, 8, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0,
-        5, 6, 0, 0, 7, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-        0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 5, 6, 0, 0, 8, 0, 0, 1, 0, 0,
-        0, 0, 0, 1, 0, 2, 3, 0, 0, 9, 5, 6, 0, 0, 7, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0,
-        2, 3, 0, 0, 9, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 2, 3, 0, 0, 9,
-        5, 6, 0, 0, 8,
-    };
-    double nonsmooth_fields_values[10];
-    nonsmooth_fields_values[0] = 0;
-    nonsmooth_fields_values[1] = 1;
-    nonsmooth_fields_values[2] = -1;
-    nonsmooth_fields_values[3] = chi;
-    nonsmooth_fields_values[4] = us1;
-    nonsmooth_fields_values[5] = t0;
-    nonsmooth_fields_values[6] = -t0;
-    nonsmooth_fields_values[7] = t1;
-    nonsmooth_fields_values[8] = -t1;
-    nonsmooth_fields_values[9] = -us1;
     for (int i = 0; i < 180; ++i)
-        fields[i] = nonsmooth_fields_values[nonsmooth_fields_places[i]];
+        fields[i] = 0.0;
+    fields[2] = 1;
+    fields[8] = 1;
+    fields[10] = -1;
+    fields[11] = chi;
+    fields[14] = us1;
+    fields[15] = t0;
+    fields[16] = -t0;
+    fields[19] = t1;
+    fields[22] = 1;
+    fields[28] = 1;
+    fields[30] = -1;
+    fields[31] = chi;
+    fields[34] = us1;
+    fields[42] = 1;
+    fields[48] = 1;
+    fields[50] = -1;
+    fields[51] = chi;
+    fields[54] = us1;
+    fields[55] = t0;
+    fields[56] = -t0;
+    fields[59] = -t1;
+    fields[62] = 1;
+    fields[68] = 1;
+    fields[75] = t0;
+    fields[76] = -t0;
+    fields[79] = t1;
+    fields[82] = 1;
+    fields[88] = 1;
+    fields[102] = 1;
+    fields[108] = 1;
+    fields[115] = t0;
+    fields[116] = -t0;
+    fields[119] = -t1;
+    fields[122] = 1;
+    fields[128] = 1;
+    fields[130] = -1;
+    fields[131] = chi;
+    fields[134] = -us1;
+    fields[135] = t0;
+    fields[136] = -t0;
+    fields[139] = t1;
+    fields[142] = 1;
+    fields[148] = 1;
+    fields[150] = -1;
+    fields[151] = chi;
+    fields[154] = -us1;
+    fields[162] = 1;
+    fields[168] = 1;
+    fields[170] = -1;
+    fields[171] = chi;
+    fields[174] = -us1;
+    fields[175] = t0;
+    fields[176] = -t0;
+    fields[179] = -t1;
 }
 
 /* Affine functions of the state: gradients, constants last.
@@ -408,28 +441,39 @@ void dry_friction_rows(
 {
     const double chi = parameters[0], V = parameters[2], us1 = parameters[3], ur1 = parameters[4],
         us2 = parameters[5], ur2 = parameters[6];
-    static const unsigned char nonsmooth_rows_places[] = {
-        0, 0, 1, 0, 2, 0, 0, 0, 1, 2, 3, 4, 0, 0, 5, 4, 3, 0, 0, 5, 0, 0, 0, 6, 7,
-        1, 3, 0, 0, 8, 6, 4, 0, 0, 8, 0, 0, 6, 0, 7, 0, 0, 0, 0, 9, 1, 3, 0, 0, 0,
-        0, 0, 0, 0, 10, 0, 0, 1, 0, 0, 0, 0, 0, 0, 7, 0, 0, 0, 0, 11, 3, 4, 0, 0, 0,
-        0, 0, 0, 0, 12, 0, 0, 0, 1, 0,
-    };
-    double nonsmooth_rows_values[13];
-    nonsmooth_rows_values[0] = 0;
-    nonsmooth_rows_values[1] = 1;
-    nonsmooth_rows_values[2] = -V;
-    nonsmooth_rows_values[3] = -chi;
-    nonsmooth_rows_values[4] = chi;
-    nonsmooth_rows_values[5] = -ur2;
-    nonsmooth_rows_values[6] = -1;
-    nonsmooth_rows_values[7] = V;
-    nonsmooth_rows_values[8] = -ur1;
-    nonsmooth_rows_values[9] = us1;
-    nonsmooth_rows_values[10] = -us1;
-    nonsmooth_rows_values[11] = us2;
-    nonsmooth_rows_values[12] = -us2;
     for (int i = 0; i < 85; ++i)
-        rows[i] = nonsmooth_rows_values[nonsmooth_rows_places[i]];
+        rows[i] = 0.0;
+    rows[2] = 1;
+    rows[4] = -V;
+    rows[8] = 1;
+    rows[9] = -V;
+    rows[10] = -chi;
+    rows[11] = chi;
+    rows[14] = -ur2;
+    rows[15] = chi;
+    rows[16] = -chi;
+    rows[19] = -ur2;
+    rows[23] = -1;
+    rows[24] = V;
+    rows[25] = 1;
+    rows[26] = -chi;
+    rows[29] = -ur1;
+    rows[30] = -1;
+    rows[31] = chi;
+    rows[34] = -ur1;
+    rows[37] = -1;
+    rows[39] = V;
+    rows[44] = us1;
+    rows[45] = 1;
+    rows[46] = -chi;
+    rows[54] = -us1;
+    rows[57] = 1;
+    rows[64] = V;
+    rows[69] = us2;
+    rows[70] = -chi;
+    rows[71] = chi;
+    rows[79] = -us2;
+    rows[83] = 1;
 }
 
 /* Affine resets of the state, one below the other, offsets last.
@@ -438,18 +482,24 @@ void dry_friction_resets(
     const double parameters[7], double resets[80])
 {
     const double V = parameters[2];
-    static const unsigned char nonsmooth_resets_places[] = {
-        0, 1, 1, 1, 1, 1, 0, 1, 1, 1, 1, 1, 0, 1, 1, 1, 1, 1, 0, 1, 0, 1, 1, 1, 1,
-        1, 0, 1, 1, 1, 1, 1, 0, 1, 1, 1, 1, 1, 1, 2, 0, 1, 1, 1, 1, 1, 0, 1, 1, 1,
-        1, 1, 1, 1, 2, 1, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1, 0, 1, 1, 1, 1, 1, 1, 1, 2,
-        1, 1, 1, 1, 2,
-    };
-    double nonsmooth_resets_values[3];
-    nonsmooth_resets_values[0] = 1;
-    nonsmooth_resets_values[1] = 0;
-    nonsmooth_resets_values[2] = V;
     for (int i = 0; i < 80; ++i)
-        resets[i] = nonsmooth_resets_values[nonsmooth_resets_places[i]];
+        resets[i] = 0.0;
+    resets[0] = 1;
+    resets[6] = 1;
+    resets[12] = 1;
+    resets[18] = 1;
+    resets[20] = 1;
+    resets[26] = 1;
+    resets[32] = 1;
+    resets[39] = V;
+    resets[40] = 1;
+    resets[46] = 1;
+    resets[54] = V;
+    resets[58] = 1;
+    resets[60] = 1;
+    resets[66] = 1;
+    resets[74] = V;
+    resets[79] = V;
 }
 
 /* Exponents of the modes; coefficients of their functions, offsets last.
@@ -461,18 +511,20 @@ void dry_friction_modes(
     const double omega1 = spectrum[1], omega2 = spectrum[2], p1 = spectrum[3], p2 = spectrum[4],
         p3 = spectrum[5], omega3 = spectrum[6];
     if (exponents) {
-        static const unsigned char nonsmooth_exponents_places[] = {
-            0, 0, 0, 1, 0, 2, 0, 0, 0, 3, 0, 0, 0, 1, 0, 2, 0, 0, 0, 4, 0, 0, 0, 0, 0,
-            4, 0, 0, 0, 1, 0, 2, 0, 0, 0, 3, 0, 0, 0, 1, 0, 2,
-        };
-        double nonsmooth_exponents_values[5];
-        nonsmooth_exponents_values[0] = 0;
-        nonsmooth_exponents_values[1] = omega1;
-        nonsmooth_exponents_values[2] = omega2;
-        nonsmooth_exponents_values[3] = 1;
-        nonsmooth_exponents_values[4] = omega3;
         for (int i = 0; i < 42; ++i)
-            exponents[i] = nonsmooth_exponents_values[nonsmooth_exponents_places[i]];
+            exponents[i] = 0.0;
+        exponents[3] = omega1;
+        exponents[5] = omega2;
+        exponents[9] = 1;
+        exponents[13] = omega1;
+        exponents[15] = omega2;
+        exponents[19] = omega3;
+        exponents[25] = omega3;
+        exponents[29] = omega1;
+        exponents[31] = omega2;
+        exponents[35] = 1;
+        exponents[39] = omega1;
+        exponents[41] = omega2;
     }
     if (!coefficients)
         return;
@@ -523,119 +575,250 @@ void dry_friction_modes(
     const double t43 = p2*t42;
     const double t44 = p3*t41;
     if (coefficients) {
-        static const unsigned char nonsmooth_coefficients_places[] = {
-            0, 0, 0, 0, 1, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 4, 0, 0, 5,
-            6, 7, 0, 0, 8, 0, 0, 3, 4, 0, 0, 0, 6, 7, 0, 0, 0, 9, 10, 0, 0, 0, 11, 12, 0,
-            13, 14, 0, 0, 15, 16, 17, 0, 0, 18, 7, 19, 0, 0, 20, 21, 3, 0, 0, 22, 0, 0, 7, 19, 0,
-            0, 0, 21, 3, 0, 0, 0, 23, 24, 0, 0, 0, 25, 26, 0, 27, 28, 0, 0, 29, 30, 31, 0, 0, 32,
-            0, 33, 0, 0, 34, 0, 35, 0, 0, 0, 0, 0, 0, 33, 0, 0, 0, 0, 35, 0, 0, 0, 0, 33, 0,
-            0, 0, 0, 35, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 35, 36, 0, 0, 37, 0, 0, 0, 0, 0,
-            0, 0, 35, 36, 0, 0, 0, 0, 0, 0, 0, 0, 35, 36, 0, 0, 0, 0, 0, 0, 38, 33, 0, 0, 34,
-            0, 0, 0, 0, 0, 0, 0, 0, 0, 39, 0, 0, 0, 0, 40, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-            3, 4, 0, 0, 41, 6, 7, 0, 0, 42, 0, 0, 3, 4, 0, 0, 0, 6, 7, 0, 0, 0, 9, 10, 0,
-            0, 0, 11, 12, 0, 13, 14, 0, 0, 43, 16, 17, 0, 0, 44, 7, 19, 0, 0, 45, 21, 3, 0, 0, 46,
-            0, 0, 7, 19, 0, 0, 0, 21, 3, 0, 0, 0, 23, 24, 0, 0, 0, 25, 26, 0, 27, 28, 0, 0, 47,
-            30, 31, 0, 0, 48, 35, 0, 0, 0, 0, 35, 0, 0, 0, 49, 0, 0, 35, 0, 0, 0, 0, 35, 0, 0,
-            0, 0, 35, 0, 0, 0, 0, 35, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-            38, 35, 0, 0, 50, 0, 0, 0, 0, 0, 0, 0, 38, 35, 0, 0, 0, 0, 0, 0, 0, 0, 51, 52, 0,
-            0, 0, 0, 0, 0, 53, 54, 0, 0, 55, 35, 0, 0, 0, 0, 0, 35, 0, 0, 0, 0, 0, 35, 0, 0,
-            0, 0, 0, 35, 0, 0, 0, 35, 0, 0, 0, 0, 0, 35, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-            35, 0, 0, 0, 0, 35, 0, 0, 0, 50, 0, 0, 35, 0, 0, 0, 0, 35, 0, 0, 0, 0, 35, 0, 0,
-            0, 0, 35, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 38, 35, 0, 0, 49,
-            0, 0, 0, 0, 0, 0, 0, 38, 35, 0, 0, 0, 0, 0, 0, 0, 0, 51, 52, 0, 0, 0, 0, 0, 0,
-            53, 54, 0, 0, 56, 0, 0, 0, 0, 57, 0, 0, 0, 0, 58, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-            3, 4, 0, 0, 59, 6, 7, 0, 0, 60, 0, 0, 3, 4, 0, 0, 0, 6, 7, 0, 0, 0, 9, 10, 0,
-            0, 0, 11, 12, 0, 13, 14, 0, 0, 61, 16, 17, 0, 0, 62, 7, 19, 0, 0, 63, 21, 3, 0, 0, 64,
-            0, 0, 7, 19, 0, 0, 0, 21, 3, 0, 0, 0, 23, 24, 0, 0, 0, 25, 26, 0, 27, 28, 0, 0, 65,
-            30, 31, 0, 0, 66, 0, 33, 0, 0, 37, 0, 35, 0, 0, 0, 0, 0, 0, 33, 0, 0, 0, 0, 35, 0,
-            0, 0, 0, 33, 0, 0, 0, 0, 35, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 35, 36, 0, 0, 34,
-            0, 0, 0, 0, 0, 0, 0, 35, 36, 0, 0, 0, 0, 0, 0, 0, 0, 35, 36, 0, 0, 0, 0, 0, 0,
-            38, 33, 0, 0, 37, 0, 0, 0, 0, 0, 0, 0, 0, 0, 67, 0, 0, 0, 0, 68, 0, 0, 0, 0, 0,
-            0, 0, 0, 0, 0, 3, 4, 0, 0, 69, 6, 7, 0, 0, 70, 0, 0, 3, 4, 0, 0, 0, 6, 7, 0,
-            0, 0, 9, 10, 0, 0, 0, 11, 12, 0, 13, 14, 0, 0, 71, 16, 17, 0, 0, 72, 7, 19, 0, 0, 73,
-            21, 3, 0, 0, 74, 0, 0, 7, 19, 0, 0, 0, 21, 3, 0, 0, 0, 23, 24, 0, 0, 0, 25, 26, 0,
-            27, 28, 0, 0, 75, 30, 31, 0, 0, 76,
-        };
-        double nonsmooth_coefficients_values[77];
-        nonsmooth_coefficients_values[0] = 0;
-        nonsmooth_coefficients_values[1] = t2;
-        nonsmooth_coefficients_values[2] = t6;
-        nonsmooth_coefficients_values[3] = p1;
-        nonsmooth_coefficients_values[4] = p2;
-        nonsmooth_coefficients_values[5] = -p1*t2 - t7;
-        nonsmooth_coefficients_values[6] = p3;
-        nonsmooth_coefficients_values[7] = -t8;
-        nonsmooth_coefficients_values[8] = -t3*t5*t8 - t9;
-        nonsmooth_coefficients_values[9] = t11;
-        nonsmooth_coefficients_values[10] = t12;
-        nonsmooth_coefficients_values[11] = t13;
-        nonsmooth_coefficients_values[12] = t14;
-        nonsmooth_coefficients_values[13] = -t15;
-        nonsmooth_coefficients_values[14] = -t16;
-        nonsmooth_coefficients_values[15] = t15*t2 + t16*t6;
-        nonsmooth_coefficients_values[16] = -t17;
-        nonsmooth_coefficients_values[17] = -t18;
-        nonsmooth_coefficients_values[18] = t17*t2 + t18*t6;
-        nonsmooth_coefficients_values[19] = -p2;
-        nonsmooth_coefficients_values[20] = t2*t8 + t7;
-        nonsmooth_coefficients_values[21] = -p3;
-        nonsmooth_coefficients_values[22] = -p1*t6 + t9;
-        nonsmooth_coefficients_values[23] = t20;
-        nonsmooth_coefficients_values[24] = t21;
-        nonsmooth_coefficients_values[25] = t22;
-        nonsmooth_coefficients_values[26] = t23;
-        nonsmooth_coefficients_values[27] = t24;
-        nonsmooth_coefficients_values[28] = t25;
-        nonsmooth_coefficients_values[29] = omega2*t0*t1*t8 - t25*t6;
-        nonsmooth_coefficients_values[30] = t26;
-        nonsmooth_coefficients_values[31] = t27;
-        nonsmooth_coefficients_values[32] = -omega2*p1*t3*t5 - t2*t26;
-        nonsmooth_coefficients_values[33] = chi;
-        nonsmooth_coefficients_values[34] = us1;
-        nonsmooth_coefficients_values[35] = 1;
-        nonsmooth_coefficients_values[36] = -chi;
-        nonsmooth_coefficients_values[37] = -us1;
-        nonsmooth_coefficients_values[38] = -1;
-        nonsmooth_coefficients_values[39] = t29;
-        nonsmooth_coefficients_values[40] = t31;
-        nonsmooth_coefficients_values[41] = -p1*t29 - t32;
-        nonsmooth_coefficients_values[42] = t3*t30*t8 - t33;
-        nonsmooth_coefficients_values[43] = t15*t29 + t16*t31;
-        nonsmooth_coefficients_values[44] = t17*t29 + t18*t31;
-        nonsmooth_coefficients_values[45] = t29*t8 + t32;
-        nonsmooth_coefficients_values[46] = -p1*t31 + t33;
-        nonsmooth_coefficients_values[47] = -omega2*t0*t28*t8 - t25*t31;
-        nonsmooth_coefficients_values[48] = omega2*p1*t3*t30 - t26*t29;
-        nonsmooth_coefficients_values[49] = t34;
-        nonsmooth_coefficients_values[50] = -t34;
-        nonsmooth_coefficients_values[51] = -t35;
-        nonsmooth_coefficients_values[52] = t35;
-        nonsmooth_coefficients_values[53] = omega3;
-        nonsmooth_coefficients_values[54] = -omega3;
-        nonsmooth_coefficients_values[55] = t36;
-        nonsmooth_coefficients_values[56] = -t36;
-        nonsmooth_coefficients_values[57] = t37;
-        nonsmooth_coefficients_values[58] = t38;
-        nonsmooth_coefficients_values[59] = -p1*t37 - t39;
-        nonsmooth_coefficients_values[60] = -t3*t30*t8 - t40;
-        nonsmooth_coefficients_values[61] = t15*t37 + t16*t38;
-        nonsmooth_coefficients_values[62] = t17*t37 + t18*t38;
-        nonsmooth_coefficients_values[63] = t37*t8 + t39;
-        nonsmooth_coefficients_values[64] = -p1*t38 + t40;
-        nonsmooth_coefficients_values[65] = omega2*t0*t28*t8 - t25*t38;
-        nonsmooth_coefficients_values[66] = -omega2*p1*t3*t30 - t26*t37;
-        nonsmooth_coefficients_values[67] = t41;
-        nonsmooth_coefficients_values[68] = t42;
-        nonsmooth_coefficients_values[69] = -p1*t41 - t43;
-        nonsmooth_coefficients_values[70] = t3*t5*t8 - t44;
-        nonsmooth_coefficients_values[71] = t15*t41 + t16*t42;
-        nonsmooth_coefficients_values[72] = t17*t41 + t18*t42;
-        nonsmooth_coefficients_values[73] = t41*t8 + t43;
-        nonsmooth_coefficients_values[74] = -p1*t42 + t44;
-        nonsmooth_coefficients_values[75] = -omega2*t0*t1*t8 - t25*t42;
-        nonsmooth_coefficients_values[76] = omega2*p1*t3*t5 - t26*t41;
         for (int i = 0; i < 760; ++i)
-            coefficients[i] = nonsmooth_coefficients_values[nonsmooth_coefficients_places[i]];
+            coefficients[i] = 0.0;
+        coefficients[4] = t2;
+        coefficients[9] = t6;
+        coefficients[20] = p1;
+        coefficients[21] = p2;
+        coefficients[24] = -p1*t2 - t7;
+        coefficients[25] = p3;
+        coefficients[26] = -t8;
+        coefficients[29] = -t3*t5*t8 - t9;
+        coefficients[32] = p1;
+        coefficients[33] = p2;
+        coefficients[37] = p3;
+        coefficients[38] = -t8;
+        coefficients[42] = t11;
+        coefficients[43] = t12;
+        coefficients[47] = t13;
+        coefficients[48] = t14;
+        coefficients[50] = -t15;
+        coefficients[51] = -t16;
+        coefficients[54] = t15*t2 + t16*t6;
+        coefficients[55] = -t17;
+        coefficients[56] = -t18;
+        coefficients[59] = t17*t2 + t18*t6;
+        coefficients[60] = -t8;
+        coefficients[61] = -p2;
+        coefficients[64] = t2*t8 + t7;
+        coefficients[65] = -p3;
+        coefficients[66] = p1;
+        coefficients[69] = -p1*t6 + t9;
+        coefficients[72] = -t8;
+        coefficients[73] = -p2;
+        coefficients[77] = -p3;
+        coefficients[78] = p1;
+        coefficients[82] = t20;
+        coefficients[83] = t21;
+        coefficients[87] = t22;
+        coefficients[88] = t23;
+        coefficients[90] = t24;
+        coefficients[91] = t25;
+        coefficients[94] = omega2*t0*t1*t8 - t25*t6;
+        coefficients[95] = t26;
+        coefficients[96] = t27;
+        coefficients[99] = -omega2*p1*t3*t5 - t2*t26;
+        coefficients[101] = chi;
+        coefficients[104] = us1;
+        coefficients[106] = 1;
+        coefficients[113] = chi;
+        coefficients[118] = 1;
+        coefficients[123] = chi;
+        coefficients[128] = 1;
+        coefficients[140] = 1;
+        coefficients[141] = -chi;
+        coefficients[144] = -us1;
+        coefficients[152] = 1;
+        coefficients[153] = -chi;
+        coefficients[162] = 1;
+        coefficients[163] = -chi;
+        coefficients[170] = -1;
+        coefficients[171] = chi;
+        coefficients[174] = us1;
+        coefficients[184] = t29;
+        coefficients[189] = t31;
+        coefficients[200] = p1;
+        coefficients[201] = p2;
+        coefficients[204] = -p1*t29 - t32;
+        coefficients[205] = p3;
+        coefficients[206] = -t8;
+        coefficients[209] = t3*t30*t8 - t33;
+        coefficients[212] = p1;
+        coefficients[213] = p2;
+        coefficients[217] = p3;
+        coefficients[218] = -t8;
+        coefficients[222] = t11;
+        coefficients[223] = t12;
+        coefficients[227] = t13;
+        coefficients[228] = t14;
+        coefficients[230] = -t15;
+        coefficients[231] = -t16;
+        coefficients[234] = t15*t29 + t16*t31;
+        coefficients[235] = -t17;
+        coefficients[236] = -t18;
+        coefficients[239] = t17*t29 + t18*t31;
+        coefficients[240] = -t8;
+        coefficients[241] = -p2;
+        coefficients[244] = t29*t8 + t32;
+        coefficients[245] = -p3;
+        coefficients[246] = p1;
+        coefficients[249] = -p1*t31 + t33;
+        coefficients[252] = -t8;
+        coefficients[253] = -p2;
+        coefficients[257] = -p3;
+        coefficients[258] = p1;
+        coefficients[262] = t20;
+        coefficients[263] = t21;
+        coefficients[267] = t22;
+        coefficients[268] = t23;
+        coefficients[270] = t24;
+        coefficients[271] = t25;
+        coefficients[274] = -omega2*t0*t28*t8 - t25*t31;
+        coefficients[275] = t26;
+        coefficients[276] = t27;
+        coefficients[279] = omega2*p1*t3*t30 - t26*t29;
+        coefficients[280] = 1;
+        coefficients[285] = 1;
+        coefficients[289] = t34;
+        coefficients[292] = 1;
+        coefficients[297] = 1;
+        coefficients[302] = 1;
+        coefficients[307] = 1;
+        coefficients[325] = -1;
+        coefficients[326] = 1;
+        coefficients[329] = -t34;
+        coefficients[337] = -1;
+        coefficients[338] = 1;
+        coefficients[347] = -t35;
+        coefficients[348] = t35;
+        coefficients[355] = omega3;
+        coefficients[356] = -omega3;
+        coefficients[359] = t36;
+        coefficients[360] = 1;
+        coefficients[366] = 1;
+        coefficients[372] = 1;
+        coefficients[378] = 1;
+        coefficients[382] = 1;
+        coefficients[388] = 1;
+        coefficients[400] = 1;
+        coefficients[405] = 1;
+        coefficients[409] = -t34;
+        coefficients[412] = 1;
+        coefficients[417] = 1;
+        coefficients[422] = 1;
+        coefficients[427] = 1;
+        coefficients[445] = -1;
+        coefficients[446] = 1;
+        coefficients[449] = t34;
+        coefficients[457] = -1;
+        coefficients[458] = 1;
+        coefficients[467] = -t35;
+        coefficients[468] = t35;
+        coefficients[475] = omega3;
+        coefficients[476] = -omega3;
+        coefficients[479] = -t36;
+        coefficients[484] = t37;
+        coefficients[489] = t38;
+        coefficients[500] = p1;
+        coefficients[501] = p2;
+        coefficients[504] = -p1*t37 - t39;
+        coefficients[505] = p3;
+        coefficients[506] = -t8;
+        coefficients[509] = -t3*t30*t8 - t40;
+        coefficients[512] = p1;
+        coefficients[513] = p2;
+        coefficients[517] = p3;
+        coefficients[518] = -t8;
+        coefficients[522] = t11;
+        coefficients[523] = t12;
+        coefficients[527] = t13;
+        coefficients[528] = t14;
+        coefficients[530] = -t15;
+        coefficients[531] = -t16;
+        coefficients[534] = t15*t37 + t16*t38;
+        coefficients[535] = -t17;
+        coefficients[536] = -t18;
+        coefficients[539] = t17*t37 + t18*t38;
+        coefficients[540] = -t8;
+        coefficients[541] = -p2;
+        coefficients[544] = t37*t8 + t39;
+        coefficients[545] = -p3;
+        coefficients[546] = p1;
+        coefficients[549] = -p1*t38 + t40;
+        coefficients[552] = -t8;
+        coefficients[553] = -p2;
+        coefficients[557] = -p3;
+        coefficients[558] = p1;
+        coefficients[562] = t20;
+        coefficients[563] = t21;
+        coefficients[567] = t22;
+        coefficients[568] = t23;
+        coefficients[570] = t24;
+        coefficients[571] = t25;
+        coefficients[574] = omega2*t0*t28*t8 - t25*t38;
+        coefficients[575] = t26;
+        coefficients[576] = t27;
+        coefficients[579] = -omega2*p1*t3*t30 - t26*t37;
+        coefficients[581] = chi;
+        coefficients[584] = -us1;
+        coefficients[586] = 1;
+        coefficients[593] = chi;
+        coefficients[598] = 1;
+        coefficients[603] = chi;
+        coefficients[608] = 1;
+        coefficients[620] = 1;
+        coefficients[621] = -chi;
+        coefficients[624] = us1;
+        coefficients[632] = 1;
+        coefficients[633] = -chi;
+        coefficients[642] = 1;
+        coefficients[643] = -chi;
+        coefficients[650] = -1;
+        coefficients[651] = chi;
+        coefficients[654] = -us1;
+        coefficients[664] = t41;
+        coefficients[669] = t42;
+        coefficients[680] = p1;
+        coefficients[681] = p2;
+        coefficients[684] = -p1*t41 - t43;
+        coefficients[685] = p3;
+        coefficients[686] = -t8;
+        coefficients[689] = t3*t5*t8 - t44;
+        coefficients[692] = p1;
+        coefficients[693] = p2;
+        coefficients[697] = p3;
+        coefficients[698] = -t8;
+        coefficients[702] = t11;
+        coefficients[703] = t12;
+        coefficients[707] = t13;
+        coefficients[708] = t14;
+        coefficients[710] = -t15;
+        coefficients[711] = -t16;
+        coefficients[714] = t15*t41 + t16*t42;
+        coefficients[715] = -t17;
+        coefficients[716] = -t18;
+        coefficients[719] = t17*t41 + t18*t42;
+        coefficients[720] = -t8;
+        coefficients[721] = -p2;
+        coefficients[724] = t41*t8 + t43;
+        coefficients[725] = -p3;
+        coefficients[726] = p1;
+        coefficients[729] = -p1*t42 + t44;
+        coefficients[732] = -t8;
+        coefficients[733] = -p2;
+        coefficients[737] = -p3;
+        coefficients[738] = p1;
+        coefficients[742] = t20;
+        coefficients[743] = t21;
+        coefficients[747] = t22;
+        coefficients[748] = t23;
+        coefficients[750] = t24;
+        coefficients[751] = t25;
+        coefficients[754] = -omega2*t0*t1*t8 - t25*t42;
+        coefficients[755] = t26;
+        coefficients[756] = t27;
+        coefficients[759] = omega2*p1*t3*t5 - t26*t41;
     }
 }
 
@@ -2452,25 +2635,31 @@ void dry_friction_global_stick_linearisation(
     const double t44 = 0;
     const double t45 = (V - v2_4)/rate_4;
     if (saltations) {
-        static const unsigned char nonsmooth_saltations_places[] = {
-            0, 1, 1, 1, 1, 0, 1, 1, 2, 3, 0, 1, 1, 1, 1, 0, 0, 1, 1, 1, 1, 0, 1, 1, 4,
-            5, 0, 1, 6, 7, 1, 0, 0, 1, 8, 1, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1, 9, 0, 0, 1,
-            1, 1, 1, 0, 1, 10, 1, 1, 0, 1, 1, 1, 1, 1,
-        };
-        double nonsmooth_saltations_values[11];
-        nonsmooth_saltations_values[0] = 1;
-        nonsmooth_saltations_values[1] = 0;
-        nonsmooth_saltations_values[2] = saltation_1_20;
-        nonsmooth_saltations_values[3] = -t38;
-        nonsmooth_saltations_values[4] = -t40;
-        nonsmooth_saltations_values[5] = t40;
-        nonsmooth_saltations_values[6] = -t41;
-        nonsmooth_saltations_values[7] = t41;
-        nonsmooth_saltations_values[8] = t43;
-        nonsmooth_saltations_values[9] = t44;
-        nonsmooth_saltations_values[10] = t45;
         for (int i = 0; i < 64; ++i)
-            saltations[i] = nonsmooth_saltations_values[nonsmooth_saltations_places[i]];
+            saltations[i] = 0.0;
+        saltations[0] = 1;
+        saltations[5] = 1;
+        saltations[8] = saltation_1_20;
+        saltations[9] = -t38;
+        saltations[10] = 1;
+        saltations[15] = 1;
+        saltations[16] = 1;
+        saltations[21] = 1;
+        saltations[24] = -t40;
+        saltations[25] = t40;
+        saltations[26] = 1;
+        saltations[28] = -t41;
+        saltations[29] = t41;
+        saltations[31] = 1;
+        saltations[32] = 1;
+        saltations[34] = t43;
+        saltations[37] = 1;
+        saltations[46] = t44;
+        saltations[47] = 1;
+        saltations[48] = 1;
+        saltations[53] = 1;
+        saltations[55] = t45;
+        saltations[58] = 1;
     }
     if (!monodromy)
         return;
@@ -3930,25 +4119,31 @@ void dry_friction_solution_ii_linearisation(
     const double t43 = 0;
     const double t44 = (V - v2_4)/rate_4;
     if (saltations) {
-        static const unsigned char nonsmooth_saltations_places[] = {
-            0, 1, 1, 1, 1, 0, 1, 1, 2, 3, 0, 1, 1, 1, 1, 0, 0, 1, 1, 1, 1, 0, 1, 1, 4,
-            5, 0, 1, 6, 7, 1, 0, 0, 1, 8, 1, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1, 9, 0, 0, 1,
-            1, 1, 1, 0, 1, 10, 1, 1, 0, 1, 1, 1, 1, 1,
-        };
-        double nonsmooth_saltations_values[11];
-        nonsmooth_saltations_values[0] = 1;
-        nonsmooth_saltations_values[1] = 0;
-        nonsmooth_saltations_values[2] = saltation_1_20;
-        nonsmooth_saltations_values[3] = saltation_1_21;
-        nonsmooth_saltations_values[4] = -t39;
-        nonsmooth_saltations_values[5] = t39;
-        nonsmooth_saltations_values[6] = -t40;
-        nonsmooth_saltations_values[7] = t40;
-        nonsmooth_saltations_values[8] = t42;
-        nonsmooth_saltations_values[9] = t43;
-        nonsmooth_saltations_values[10] = t44;
         for (int i = 0; i < 64; ++i)
-            saltations[i] = nonsmooth_saltations_values[nonsmooth_saltations_places[i]];
+            saltations[i] = 0.0;
+        saltations[0] = 1;
+        saltations[5] = 1;
+        saltations[8] = saltation_1_20;
+        saltations[9] = saltation_1_21;
+        saltations[10] = 1;
+        saltations[15] = 1;
+        saltations[16] = 1;
+        saltations[21] = 1;
+        saltations[24] = -t39;
+        saltations[25] = t39;
+        saltations[26] = 1;
+        saltations[28] = -t40;
+        saltations[29] = t40;
+        saltations[31] = 1;
+        saltations[32] = 1;
+        saltations[34] = t42;
+        saltations[37] = 1;
+        saltations[46] = t43;
+        saltations[47] = 1;
+        saltations[48] = 1;
+        saltations[53] = 1;
+        saltations[55] = t44;
+        saltations[58] = 1;
     }
     if (!monodromy)
         return;

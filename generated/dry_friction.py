@@ -1,12 +1,12 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.dry_friction
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation f9b07911035c2ae1
+# SymPy 1.14.0, derivation 17c69fcb1a7b4a60
 """Kernels and tables of the system dry-friction, over any arithmetic ``lib``."""
 
 import json
 
-DERIVATION = "f9b07911035c2ae1"
+DERIVATION = "17c69fcb1a7b4a60"
 
 SYSTEM = json.loads(r"""{
  "name": "dry-friction",

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation f2d6423fe4f618e5 */
+ * SymPy 1.14.0, derivation c25b7b1dc4f17316 */
 #include "elastic_stop.h"
 
 #include <math.h>
@@ -346,21 +346,21 @@ void elastic_stop_fields(
     const double t2 = (1.0/(m2));
     const double t3 = k1*t2;
     const double t4 = -t2*(k1 + k2);
-    static const unsigned char nonsmooth_fields_places[] = {
-        0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 2, 3, 0, 0, 4, 5, 6, 0, 0, 0, 0, 0, 1, 0, 0,
-        0, 0, 0, 1, 0, 7, 3, 0, 0, 0, 5, 6, 0, 0, 0,
-    };
-    double nonsmooth_fields_values[8];
-    nonsmooth_fields_values[0] = 0;
-    nonsmooth_fields_values[1] = 1;
-    nonsmooth_fields_values[2] = -t0*(k1 + k3);
-    nonsmooth_fields_values[3] = t1;
-    nonsmooth_fields_values[4] = k3*t0;
-    nonsmooth_fields_values[5] = t3;
-    nonsmooth_fields_values[6] = t4;
-    nonsmooth_fields_values[7] = -t1;
     for (int i = 0; i < 40; ++i)
-        fields[i] = nonsmooth_fields_values[nonsmooth_fields_places[i]];
+        fields[i] = 0.0;
+    fields[2] = 1;
+    fields[8] = 1;
+    fields[10] = -t0*(k1 + k3);
+    fields[11] = t1;
+    fields[14] = k3*t0;
+    fields[15] = t3;
+    fields[16] = t4;
+    fields[22] = 1;
+    fields[28] = 1;
+    fields[30] = -t1;
+    fields[31] = t1;
+    fields[35] = t3;
+    fields[36] = t4;
 }
 
 /* Affine functions of the state: gradients, constants last.
@@ -435,74 +435,82 @@ void elastic_stop_modes(
     const double t18 = (1.0/(omega3));
     const double t19 = (1.0/(omega4));
     if (coefficients) {
-        static const unsigned char nonsmooth_coefficients_places[] = {
-            0, 0, 0, 0, 1, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 4, 0, 0, 5,
-            6, 7, 0, 0, 8, 0, 0, 3, 4, 0, 0, 0, 6, 7, 0, 0, 0, 9, 10, 0, 0, 0, 11, 12, 0,
-            13, 14, 0, 0, 15, 16, 17, 0, 0, 18, 7, 19, 0, 0, 20, 21, 3, 0, 0, 22, 0, 0, 7, 19, 0,
-            0, 0, 21, 3, 0, 0, 0, 23, 24, 0, 0, 0, 25, 26, 0, 27, 28, 0, 0, 29, 30, 31, 0, 0, 32,
-            0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 33, 34, 0, 0, 0,
-            35, 36, 0, 0, 0, 0, 0, 33, 34, 0, 0, 0, 35, 36, 0, 0, 0, 37, 38, 0, 0, 0, 39, 40, 0,
-            41, 42, 0, 0, 0, 43, 44, 0, 0, 0, 36, 45, 0, 0, 0, 46, 33, 0, 0, 0, 0, 0, 36, 45, 0,
-            0, 0, 46, 33, 0, 0, 0, 47, 48, 0, 0, 0, 49, 50, 0, 51, 52, 0, 0, 0, 53, 54, 0, 0, 0,
-        };
-        double nonsmooth_coefficients_values[55];
-        nonsmooth_coefficients_values[0] = 0;
-        nonsmooth_coefficients_values[1] = t3;
-        nonsmooth_coefficients_values[2] = t4;
-        nonsmooth_coefficients_values[3] = p1;
-        nonsmooth_coefficients_values[4] = p2;
-        nonsmooth_coefficients_values[5] = -p1*t3 - t5;
-        nonsmooth_coefficients_values[6] = p3;
-        nonsmooth_coefficients_values[7] = -t6;
-        nonsmooth_coefficients_values[8] = t4*t6 + t7;
-        nonsmooth_coefficients_values[9] = p1*t8;
-        nonsmooth_coefficients_values[10] = p2*t8;
-        nonsmooth_coefficients_values[11] = p3*t8;
-        nonsmooth_coefficients_values[12] = -t6*t8;
-        nonsmooth_coefficients_values[13] = -t9;
-        nonsmooth_coefficients_values[14] = -t10;
-        nonsmooth_coefficients_values[15] = t10*t4 + t3*t9;
-        nonsmooth_coefficients_values[16] = -t11;
-        nonsmooth_coefficients_values[17] = -t12;
-        nonsmooth_coefficients_values[18] = t11*t3 + t12*t4;
-        nonsmooth_coefficients_values[19] = -p2;
-        nonsmooth_coefficients_values[20] = t3*t6 + t5;
-        nonsmooth_coefficients_values[21] = -p3;
-        nonsmooth_coefficients_values[22] = -p1*t4 - t7;
-        nonsmooth_coefficients_values[23] = -t13*t6;
-        nonsmooth_coefficients_values[24] = -p2*t13;
-        nonsmooth_coefficients_values[25] = -p3*t13;
-        nonsmooth_coefficients_values[26] = p1*t13;
-        nonsmooth_coefficients_values[27] = omega2*t6;
-        nonsmooth_coefficients_values[28] = t14;
-        nonsmooth_coefficients_values[29] = -omega2*t1*t2*t6 - t14*t4;
-        nonsmooth_coefficients_values[30] = t15;
-        nonsmooth_coefficients_values[31] = -t16;
-        nonsmooth_coefficients_values[32] = -t15*t3 + t16*t4;
-        nonsmooth_coefficients_values[33] = p4;
-        nonsmooth_coefficients_values[34] = p5;
-        nonsmooth_coefficients_values[35] = p6;
-        nonsmooth_coefficients_values[36] = t17;
-        nonsmooth_coefficients_values[37] = p4*t18;
-        nonsmooth_coefficients_values[38] = p5*t18;
-        nonsmooth_coefficients_values[39] = p6*t18;
-        nonsmooth_coefficients_values[40] = t17*t18;
-        nonsmooth_coefficients_values[41] = -omega3*p4;
-        nonsmooth_coefficients_values[42] = -omega3*p5;
-        nonsmooth_coefficients_values[43] = -omega3*p6;
-        nonsmooth_coefficients_values[44] = -omega3*t17;
-        nonsmooth_coefficients_values[45] = -p5;
-        nonsmooth_coefficients_values[46] = -p6;
-        nonsmooth_coefficients_values[47] = t17*t19;
-        nonsmooth_coefficients_values[48] = -p5*t19;
-        nonsmooth_coefficients_values[49] = -p6*t19;
-        nonsmooth_coefficients_values[50] = p4*t19;
-        nonsmooth_coefficients_values[51] = -omega4*t17;
-        nonsmooth_coefficients_values[52] = omega4*p5;
-        nonsmooth_coefficients_values[53] = omega4*p6;
-        nonsmooth_coefficients_values[54] = -omega4*p4;
         for (int i = 0; i < 200; ++i)
-            coefficients[i] = nonsmooth_coefficients_values[nonsmooth_coefficients_places[i]];
+            coefficients[i] = 0.0;
+        coefficients[4] = t3;
+        coefficients[9] = t4;
+        coefficients[20] = p1;
+        coefficients[21] = p2;
+        coefficients[24] = -p1*t3 - t5;
+        coefficients[25] = p3;
+        coefficients[26] = -t6;
+        coefficients[29] = t4*t6 + t7;
+        coefficients[32] = p1;
+        coefficients[33] = p2;
+        coefficients[37] = p3;
+        coefficients[38] = -t6;
+        coefficients[42] = p1*t8;
+        coefficients[43] = p2*t8;
+        coefficients[47] = p3*t8;
+        coefficients[48] = -t6*t8;
+        coefficients[50] = -t9;
+        coefficients[51] = -t10;
+        coefficients[54] = t10*t4 + t3*t9;
+        coefficients[55] = -t11;
+        coefficients[56] = -t12;
+        coefficients[59] = t11*t3 + t12*t4;
+        coefficients[60] = -t6;
+        coefficients[61] = -p2;
+        coefficients[64] = t3*t6 + t5;
+        coefficients[65] = -p3;
+        coefficients[66] = p1;
+        coefficients[69] = -p1*t4 - t7;
+        coefficients[72] = -t6;
+        coefficients[73] = -p2;
+        coefficients[77] = -p3;
+        coefficients[78] = p1;
+        coefficients[82] = -t13*t6;
+        coefficients[83] = -p2*t13;
+        coefficients[87] = -p3*t13;
+        coefficients[88] = p1*t13;
+        coefficients[90] = omega2*t6;
+        coefficients[91] = t14;
+        coefficients[94] = -omega2*t1*t2*t6 - t14*t4;
+        coefficients[95] = t15;
+        coefficients[96] = -t16;
+        coefficients[99] = -t15*t3 + t16*t4;
+        coefficients[120] = p4;
+        coefficients[121] = p5;
+        coefficients[125] = p6;
+        coefficients[126] = t17;
+        coefficients[132] = p4;
+        coefficients[133] = p5;
+        coefficients[137] = p6;
+        coefficients[138] = t17;
+        coefficients[142] = p4*t18;
+        coefficients[143] = p5*t18;
+        coefficients[147] = p6*t18;
+        coefficients[148] = t17*t18;
+        coefficients[150] = -omega3*p4;
+        coefficients[151] = -omega3*p5;
+        coefficients[155] = -omega3*p6;
+        coefficients[156] = -omega3*t17;
+        coefficients[160] = t17;
+        coefficients[161] = -p5;
+        coefficients[165] = -p6;
+        coefficients[166] = p4;
+        coefficients[172] = t17;
+        coefficients[173] = -p5;
+        coefficients[177] = -p6;
+        coefficients[178] = p4;
+        coefficients[182] = t17*t19;
+        coefficients[183] = -p5*t19;
+        coefficients[187] = -p6*t19;
+        coefficients[188] = p4*t19;
+        coefficients[190] = -omega4*t17;
+        coefficients[191] = omega4*p5;
+        coefficients[195] = omega4*p6;
+        coefficients[196] = -omega4*p4;
     }
 }
 

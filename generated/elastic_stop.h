@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation f2d6423fe4f618e5 */
+ * SymPy 1.14.0, derivation c25b7b1dc4f17316 */
 #ifndef NONSMOOTH_SYSTEM_ELASTIC_STOP_H
 #define NONSMOOTH_SYSTEM_ELASTIC_STOP_H
 

@@ -1,12 +1,12 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.elastic_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation f2d6423fe4f618e5
+# SymPy 1.14.0, derivation c25b7b1dc4f17316
 """Kernels and tables of the system elastic-stop, over any arithmetic ``lib``."""
 
 import json
 
-DERIVATION = "f2d6423fe4f618e5"
+DERIVATION = "c25b7b1dc4f17316"
 
 SYSTEM = json.loads(r"""{
  "name": "elastic-stop",

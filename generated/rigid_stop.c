@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation ffd8353536f706ba */
+ * SymPy 1.14.0, derivation de1129661d58bd5a */
 #include "rigid_stop.h"
 
 #include <math.h>
@@ -211,19 +211,18 @@ void rigid_stop_fields(
     const double t1 = (1.0/(m2));
     const double t2 = k1*t1;
     const double t3 = -t1*(k1 + k2);
-    static const unsigned char nonsmooth_fields_places[] = {
-        0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 2, 3, 0, 0, 0, 4, 5, 0, 0, 0, 0, 0, 1, 0, 0,
-        0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 4, 5, 0, 0, 0,
-    };
-    double nonsmooth_fields_values[6];
-    nonsmooth_fields_values[0] = 0;
-    nonsmooth_fields_values[1] = 1;
-    nonsmooth_fields_values[2] = -t0;
-    nonsmooth_fields_values[3] = t0;
-    nonsmooth_fields_values[4] = t2;
-    nonsmooth_fields_values[5] = t3;
     for (int i = 0; i < 40; ++i)
-        fields[i] = nonsmooth_fields_values[nonsmooth_fields_places[i]];
+        fields[i] = 0.0;
+    fields[2] = 1;
+    fields[8] = 1;
+    fields[10] = -t0;
+    fields[11] = t0;
+    fields[15] = t2;
+    fields[16] = t3;
+    fields[22] = 1;
+    fields[28] = 1;
+    fields[35] = t2;
+    fields[36] = t3;
 }
 
 /* Affine functions of the state: gradients, constants last.
@@ -249,17 +248,19 @@ void rigid_stop_resets(
     const double parameters[5], double resets[60])
 {
     const double r = parameters[4];
-    static const unsigned char nonsmooth_resets_places[] = {
-        0, 1, 1, 1, 1, 1, 0, 1, 1, 1, 1, 1, 0, 1, 1, 1, 1, 1, 0, 1, 0, 1, 1, 1, 1,
-        1, 0, 1, 1, 1, 1, 1, 2, 1, 1, 1, 1, 1, 0, 1, 1, 1, 1, 1, 0, 1, 0, 1, 1, 1,
-        1, 1, 1, 1, 1, 1, 1, 1, 0, 1,
-    };
-    double nonsmooth_resets_values[3];
-    nonsmooth_resets_values[0] = 1;
-    nonsmooth_resets_values[1] = 0;
-    nonsmooth_resets_values[2] = -r;
     for (int i = 0; i < 60; ++i)
-        resets[i] = nonsmooth_resets_values[nonsmooth_resets_places[i]];
+        resets[i] = 0.0;
+    resets[0] = 1;
+    resets[6] = 1;
+    resets[12] = 1;
+    resets[18] = 1;
+    resets[20] = 1;
+    resets[26] = 1;
+    resets[32] = -r;
+    resets[38] = 1;
+    resets[44] = 1;
+    resets[46] = 1;
+    resets[58] = 1;
 }
 
 /* Exponents of the modes; coefficients of their functions, offsets last.
@@ -286,49 +287,54 @@ void rigid_stop_modes(
     const double t3 = k1/(k1 + k2);
     const double t4 = (1.0/(omega3));
     if (coefficients) {
-        static const unsigned char nonsmooth_coefficients_places[] = {
-            0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 0, 0, 0,
-            3, 4, 0, 0, 0, 0, 0, 1, 2, 0, 0, 0, 3, 4, 0, 0, 0, 5, 6, 0, 0, 0, 7, 8, 0,
-            9, 10, 0, 0, 0, 11, 12, 0, 0, 0, 4, 13, 0, 0, 0, 14, 1, 0, 0, 0, 0, 0, 4, 13, 0,
-            0, 0, 14, 1, 0, 0, 0, 15, 16, 0, 0, 0, 17, 18, 0, 19, 20, 0, 0, 0, 21, 22, 0, 0, 0,
-            23, 0, 0, 0, 0, 24, 0, 0, 0, 0, 0, 0, 23, 0, 0, 0, 0, 24, 0, 0, 0, 0, 23, 0, 0,
-            0, 0, 24, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 25, 23, 0, 0, 0,
-            0, 0, 0, 0, 0, 0, 0, 25, 23, 0, 0, 0, 0, 0, 0, 0, 0, 26, 27, 0, 0, 0, 0, 0, 0,
-            28, 29, 0, 0, 0,
-        };
-        double nonsmooth_coefficients_values[30];
-        nonsmooth_coefficients_values[0] = 0;
-        nonsmooth_coefficients_values[1] = p1;
-        nonsmooth_coefficients_values[2] = p2;
-        nonsmooth_coefficients_values[3] = p3;
-        nonsmooth_coefficients_values[4] = t0;
-        nonsmooth_coefficients_values[5] = p1*t1;
-        nonsmooth_coefficients_values[6] = p2*t1;
-        nonsmooth_coefficients_values[7] = p3*t1;
-        nonsmooth_coefficients_values[8] = t0*t1;
-        nonsmooth_coefficients_values[9] = -omega1*p1;
-        nonsmooth_coefficients_values[10] = -omega1*p2;
-        nonsmooth_coefficients_values[11] = -omega1*p3;
-        nonsmooth_coefficients_values[12] = -omega1*t0;
-        nonsmooth_coefficients_values[13] = -p2;
-        nonsmooth_coefficients_values[14] = -p3;
-        nonsmooth_coefficients_values[15] = t0*t2;
-        nonsmooth_coefficients_values[16] = -p2*t2;
-        nonsmooth_coefficients_values[17] = -p3*t2;
-        nonsmooth_coefficients_values[18] = p1*t2;
-        nonsmooth_coefficients_values[19] = -omega2*t0;
-        nonsmooth_coefficients_values[20] = omega2*p2;
-        nonsmooth_coefficients_values[21] = omega2*p3;
-        nonsmooth_coefficients_values[22] = -omega2*p1;
-        nonsmooth_coefficients_values[23] = 1;
-        nonsmooth_coefficients_values[24] = t3;
-        nonsmooth_coefficients_values[25] = -t3;
-        nonsmooth_coefficients_values[26] = -t3*t4;
-        nonsmooth_coefficients_values[27] = t4;
-        nonsmooth_coefficients_values[28] = omega3*t3;
-        nonsmooth_coefficients_values[29] = -omega3;
         for (int i = 0; i < 180; ++i)
-            coefficients[i] = nonsmooth_coefficients_values[nonsmooth_coefficients_places[i]];
+            coefficients[i] = 0.0;
+        coefficients[20] = p1;
+        coefficients[21] = p2;
+        coefficients[25] = p3;
+        coefficients[26] = t0;
+        coefficients[32] = p1;
+        coefficients[33] = p2;
+        coefficients[37] = p3;
+        coefficients[38] = t0;
+        coefficients[42] = p1*t1;
+        coefficients[43] = p2*t1;
+        coefficients[47] = p3*t1;
+        coefficients[48] = t0*t1;
+        coefficients[50] = -omega1*p1;
+        coefficients[51] = -omega1*p2;
+        coefficients[55] = -omega1*p3;
+        coefficients[56] = -omega1*t0;
+        coefficients[60] = t0;
+        coefficients[61] = -p2;
+        coefficients[65] = -p3;
+        coefficients[66] = p1;
+        coefficients[72] = t0;
+        coefficients[73] = -p2;
+        coefficients[77] = -p3;
+        coefficients[78] = p1;
+        coefficients[82] = t0*t2;
+        coefficients[83] = -p2*t2;
+        coefficients[87] = -p3*t2;
+        coefficients[88] = p1*t2;
+        coefficients[90] = -omega2*t0;
+        coefficients[91] = omega2*p2;
+        coefficients[95] = omega2*p3;
+        coefficients[96] = -omega2*p1;
+        coefficients[100] = 1;
+        coefficients[105] = t3;
+        coefficients[112] = 1;
+        coefficients[117] = t3;
+        coefficients[122] = 1;
+        coefficients[127] = t3;
+        coefficients[145] = -t3;
+        coefficients[146] = 1;
+        coefficients[157] = -t3;
+        coefficients[158] = 1;
+        coefficients[167] = -t3*t4;
+        coefficients[168] = t4;
+        coefficients[175] = omega3*t3;
+        coefficients[176] = -omega3;
     }
 }
 

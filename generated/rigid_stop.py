@@ -1,12 +1,12 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.rigid_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation ffd8353536f706ba
+# SymPy 1.14.0, derivation de1129661d58bd5a
 """Kernels and tables of the system rigid-stop, over any arithmetic ``lib``."""
 
 import json
 
-DERIVATION = "ffd8353536f706ba"
+DERIVATION = "de1129661d58bd5a"
 
 SYSTEM = json.loads(r"""{
  "name": "rigid-stop",

@@ -364,7 +364,9 @@ def process(quick: bool) -> Iterator[Row]:
 def run(command: list[str], **environment: str) -> None:
     """Run a command and throw its output away."""
     quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
-    subprocess.run(command, check=True, env=os.environ | environment, **quiet)
+    # modules keep their bytecode, as installed ones do
+    given = os.environ | {"PYTHONDONTWRITEBYTECODE": ""} | environment
+    subprocess.run(command, check=True, env=given, **quiet)
 
 
 SECTIONS = {

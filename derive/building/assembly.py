@@ -10,9 +10,9 @@ from typing import TypeVar
 
 import sympy as sp
 
-from nonsmooth.derive.building.frame import Frame, remembered
+from nonsmooth.derive.building.frame import Frame
 from nonsmooth.derive.building.parts import FrictionPart, Holder, Part, StopPart, SwitchPart
-from nonsmooth.derive.declaration.algebra import along, cancel, inverse
+from nonsmooth.derive.declaration.algebra import along, cancel, inverse, remembered
 from nonsmooth.derive.declaration.configuration import Boundary, Configuration, Contact
 from nonsmooth.derive.declaration.dynamics import Dynamics, FirstOrder, SecondOrder
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass
-from functools import cached_property, wraps
-from typing import Any, TypeVar, cast
+from functools import cached_property
+from typing import Any
 
 import sympy as sp
 
@@ -18,33 +18,16 @@ from nonsmooth.derive.declaration.algebra import (
     frozen,
     inverse,
     is_affine,
+    remembered,
 )
 from nonsmooth.derive.declaration.fields import exact, made
-from nonsmooth.derive.declaration.parameter import Parameter, is_positive
+from nonsmooth.derive.declaration.parameter import Parameter, sign_of
 from nonsmooth.derive.declaration.system import TIME
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["Frame", "inferred_parameters", "remembered"]
+__all__ = ["Frame", "inferred_parameters"]
 
 _LISTED = 12
-_Method = TypeVar("_Method", bound=Callable[..., Any])
-
-
-def remembered(method: _Method) -> _Method:
-    """The method with its results stored in the object, one for each tuple of arguments.
-
-    Unlike `functools.cache` it does not keep its objects alive.
-    """
-    place = f"_remembered_{method.__name__}"
-
-    @wraps(method)
-    def call(owner: Any, *args: Any) -> Any:
-        known = owner.__dict__.setdefault(place, {})
-        if args not in known:
-            known[args] = method(owner, *args)
-        return known[args]
-
-    return cast(_Method, call)
 
 
 @dataclass(frozen=True, eq=False)
@@ -172,12 +155,7 @@ class Frame:
     @remembered
     def sign(self, expression: sp.Expr) -> int | None:
         """Sign of an expression of parameters on their whole domain; None if none is shown."""
-        expression = sp.cancel(expression)
-        if expression == 0:
-            return 0
-        if is_positive(expression, self.parameters):
-            return 1
-        return -1 if is_positive(-expression, self.parameters) else None
+        return sign_of(sp.cancel(expression), self.parameters)
 
 
 def inferred_parameters(

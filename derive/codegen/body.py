@@ -285,8 +285,8 @@ def _check(kernel: Kernel, defined: Set[sp.Symbol]) -> None:
 @lru_cache(maxsize=1 << 14)
 def _not_held(expression: sp.Expr) -> frozenset[sp.Expr]:
     """Symbolic constants in an expression that no kernel can evaluate, such as infinity."""
-    symbolic = expression.atoms(sp.NumberSymbol, sp.core.numbers.ImaginaryUnit)
-    return frozenset(symbolic | expression.atoms(sp.zoo, sp.nan, sp.oo, -sp.oo))
+    constants = sp.NumberSymbol, sp.core.numbers.ImaginaryUnit, sp.zoo, sp.nan, sp.oo, -sp.oo
+    return frozenset(expression.atoms(*constants))
 
 
 def split(body: Body, inputs: set[sp.Symbol]) -> tuple[tuple[Line, ...], tuple[Line, ...]]:

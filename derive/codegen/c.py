@@ -36,7 +36,6 @@ _IN_LANES = (
     "reduced",
 )  # kernels that functions of many points call
 _ITERATED = "reduced"  # the argument that changes while the others stay
-_LARGE = 40  # entries of an output, from which on a table may be shorter
 
 
 class _Printer(Ordered, C99CodePrinter):
@@ -316,39 +315,19 @@ def _entry(array: Argument | Output, position: int, *, lanes: bool) -> str:
 
 
 def _stores(output: Output, scope: Scope) -> list[str]:
-    """C statements that fill an output: a large one of few values by a table of their places.
+    """C statements that fill an output, its zeros by a loop where there are some.
 
-    The zeros of another one are stored by a loop where there are some. A loop over lanes has no
-    loop inside: compilers would not use vectors for it.
+    A loop over lanes has no loop inside: compilers would not use vectors for it.
     """
     expressions = output.expressions
-    values = list(dict.fromkeys(expressions))
-    if scope.lanes or len(expressions) < _LARGE or 3 * len(values) > len(expressions):
-        some = not scope.lanes and expressions.count(sp.S.Zero) > 2
-        head = f"{scope.indent}for (int i = 0; i < {len(expressions)}; ++i)"
-        return [
-            *([head, f"{scope.indent}    {output.name}[i] = 0.0;"] if some else []),
-            *(
-                line
-                for position, expression in enumerate(expressions)
-                if expression != 0 or not some
-                for line in scope.assigned(_entry(output, position, lanes=scope.lanes), expression)
-            ),
-        ]
-    places = [str(values.index(expression)) for expression in expressions]
-    kind = "unsigned char" if len(values) <= 256 else "unsigned short"
-    table, indent = f"nonsmooth_{output.name}", scope.indent
-    rows = [", ".join(places[i : i + 25]) for i in range(0, len(places), 25)]
+    some = not scope.lanes and expressions.count(sp.S.Zero) > 2
+    head = f"{scope.indent}for (int i = 0; i < {len(expressions)}; ++i)"
     return [
-        f"{indent}static const {kind} {table}_places[] = {{",
-        *(f"{indent}    {row}," for row in rows),
-        f"{indent}}};",
-        f"{indent}double {table}_values[{len(values)}];",
+        *([head, f"{scope.indent}    {output.name}[i] = 0.0;"] if some else []),
         *(
             line
-            for position, expression in enumerate(values)
-            for line in scope.assigned(f"{table}_values[{position}]", expression)
+            for position, expression in enumerate(expressions)
+            if expression != 0 or not some
+            for line in scope.assigned(_entry(output, position, lanes=scope.lanes), expression)
         ),
-        f"{indent}for (int i = 0; i < {len(places)}; ++i)",
-        f"{indent}    {output.name}[i] = {table}_values[{table}_places[i]];",
     ]

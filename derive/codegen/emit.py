@@ -43,7 +43,6 @@ from nonsmooth.derive.errors import DerivationError
 __all__ = [
     "EmittedSystem",
     "emit_library",
-    "emit_many_points",
     "emit_package",
     "emit_system",
     "included",
@@ -76,25 +75,12 @@ class EmittedSystem:
 
 
 def emit_library(system: System, orbits: Sequence[Itinerary], source: str) -> dict[str, str]:
-    """Sources, by file name, of an extension with the kernels of `emit_python`.
-
-    `source` says in the stamp what declares the system. The derivation is the same as that
-    of `emit_python`.
-    """
-    return _emit_compiled(derive_system(system, orbits, use=Use.FIRST_ANSWER), source)
-
-
-def emit_many_points(system: System, orbits: Sequence[Itinerary], source: str) -> dict[str, str]:
     """Sources, by file name, of an extension whose kernels solve orbits at many points.
 
     The same kernels in Python are among the files. Orbits that have none say so in the
     tables. `source` says in the stamp what declares the system.
     """
-    return _emit_compiled(derive_system(system, orbits, use=Use.MANY_POINTS), source)
-
-
-def _emit_compiled(derived: DerivedSystem, source: str) -> dict[str, str]:
-    """The files of an extension and of the Python that it compiles, without documents."""
+    derived = derive_system(system, orbits, use=Use.MANY_POINTS)
     return emit_package([_emitted(derived, source, GENERATE)], GENERATE)
 
 

@@ -1,9 +1,10 @@
-"""Normal forms of rational expressions, each found once: matrices repeat their entries."""
+"""Normal forms of rational expressions and other results, each found once."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence, Set
-from functools import lru_cache
+from collections.abc import Callable, Sequence, Set
+from functools import lru_cache, wraps
+from typing import Any, TypeVar, cast
 
 import numpy as np
 import sympy as sp
@@ -18,11 +19,31 @@ __all__ = [
     "inverse",
     "is_affine",
     "is_surely_positive_definite",
+    "remembered",
     "symbols_of",
 ]
 
+_Method = TypeVar("_Method", bound=Callable[..., Any])
 
-@lru_cache(maxsize=1 << 14)
+
+def remembered(method: _Method) -> _Method:
+    """The method with its results stored in the object, one for each tuple of arguments.
+
+    Unlike `functools.cache` it does not keep its objects alive.
+    """
+    place = f"_remembered_{method.__name__}"
+
+    @wraps(method)
+    def call(owner: Any, *args: Any) -> Any:
+        known = owner.__dict__.setdefault(place, {})
+        if args not in known:
+            known[args] = method(owner, *args)
+        return known[args]
+
+    return cast(_Method, call)
+
+
+@lru_cache(maxsize=1 << 14)  # matrices repeat their entries
 def cancel(expression: sp.Expr) -> sp.Expr:
     """Ratio of two expanded polynomials without a common factor, as SymPy gives it."""
     return expression if expression.is_Atom else sp.cancel(expression)

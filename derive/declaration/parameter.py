@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from functools import cached_property, lru_cache
 from keyword import iskeyword
 from typing import Any
 
@@ -16,6 +16,7 @@ __all__ = [
     "check_finite",
     "is_positive",
     "is_rational",
+    "sign_of",
 ]
 
 
@@ -76,7 +77,7 @@ class Parameter:
         if not self.lower < self.upper:
             raise DeclarationError(f"parameter {self.name}: the domain is empty")
 
-    @property
+    @cached_property
     def symbol(self) -> sp.Symbol:
         """Symbol that carries as much of the domain as SymPy's assumptions can."""
         if self.lower >= 0:
@@ -106,7 +107,8 @@ class Parameter:
         return self.symbol
 
 
-def is_positive(expression: sp.Expr, parameters: Iterable[Parameter]) -> bool:
+@lru_cache(maxsize=4096)  # configurations share their masses and stiffnesses
+def is_positive(expression: sp.Expr, parameters: tuple[Parameter, ...]) -> bool:
     """Whether an expression is shown to be positive on the whole domain of the parameters.
 
     True is a proof; False means "not shown". Each parameter is replaced by a map of a
@@ -124,6 +126,13 @@ def is_positive(expression: sp.Expr, parameters: Iterable[Parameter]) -> bool:
     if numerator.is_positive and denominator.is_positive:
         return True
     return _one_sign(numerator) * _one_sign(denominator) > 0
+
+
+def sign_of(expression: sp.Expr, parameters: tuple[Parameter, ...]) -> int | None:
+    """Sign of an expression on the whole domain of the parameters; None if none is shown."""
+    if expression == 0:
+        return 0
+    return next((sign for sign in (1, -1) if is_positive(sign * expression, parameters)), None)
 
 
 def is_rational(expression: sp.Expr) -> bool:

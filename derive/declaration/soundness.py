@@ -20,7 +20,13 @@ from nonsmooth.derive.declaration.algebra import (
     is_surely_positive_definite,
 )
 from nonsmooth.derive.declaration.dynamics import SecondOrder
-from nonsmooth.derive.declaration.parameter import Parameter, check_finite, is_positive, is_rational
+from nonsmooth.derive.declaration.parameter import (
+    Parameter,
+    check_finite,
+    is_positive,
+    is_rational,
+    sign_of,
+)
 from nonsmooth.derive.errors import DeclarationError
 
 if TYPE_CHECKING:
@@ -285,14 +291,14 @@ def _check_landing(system: System, transition: Transition) -> None:
         if boundary.function in watched and not boundary.function.free_symbols & set(rules):
             continue
         value = _value_on(system, boundary.function.xreplace(rules), surfaces)
-        if value is not None and _positive(value, system.parameters):
+        if value is not None and is_positive(value, system.parameters):
             raise DeclarationError(
                 f"{where}: behind it boundary {boundary.name!r} is passed already"
                 f" (its function is {value}, not negative)"
             )
     for constraint in target.constraints:
         value = _value_on(system, constraint.xreplace(rules), surfaces)
-        if value is not None and any(_positive(s * value, system.parameters) for s in (1, -1)):
+        if value is not None and sign_of(value, system.parameters):
             raise DeclarationError(
                 f"{where}: behind it {constraint} is {value}, where the target keeps it zero"
             )
@@ -302,9 +308,6 @@ def _held(configuration: Configuration) -> bool:
     """Whether a stop or friction holds the motion to a plane."""
     dynamics = configuration.dynamics
     return bool(configuration.constraints or (isinstance(dynamics, SecondOrder) and dynamics.held))
-
-
-_positive = lru_cache(maxsize=1024)(is_positive)
 
 
 def _value_on(system: System, function: sp.Expr, surfaces: Iterable[sp.Expr]) -> sp.Expr | None:

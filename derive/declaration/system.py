@@ -140,21 +140,6 @@ class System:
         return source
 
     def library(self, orbits: Sequence[Any] = ()) -> dict[str, str]:
-        """Derive the same as `source` as the files of an extension in C, and as `source` gives it.
-
-        Parameters
-        ----------
-        orbits : sequence of Itinerary
-            Orbits of the system.
-
-        Returns
-        -------
-        dict of file name to text
-        """
-        files: dict[str, str] = self._emitted("emit_library", orbits)
-        return files
-
-    def many_points(self, orbits: Sequence[Any] = ()) -> dict[str, str]:
         """Derive what solves orbits at many points, damped and forced ones too.
 
         Parameters
@@ -167,7 +152,7 @@ class System:
         dict of file name to text
             Of an extension in C, and a Python module of the same kernels.
         """
-        files: dict[str, str] = self._emitted("emit_many_points", orbits)
+        files: dict[str, str] = self._emitted("emit_library", orbits)
         return files
 
     def _emitted(self, emitter: str, orbits: Sequence[Any]) -> Any:

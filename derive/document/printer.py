@@ -10,6 +10,7 @@ from typing import Any
 import sympy as sp
 from sympy.printing.latex import LatexPrinter
 
+from nonsmooth.derive.declaration.algebra import remembered
 from nonsmooth.derive.document.blocks import width
 from nonsmooth.derive.document.symbols import Symbols, grouped_by, is_written
 from nonsmooth.derive.equations.explicit import Angle
@@ -32,7 +33,6 @@ class Notation(Symbols, LatexPrinter):
 
     def __post_init__(self) -> None:
         LatexPrinter.__init__(self, {"mat_str": "matrix", "mat_delim": "("})
-        self.answers: dict[tuple[sp.Expr, bool], tuple[int, str]] = {}
 
     def symbol(self, symbol: sp.Symbol) -> str:
         """LaTeX of a symbol, or of the value of a function of time that it stands for."""
@@ -112,7 +112,8 @@ class Notation(Symbols, LatexPrinter):
         letter = self._print(factor).partition("^{(")[0] if factor.is_Symbol else ""
         return _LETTER.fullmatch(letter) is not None
 
-    def ordered(self, expression: sp.Expr) -> list[sp.Expr]:
+    @remembered
+    def ordered(self, expression: sp.Expr) -> tuple[sp.Expr, ...]:
         """Terms of a sum in the order of reading."""
         number, rest = expression.as_coeff_Mul()
         if number == -1 and rest.is_Add:
@@ -128,7 +129,7 @@ class Notation(Symbols, LatexPrinter):
             first = next((a for a in terms if not negative[a]), terms[0])
             terms.remove(first)
             terms.insert(0, first)
-        return terms
+        return tuple(terms)
 
     def by_function(self, expression: sp.Expr) -> tuple[sp.Expr, ...]:
         """Terms of a sum: each function of time once, times its coefficient, then the rest."""
@@ -195,6 +196,7 @@ class Notation(Symbols, LatexPrinter):
         found[-1] += rf"\biggr) {self.product(behind, alone=False)}".rstrip()
         return tuple(found)
 
+    @remembered
     def rank(self, term: sp.Expr) -> tuple[int, int, int, str]:
         """Sort key of a term in a sum: states in order, other unknowns, constants."""
         symbols = term.free_symbols
@@ -211,11 +213,9 @@ class Notation(Symbols, LatexPrinter):
 
     def term(self, term: sp.Expr, *, alone: bool = True) -> tuple[int, str]:
         """Sign and LaTeX of a product; a sum that is `alone` behind a plus sign has no brackets."""
-        question = term, alone
-        if question not in self.answers:
-            self.answers[question] = self._term(term, alone)
-        return self.answers[question]
+        return self._term(term, alone)
 
+    @remembered
     def _term(self, term: sp.Expr, alone: bool) -> tuple[int, str]:
         """Sign and LaTeX of a product, its sums turned so that numbers in them are positive."""
         number, rest = term.as_coeff_Mul()
@@ -283,6 +283,7 @@ class Notation(Symbols, LatexPrinter):
             for place, text in enumerate(texts)
         )
 
+    @remembered
     def order_of(self, factor: sp.Expr) -> tuple[int, str]:
         """Sort key of a factor in a product."""
         base = factor.as_base_exp()[0]

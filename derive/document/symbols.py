@@ -262,6 +262,7 @@ class Symbols:
             {s: e for s, e in self.functions.items() if not e.is_Function}
         )
 
+    @algebra.remembered
     def tidy(self, expression: sp.Expr) -> sp.Expr:
         """An expression ordered for reading: state by state, with constants factored."""
         expression = self.plain(expression)

@@ -7,6 +7,7 @@ volume too, the multipliers of two coordinates' orbits are 1, mu and 1/mu.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
 
 import sympy as sp
 
@@ -27,6 +28,7 @@ __all__ = [
 ]
 
 
+@lru_cache(maxsize=64)
 def energy_of(dynamics: Dynamics, states: tuple[sp.Symbol, ...]) -> sp.Expr | None:
     """Energy, up to a constant, of an undamped motion with symmetric matrices; else None."""
     if not isinstance(dynamics, SecondOrder) or dynamics.held:
@@ -47,11 +49,14 @@ def is_conservative(itinerary: Itinerary) -> bool:
     defined up to one.
     """
     passages, states = passages_of(itinerary), itinerary.presented_system.states
-    energies = [energy_of(passage.configuration.dynamics, states) for passage in passages]
+    energies = []
+    for passage in passages:
+        energy = energy_of(passage.configuration.dynamics, states)
+        if energy is None:
+            return False
+        energies.append(energy)
     for index, passage in enumerate(passages, start=-len(passages)):
         before, behind = energies[index], energies[index + 1]
-        if before is None or behind is None:
-            return False
         image = passage.behind(sp.Matrix(states))
         after = behind.subs(dict(zip(states, image, strict=True)), simultaneous=True)
         change = cancel(sp.expand((after - before).subs(on_boundary(passage))))

@@ -81,21 +81,6 @@ class PeriodMap:
         )
         return first, second, third, fourth
 
-    @property
-    def compatibility_matrix(self) -> sp.Matrix:
-        """The matrix M = (N1 - I)^-1 N2 - N3^-1 (N4 - I), with which compatibility is M z0' = 0.
-
-        Raises
-        ------
-        DerivationError
-            If N3 is not square, or the map has an offset.
-        """
-        first, second, third, fourth = self.blocks
-        if len(self.known) != len(self.sought) or not self.offset.is_zero_matrix:
-            raise DerivationError("compatibility has no such matrix: N3 is not square, or c not 0")
-        one = sp.eye(len(self.sought))
-        return (first - one).inv("ADJ") * second - third.inv("ADJ") * (fourth - one)
-
 
 def derive_period_map(
     itinerary: Itinerary,

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.algebra import cancel, factor
+from nonsmooth.derive.declaration.algebra import cancel, factor, remembered
 from nonsmooth.derive.declaration.configuration import Configuration
 from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.itinerary import Itinerary, dwell_symbol
@@ -89,6 +89,7 @@ class Passage:
         return self.transition.reset_of(state, self.states)
 
 
+@remembered
 def passages_of(itinerary: Itinerary) -> tuple[Passage, ...]:
     """The passages of an itinerary in the coordinates of its presentation, in order."""
     system, found = itinerary.presented_system, []
@@ -183,6 +184,7 @@ class Section:
         )
 
 
+@remembered
 def section_of(itinerary: Itinerary, phase: int = 0) -> Section:
     """The section at the start of a phase, counted from 0.
 

@@ -205,7 +205,8 @@ def _flow(
     field = dynamics.field(states)
     terms = None
     if isinstance(dynamics, SecondOrder) and dynamics.damping.is_zero_matrix:
-        terms = _undamped_terms(dynamics, states, parameters, names)
+        held = sorted(dynamics.held_at(states))
+        terms = _undamped_terms(field, held, parameters, names)
     if terms is None:
         try:
             terms = _general_terms(field, parameters, names)
@@ -255,8 +256,8 @@ def _function_of_time(
 
 
 def _undamped_terms(
-    dynamics: SecondOrder,
-    states: tuple[sp.Symbol, ...],
+    field: tuple[sp.Matrix, sp.Matrix],
+    held: Sequence[int],
     parameters: tuple[Parameter, ...],
     names: _Names,
 ) -> list[_Term] | None:
@@ -265,17 +266,17 @@ def _undamped_terms(
     w = x_f + G x_h - s with G = L^-1 P and s = L^-1 q obeys w'' + L w = 0, and what is held moves
     with the velocity that the state has.
     """
-    size = dynamics.mass.rows
-    held = sorted(dynamics.held_at(states))
+    matrix, offset = field
+    size = matrix.rows // 2
     free = [i for i in range(size) if i not in held]
+    rows = [size + i for i in free]
     one, zero, nothing = sp.eye(size), sp.zeros(size, size), sp.zeros(size, 1)
-    inverse = dynamics.mass.extract(free, free).inv()
     stiffness, coupling, load = (
-        (inverse * part).applyfunc(cancel)
+        part.applyfunc(cancel)
         for part in (
-            dynamics.stiffness.extract(free, free),
-            dynamics.stiffness.extract(free, held),
-            dynamics.load.extract(free, [0]),
+            -matrix.extract(rows, free),
+            -matrix.extract(rows, held),
+            offset.extract(rows, [0]),
         )
     )
     modes = _positive_modes(stiffness, parameters, names)

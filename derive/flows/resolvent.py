@@ -23,7 +23,7 @@ from typing import Any
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
-from nonsmooth.derive.declaration.parameter import Parameter, is_positive
+from nonsmooth.derive.declaration.parameter import Parameter, is_positive, sign_of
 from nonsmooth.derive.errors import DerivationError
 
 __all__ = ["MOST_ROOTS", "resolvent"]
@@ -46,7 +46,7 @@ _Sum = dict[_Key, DomainMatrix]
 def resolvent(
     matrix: sp.Matrix,
     offset: sp.Matrix,
-    parameters: Sequence[Parameter],
+    parameters: tuple[Parameter, ...],
     naming: Naming,
     known: dict[sp.ImmutableMatrix, _Sum],
 ) -> list[tuple[_Key, sp.Matrix]]:
@@ -159,7 +159,7 @@ def _product(left: _Sum, right: _Sum) -> _Sum:
     return total
 
 
-def _local(block: sp.ImmutableMatrix, parameters: Sequence[Parameter], naming: Naming) -> _Sum:
+def _local(block: sp.ImmutableMatrix, parameters: tuple[Parameter, ...], naming: Naming) -> _Sum:
     """Resolvent of one block by itself."""
     modes = _modes(block, parameters, naming) if block.rows > 2 else None
     if modes is not None:
@@ -214,7 +214,7 @@ def _irreducible(coefficients: Sequence[sp.Expr]) -> list[tuple[list[sp.Expr], i
     return factors
 
 
-def _modes(block: sp.Matrix, parameters: Sequence[Parameter], naming: Naming) -> _Sum | None:
+def _modes(block: sp.Matrix, parameters: tuple[Parameter, ...], naming: Naming) -> _Sum | None:
     """Resolvent of x'' + D x' + L x = 0 mode by mode; None unless D and L commute."""
     size = block.rows // 2
     places = _positions(block)
@@ -257,7 +257,7 @@ def _positions(block: sp.Matrix) -> tuple[list[int], list[int]] | None:
 
 
 def _projectors(
-    matrix: sp.Matrix, parameters: Sequence[Parameter], naming: Naming
+    matrix: sp.Matrix, parameters: tuple[Parameter, ...], naming: Naming
 ) -> list[tuple[sp.Expr, sp.Matrix]] | None:
     """Eigenvalues and projectors of a matrix if its eigenvalues are shown real and distinct."""
     eigenvalues = _eigenvalues(matrix, parameters, naming)
@@ -278,7 +278,7 @@ def _projectors(
 
 
 def _eigenvalues(
-    matrix: sp.Matrix, parameters: Sequence[Parameter], naming: Naming
+    matrix: sp.Matrix, parameters: tuple[Parameter, ...], naming: Naming
 ) -> list[sp.Expr] | None:
     """Real, distinct eigenvalues in radicals; None where they are not shown to be."""
     exact = _exact(matrix)
@@ -295,7 +295,7 @@ def _eigenvalues(
 
 
 def _roots(
-    coefficients: Sequence[sp.Expr], parameters: Sequence[Parameter], naming: Naming
+    coefficients: Sequence[sp.Expr], parameters: tuple[Parameter, ...], naming: Naming
 ) -> list[sp.Expr] | None:
     """Real, distinct roots of a monic polynomial of degree one or two; None if not shown."""
     if len(coefficients) == 1:
@@ -314,12 +314,12 @@ def _roots(
     return [larger, naming("lambda", _plain(smaller))]
 
 
-def _apart(one: sp.Expr, other: sp.Expr, parameters: Sequence[Parameter]) -> bool:
+def _apart(one: sp.Expr, other: sp.Expr, parameters: tuple[Parameter, ...]) -> bool:
     """Whether the roots of two factors are shown to be distinct, numbers by a margin."""
     difference = one - other
     if difference.is_number:
         return bool(difference**2 > _NEAR * (one**2 + other**2))
-    return any(is_positive(d, parameters) for d in (difference, -difference))
+    return sign_of(difference, parameters) in (1, -1)
 
 
 def _tidy(expression: sp.Expr) -> sp.Expr:

@@ -14,11 +14,11 @@ import numpy as np
 import pytest
 import scipy.linalg
 import sympy as sp
-from hypothesis import strategies as st
 
 from nonsmooth.derive import Configuration, Parameter, SecondOrder, System
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
 from nonsmooth.derive.codegen.kernels import flow_kernels, spectrum_kernel
+from nonsmooth.derive.codegen.simulation_form import SimulationForm
 from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, differentiate
 from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum, derive_flows
 from nonsmooth.derive.systems import dry_friction
@@ -255,9 +255,28 @@ def test_balls_enclose_the_matrix_exponential(name: str) -> None:
                     assert ball.rad() < 1e-35
 
 
-# --- the dry friction's nine configurations ---------------------------------------------
-
-unit = st.fractions(F(1, 20), F(19, 20), max_denominator=60)
+@pytest.mark.parametrize(
+    "name", ["spring", "no-spring", "all-held", "coupled-masses", "held-first", "nothing-but-load"]
+)
+def test_the_modes_that_the_runtime_reads_are_the_flow(name: str) -> None:
+    system, spectrum, flow, _ = derived(name)
+    form = SimulationForm(system, spectrum, {"only": flow})
+    (kernel,) = (k for k in form.kernels() if k.name == "modes")
+    numbers = [float(mpmath.mpmathify(s)) for s in spectral_numbers(name)]
+    given = [float(v) for v in CASES[name].values]
+    exponents, coefficients = executed(kernel)(given, numbers, lib=FLOATS)
+    for t in (F(11, 4), F(-7, 5)):
+        functions = []
+        modes = form.table()["modes"]["only"]
+        for (_, frequency), mode in zip(exponents, modes, strict=True):
+            waves = (np.cos, np.sin) if mode["oscillates"] else (np.cos,)
+            for k in range(mode["length"]):
+                functions += [float(t) ** k * wave(frequency * float(t)) for wave in waves]
+        found = np.tensordot(
+            functions, np.reshape(coefficients, (len(functions), len(flow.field[1]), -1)), 1
+        )
+        expected = np.array(reference(name, t).tolist(), dtype=float)[:-1]
+        np.testing.assert_allclose(found, expected, rtol=0, atol=2e-14 * np.abs(expected).max())
 
 
 # --- derivatives ----------------------------------------------------------------------------

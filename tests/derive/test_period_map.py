@@ -92,14 +92,14 @@ def numbers_of(
 
 
 def test_rows_of_the_compatibility_matrix_sum_to_zero_with_the_right_block_alone() -> None:
-    """In (A.1) the lower left block is printed as N2."""
+    """In (A.1), compatibility as a matrix times z0', the lower left block is printed as N2."""
     orbit, equations = refined(NAME, {"V": "0.9"}), equations_of()
-    turn = equations.period_map
-    _, second, third, _ = turn.blocks
-    printed = turn.compatibility_matrix.xreplace(dict(zip(third, second, strict=True)))
+    first, second, third, fourth = equations.period_map.blocks
+    one = sp.eye(2)
+    following = (first - one).inv("ADJ") * second - third.inv("ADJ") * (fourth - one)
+    printed = following.xreplace(dict(zip(third, second, strict=True)))
     right, wrong = (
-        numbers_of(orbit, equations, matrix) * sp.ones(2, 1)
-        for matrix in (turn.compatibility_matrix, printed)
+        numbers_of(orbit, equations, matrix) * sp.ones(2, 1) for matrix in (following, printed)
     )
     assert max(map(abs, right)) < 1e-48
     assert max(map(abs, wrong)) > 1e-2

@@ -19,7 +19,7 @@ from nonsmooth.derive import (
     System,
     oscillator,
 )
-from nonsmooth.derive.codegen.emit import emit_many_points
+from nonsmooth.derive.codegen.emit import emit_library
 from nonsmooth.derive.systems import dry_friction
 
 # a word's case, and its place in the alphabet, are not those of the word that it replaces
@@ -93,7 +93,7 @@ def test_names_do_not_change_the_code(
     names: Mapping[str, str],
     kernel: str,
 ) -> None:
-    one, other = (emit_many_points(*declare(each), "tests") for each in ({}, names))
+    one, other = (emit_library(*declare(each), "tests") for each in ({}, names))
     stem = declare({})[0].name.replace("-", "_")
     before = {new: old for old, new in names.items()}
     for suffix, begin in ((".py", "def "), (".c", "void ")):

@@ -248,7 +248,7 @@ def test_kernels_whose_tables_went_are_made_again(
     monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path))
 
     def found() -> bool:
-        library = background.KernelLibrary(key, None, "impact_oscillator", many_points=True)
+        library = background.KernelLibrary(key, None, "impact_oscillator")
         return library.module() is not None
 
     assert found()

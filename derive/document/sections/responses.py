@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.parameter import Parameter, is_positive
+from nonsmooth.derive.declaration.parameter import sign_of
 from nonsmooth.derive.document.blocks import Block, Formula, Line
 from nonsmooth.derive.document.printer import Notation, with_signs
 from nonsmooth.derive.document.sections.template import compose, relation, summed
@@ -114,7 +114,7 @@ def _polynomial_pieces(
 
 def _single(naming: Naming, letters: Letters, factor: sp.Tuple) -> tuple[Line, ...]:
     """Lines for the response of one factor: an exponential, or each regime of an oscillation."""
-    notation, parameters = naming.notation, naming.system.parameters
+    notation = naming.notation
     left = notation.responses.latex(0, (factor,), "t")
     if len(factor) == 1:
         function = sp.exp(-factor[0] * TIME)
@@ -122,7 +122,8 @@ def _single(naming: Naming, letters: Letters, factor: sp.Tuple) -> tuple[Line, .
     square, rate = factor
     decay = rate / 2
     discriminant = sp.factor_terms(sp.expand(decay**2 - square))
-    regimes = [r for r in _REGIMES if _possible(r[0], discriminant, parameters)]
+    shown = sign_of(discriminant, naming.system.parameters)
+    regimes = [r for r in _REGIMES if shown in (None, r[0])]
     front = rf"{notation.latex(sp.exp(-decay * TIME))}\," if decay != 0 else ""
     lines, below = [], ""
     if len(regimes) > 1:
@@ -139,14 +140,6 @@ def _single(naming: Naming, letters: Letters, factor: sp.Tuple) -> tuple[Line, .
         case = rf"\quad\text{{if }} {one} {sides} {other}\text{{ ({regime})}}" if below else ""
         lines.append(Line(left, "=", (f"{front}{text}{case}",)))
     return tuple(lines)
-
-
-def _possible(sign: int, value: sp.Expr, parameters: Sequence[Parameter]) -> bool:
-    """Whether a value may have a sign on the domain of the parameters."""
-    if value.is_number:
-        return bool(sp.sign(value) == sign)
-    shown = (is_positive(value, parameters), is_positive(-value, parameters))
-    return not any(shown) or (sign == 1 and shown[0]) or (sign == -1 and shown[1])
 
 
 def _positions(flow: Flow) -> dict[int, int]:

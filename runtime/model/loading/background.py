@@ -21,6 +21,7 @@ import sys
 import sysconfig
 import tempfile
 import time
+from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -39,13 +40,15 @@ from nonsmooth.runtime.model.loading.caching import (
 )
 from nonsmooth.runtime.model.loading.compiling import compile_files, compiler, load_extension
 
-__all__ = ["KernelLibrary", "build", "lacking"]
+__all__ = ["Declaration", "KernelLibrary", "build", "lacking"]
 
 _WORTH_BUILDING = 0.1  # seconds that NumPy takes for all that was asked for
 _WORTH_WAITING = 2.0  # seconds that NumPy takes for what is asked for at once
 _LONGEST_BUILD = 900.0  # seconds
 _CHILD = "from nonsmooth.runtime.model.loading.background import build; build()"
 _LOG = logging.getLogger(__name__)
+
+Declaration = tuple[Any, tuple[Any, ...]]  # a system, and orbits of it
 
 
 @dataclass
@@ -54,11 +57,11 @@ class KernelLibrary:
 
     key: str  # hash of the declaration and of the code that derives it
     # hash of the kernels that the compiled ones have to have; None if it is not known before they
-    # are made
+    # are made, with the tables that they need
     derivation: str | None
     stem: str  # name of the system in identifiers
-    many_points: bool = False  # whether they are those that solve orbits at many points
-    _declared: tuple[Any, tuple[Any, ...]] | None = None
+    # gives the system and the orbits; None where these are not at hand
+    _declared: Callable[[], Declaration | None] | None = None
     _tried: bool = False
     _module: ModuleType | None = None
     _sought: bool = False
@@ -66,9 +69,9 @@ class KernelLibrary:
     _asked: float = 0.0
     _lock: Any = field(default_factory=RLock)
 
-    def declare(self, system: Any, orbits: tuple[Any, ...]) -> None:
-        """State the system and orbits of the kernels, so that missing kernels can be made."""
-        self._declared = system, orbits
+    def declare(self, declared: Callable[[], Declaration | None]) -> None:
+        """State what gives the system and orbits, so that missing kernels can be made."""
+        self._declared = declared
 
     def module(self) -> ModuleType | None:
         """The compiled kernels, if they exist by now."""
@@ -92,7 +95,7 @@ class KernelLibrary:
                 return found
             if self._declared is not None and not self._tried:
                 self._tried = True
-                self._building = _begin(self.key, self._declared, many_points=self.many_points)
+                self._building = _begin(self.key, self._declared())
             building = self._building
         if building is not None and (at_once or seconds >= _WORTH_WAITING):
             # so it takes at most twice as long as with NumPy from the start
@@ -104,7 +107,7 @@ class KernelLibrary:
         return self.module()
 
     def _found(self) -> ModuleType | None:
-        if self.many_points and stored(self.key) is None:  # its tables went: both are made again
+        if self.derivation is None and stored(self.key) is None:  # both are made again
             return None
         path = stored_library(self.key)
         module = None if path is None else load_extension(path)
@@ -158,9 +161,9 @@ class _Build:
         self.process.wait()
 
 
-def _begin(key: str, declared: tuple[Any, tuple[Any, ...]], *, many_points: bool) -> _Build | None:
+def _begin(key: str, declared: Declaration | None) -> _Build | None:
     """Start to compile; None if something is missing or there is nowhere to keep the result."""
-    missing = lacking()
+    missing = lacking() if declared else "their declaration is gone"
     if missing is not None:
         _LOG.info("kernels are not compiled and run on NumPy: %s", missing)
         return None
@@ -170,7 +173,7 @@ def _begin(key: str, declared: tuple[Any, tuple[Any, ...]], *, many_points: bool
     work = folder / f"{key}-{os.getpid()}{PARTIAL}"
     with tempfile.TemporaryFile() as given:
         try:
-            pickle.dump((key, work, many_points, *declared), given)
+            pickle.dump((key, work, declared), given)
         except Exception as problem:  # parts of a user's own classes
             _LOG.info("kernels are not compiled and run on NumPy: %s", problem)
             return None
@@ -206,10 +209,10 @@ def lacking() -> str | None:
 def build() -> None:
     """Derive, compile and store the kernels that standard input names, in the other process."""
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # what is open is closed
-    key, folder, many_points, system, orbits = pickle.load(sys.stdin.buffer)
+    key, folder, (system, orbits) = pickle.load(sys.stdin.buffer)
     try:
         folder.mkdir(mode=0o700)
-        files = system.many_points(orbits) if many_points else system.library(orbits)
+        files = system.library(orbits)
         (text,) = (text for name, text in files.items() if name.endswith(".py"))
         cached(key, lambda: text)
         for name, content in compile_files(files, folder).items():

@@ -2,21 +2,38 @@
 
 from __future__ import annotations
 
+import ast
 import hashlib
 import importlib.util
 import os
+import re
 import sys
 import traceback
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, redirect_stdout
 from dataclasses import dataclass, fields
+from functools import cache
+from importlib.util import find_spec
 from pathlib import Path
 from types import ModuleType
 from typing import Any, Protocol, runtime_checkable
 
 from nonsmooth.runtime.core.errors import InputError, one_line
 
-__all__ = ["Declared", "DeclaredOrbit", "DeclaredSystem", "declaration_in"]
+__all__ = [
+    "Declared",
+    "DeclaredOrbit",
+    "DeclaredSystem",
+    "declaration_in",
+    "hash_of_text",
+]
+
+# modules in which nothing but `_ELSEWHERE` depends on more than its arguments
+_SYMBOLIC = re.compile(r"sympy|math|fractions|itertools|nonsmooth\.derive(\.\w+)*")
+# names by which a file may read or tell something, or hide that it does
+_ELSEWHERE = re.compile(
+    r"__\w+|rand\w*|\w*getattr|eval|exec|compile|globals|vars|input|open|print|read_matrices"
+)
 
 
 @runtime_checkable
@@ -37,10 +54,6 @@ class DeclaredSystem(Protocol):
         ...
 
     def library(self, orbits: Sequence[Any] = ()) -> dict[str, str]:
-        """The same kernels as the files of an extension in C, with a Python module of them."""
-        ...
-
-    def many_points(self, orbits: Sequence[Any] = ()) -> dict[str, str]:
         """The files of kernels that solve orbits at many points, in C and in Python."""
         ...
 
@@ -85,6 +98,46 @@ def declaration_in(path: Path) -> Declared:
         raise
     except BaseException as problem:  # also of the types of what it declares
         raise _failure(path, problem) from problem
+
+
+def hash_of_text(path: Path) -> str | None:
+    """Hash of a file and of the code that it runs; None if more than these may decide what it does.
+
+    They decide if the file imports SymPy and the derivation alone and asks for nothing else.
+    """
+    try:
+        content = path.read_bytes()
+        nodes = list(ast.walk(ast.parse(content)))
+    except (OSError, SyntaxError, ValueError):
+        return None
+    modules, names = set[str](), set[str]()
+    for node in nodes:
+        if isinstance(node, ast.Import):
+            modules |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            modules.add("." * node.level + (node.module or ""))
+            names |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.Name):
+            names.add(node.id)
+        elif isinstance(node, ast.Attribute):
+            names.add(node.attr)
+    if not all(map(_SYMBOLIC.fullmatch, modules)) or any(map(_ELSEWHERE.fullmatch, names)):
+        return None
+    return hashlib.sha256(_code() + content).hexdigest()
+
+
+@cache
+def _code() -> bytes:
+    """Hash of the code that derives, and of SymPy's version."""
+    digest = hashlib.sha256()
+    derive, sympy = (
+        Path(str(spec.origin)).parent
+        for spec in map(find_spec, ("nonsmooth.derive", "sympy"))
+        if spec is not None
+    )
+    for path in (*sorted(derive.rglob("*.py")), sympy / "release.py"):
+        digest.update(path.name.encode() + path.read_bytes())
+    return digest.digest()
 
 
 def _declared(path: Path, module: ModuleType) -> Declared:

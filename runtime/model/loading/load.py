@@ -6,7 +6,8 @@ import hashlib
 import math
 import os
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
 from functools import lru_cache
 from pathlib import Path
 from types import ModuleType
@@ -16,14 +17,14 @@ from weakref import WeakKeyDictionary
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import read_file
 from nonsmooth.runtime.model.kernel_records import SystemKernels
-from nonsmooth.runtime.model.loading.background import KernelLibrary
+from nonsmooth.runtime.model.loading.background import Declaration, KernelLibrary
 from nonsmooth.runtime.model.loading.caching import Modules, cached, module_of_text, stored
 from nonsmooth.runtime.model.loading.compiling import extension_in, load_extension
 from nonsmooth.runtime.model.loading.declared import (
     Declared,
-    DeclaredOrbit,
     DeclaredSystem,
     declaration_in,
+    hash_of_text,
 )
 from nonsmooth.runtime.model.loading.folder import COMMAND, PROVENANCE, recorded
 from nonsmooth.runtime.model.loading.growing import (
@@ -63,8 +64,7 @@ def load_declared(system: DeclaredSystem, orbits: Sequence[Any] = ()) -> SystemK
     if key not in _MODULES:
         _MODULES.add(key, cached(key, lambda: system.source(tuple(orbits))), f"<{name}>")
     module = _MODULES[key]
-    for library in _libraries(key, module):
-        library.declare(system, tuple(orbits))
+    _declare(key, module, lambda: (system, tuple(orbits)))
     return SystemKernels(name, module)
 
 
@@ -96,12 +96,20 @@ def library_of(module: ModuleType) -> KernelLibrary | None:
 
     None for other modules, and if no orbit has kernels.
     """
-    return _LIBRARIES.get(module)
+    return _LIBRARIES.get(module) if _has_kernels(module) else None
 
 
 _LIBRARIES: WeakKeyDictionary[ModuleType, KernelLibrary] = WeakKeyDictionary()
-_MANY_POINTS: WeakKeyDictionary[ModuleType, KernelLibrary] = WeakKeyDictionary()
 _HELD: dict[str, KernelLibrary] = {}  # those of many points that were found, by their key
+
+
+def _has_kernels(module: ModuleType) -> bool:
+    return any(orbit["derived"] for orbit in module.ORBITS.values())
+
+
+def _library_of_many(module: ModuleType) -> KernelLibrary | None:
+    """The compiled kernels of a module that has orbits with kernels for many points alone."""
+    return _LIBRARIES.get(module) if hasattr(module, "MANY_POINTS") else None
 
 
 def many_points_key(module: ModuleType) -> str | None:
@@ -109,7 +117,7 @@ def many_points_key(module: ModuleType) -> str | None:
 
     None if no orbit of the module has such kernels.
     """
-    library = _MANY_POINTS.get(module)
+    library = _library_of_many(module)
     return None if library is None else library.key
 
 
@@ -120,9 +128,9 @@ def load_many_points(loaded: SystemKernels, orbit: str, key: str | None) -> Syst
     derivation in which the orbit is composed, or data of that; for data, `key` is that of the
     kernels, which are then loaded but not made. None if there are none and no way to make them.
     """
-    library = _MANY_POINTS.get(loaded.module)
+    library = _library_of_many(loaded.module)
     if library is None and key is not None and _KEY.fullmatch(key):
-        library = _HELD.get(key, KernelLibrary(key, None, _stem(loaded.module), many_points=True))
+        library = _HELD.get(key, KernelLibrary(key, None, _stem(loaded.module)))
     compiled = None if library is None else library.wanted(math.inf, at_once=True)
     if library is None or compiled is None:
         return None
@@ -143,16 +151,20 @@ def _stem(module: ModuleType) -> str:
     return str(module.SYSTEM["name"]).replace("-", "_")
 
 
-def _libraries(key: str, module: ModuleType) -> list[KernelLibrary]:
-    """The compiled kernels of a declaration: of its orbits, and those for many points."""
-    stem = _stem(module)
-    if module not in _LIBRARIES and any(orbit["derived"] for orbit in module.ORBITS.values()):
-        _LIBRARIES[module] = KernelLibrary(key, module.DERIVATION, stem)
-    if module not in _MANY_POINTS and getattr(module, "MANY_POINTS", None):
-        own = hashlib.sha256(f"{key}, many points".encode()).hexdigest()[:16]
-        _MANY_POINTS[module] = KernelLibrary(own, None, stem, many_points=True)
-    found = (_LIBRARIES.get(module), _MANY_POINTS.get(module))
-    return [library for library in found if library is not None]
+def _declare(key: str, module: ModuleType, declared: Callable[[], Declaration | None]) -> None:
+    """State what gives the declaration of a module, so that missing kernels can be made."""
+    library = _library(key, module)
+    if library is not None:
+        library.declare(declared)
+
+
+def _library(key: str, module: ModuleType) -> KernelLibrary | None:
+    """The compiled kernels of a declaration; None if no orbit has any."""
+    many = hasattr(module, "MANY_POINTS")
+    if module not in _LIBRARIES and (many or _has_kernels(module)):
+        own = hashlib.sha256(f"{key}, compiled".encode()).hexdigest()[:16]
+        _LIBRARIES[module] = KernelLibrary(own, None if many else module.DERIVATION, _stem(module))
+    return _LIBRARIES.get(module)
 
 
 def remember(loaded: SystemKernels) -> SystemKernels:
@@ -185,7 +197,7 @@ def load_named(name: str) -> SystemKernels | None:
         _MODULES.add(key, text, f"<{name}>")
     module = _MODULES[key]
     if not hasattr(module, "SAVED"):
-        _libraries(key, module)
+        _library(key, module)
     return SystemKernels(name, module)
 
 
@@ -215,11 +227,13 @@ def load_path(path: Path, orbit: str | None = None, *, compiled: bool) -> System
         stamps = (_stamp(path / PROVENANCE), *map(_stamp, path.glob("*.py")))
         found = _folder(path, stamps, library, library and _stamp(library))
         return found if orbit is None or orbit in found.module.ORBITS else None
-    declared = _file(path, _stamp(path))
-    wanted = tuple(o for o in declared.orbits if o.name == orbit)
-    if orbit is not None and not wanted:
-        return None
-    return SystemKernels(str(path), _derived(path, _stamp(path), wanted))
+    key = (path, _stamp(path), orbit)
+    if key not in _FILES:
+        module = _recalled(*key) or _derived(*key)
+        if module is None:
+            return None
+        _FILES[key] = module
+    return SystemKernels(str(path), _FILES[key])
 
 
 def orbits_of(path: Path) -> tuple[str, ...]:
@@ -247,14 +261,56 @@ def _file(path: Path, stamp: _Stamp) -> Declared:
     return declaration_in(path)
 
 
-def _derived(path: Path, stamp: _Stamp, orbits: Sequence[DeclaredOrbit]) -> ModuleType:
-    key = (path, stamp, *(orbit.name for orbit in orbits))
-    if key not in _FILES:
-        try:
-            _FILES[key] = load_declared(_file(path, stamp).system, orbits).module
-        except ValueError as problem:
-            raise InputError(f"{path}: {problem}") from problem
-    return _FILES[key]
+def _chosen(path: Path, stamp: _Stamp, orbit: str | None) -> Declaration | None:
+    """The system of a file with the orbit of a name; None if it has no such orbit."""
+    declared = _file(path, stamp)
+    orbits = tuple(o for o in declared.orbits if o.name == orbit)
+    return None if orbit is not None and not orbits else (declared.system, orbits)
+
+
+def _derived(path: Path, stamp: _Stamp, orbit: str | None) -> ModuleType | None:
+    """The module of a file and one of its orbits; None if it has no such orbit.
+
+    Where the file's text alone says what it declares, the module's name is kept under its hash.
+    """
+    note, chosen = _note(path, orbit), _chosen(path, stamp, orbit)
+    if chosen is None:
+        return None
+    try:
+        loaded = load_declared(*chosen)
+    except ValueError as problem:
+        raise InputError(f"{path}: {problem}") from problem
+    if note is not None and note == _note(path, orbit) and growth_of(loaded.module) is None:
+        cached(note, lambda: loaded.name)
+    return loaded.module
+
+
+def _recalled(path: Path, stamp: _Stamp, orbit: str | None) -> ModuleType | None:
+    """The module that an equal file had before, without executing the file; None if unknown."""
+    note = _note(path, orbit)
+    try:
+        found = None if note is None else load_named(stored(note) or "")
+    except InputError:  # its text is no longer kept
+        return None
+    if found is None:
+        return None
+    key = found.name.rpartition("@")[2]
+
+    def again() -> Declaration | None:
+        with suppress(InputError):
+            chosen = _chosen(path, stamp, orbit)
+            if chosen is not None and chosen[0].fingerprint(chosen[1]) == key:
+                return chosen
+        return None
+
+    _declare(key, found.module, again)
+    return found.module
+
+
+def _note(path: Path, orbit: str | None) -> str | None:
+    """The key under which the name of a file's module is kept; None if its text is not enough."""
+    text = hash_of_text(path)
+    return text and hashlib.sha256(f"{text} {orbit}".encode()).hexdigest()[:16]
 
 
 _FILES: dict[tuple[Any, ...], ModuleType] = {}  # what files declare, each file as it was read
