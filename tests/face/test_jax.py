@@ -29,14 +29,15 @@ MODES = ("both", "reverse")
 NAME, BY, OF = "dry-friction/global-stick", ("eta", "V"), ("period", "trace")
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture
 def jax() -> Iterator[Any]:
-    """JAX with 64 bits."""
+    """JAX with 64 bits; what it compiled for a test goes with the test."""
     module = pytest.importorskip("jax")
     before = module.config.jax_enable_x64
     module.config.update("jax_enable_x64", True)
     yield module
     module.config.update("jax_enable_x64", before)
+    module.clear_caches()
 
 
 def at(*lead: int) -> np.ndarray:
