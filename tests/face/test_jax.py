@@ -7,23 +7,18 @@ measured against differences in 40 digits.
 from __future__ import annotations
 
 import builtins
-import sys
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from typing import Any
 
 import numpy as np
 import pytest
+from benchmarking import gradients
 from numpy.testing import assert_allclose, assert_array_equal
 
 import nonsmooth as ns
 from nonsmooth.jax import differentiable
 from tests.face.functions import made
-from tests.places import CHECKOUT
-
-sys.path.append(str(CHECKOUT / "scripts"))
-
-from benchmarking import gradients
 
 MODES = ("both", "reverse")
 NAME, BY, OF = "dry-friction/global-stick", ("eta", "V"), ("period", "trace")
