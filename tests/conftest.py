@@ -13,13 +13,18 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import sympy.core.cache
 import typer.testing
 from hypothesis import HealthCheck, find, settings, strategies
 
 from tests.places import CHECKOUT
 from tests.shared import FOLDER
 
+LIBC = ctypes.CDLL(None) if sys.platform == "linux" else None
+M_ARENA_MAX = -8  # malloc.h of glibc: other libraries have none of it
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the workers' threads would compete
+if hasattr(LIBC, "mallopt"):  # each thread would keep a memory of its own
+    LIBC.mallopt(M_ARENA_MAX, 1)
 # a shell that starts programs beside itself has them ignore it, and all that they start
 signal.signal(signal.SIGINT, signal.default_int_handler)
 # commands are made of functions once, as in a program, not for each question of a test
@@ -31,6 +36,8 @@ settings.register_profile(
 )
 settings.load_profile("laws")
 
+# modules that keep what was derived and what is known of a system
+_REMEMBERING = ("nonsmooth.derive.", "nonsmooth.runtime.")
 GENERATED = CHECKOUT / "generated"
 SUFFIXES = (".c", ".h", ".md", ".py", ".json")
 
@@ -63,14 +70,15 @@ def forgotten(request: pytest.FixtureRequest) -> Iterator[None]:
     """What a file keeps for its tests is given back to the machine behind its last test."""
     gc.freeze()  # what is loaded stays: searching all of it behind each file takes a second
     yield
-    for value in vars(request.module).values():
-        if hasattr(value, "cache_clear") and value.__module__ == request.module.__name__:
-            value.cache_clear()
-    if "jax" in sys.modules:
-        sys.modules["jax"].clear_caches()
+    own = (request.module, *(m for n, m in sys.modules.items() if n.startswith(_REMEMBERING)))
+    for module in own:
+        for value in vars(module).values():
+            if hasattr(value, "cache_clear") and value.__module__ == module.__name__:
+                value.cache_clear()
+    sympy.core.cache.clear_cache()
     gc.collect()
-    if sys.platform == "linux":
-        getattr(ctypes.CDLL(None), "malloc_trim", int)(0)  # musl has none
+    if hasattr(LIBC, "malloc_trim"):
+        LIBC.malloc_trim(0)
 
 
 @pytest.fixture(params=[pytest.param("c", marks=pytest.mark.compiled), "numpy"])

@@ -32,7 +32,6 @@ from tests.user_systems import declare
 
 ORBIT = "dry-friction/global-stick"
 PROGRAM = (sys.executable, "-m", "nonsmooth")
-HEAVY = {"dask", "flint", "matplotlib", "mpmath", "numpy", "scipy", "sympy"}
 GROUP: Any = get_command(app)
 COMMANDS = all_commands()
 EXAMPLES = [
@@ -105,20 +104,6 @@ def test_help_lists_each_command_once_below_what_it_is_for() -> None:
     assert [line.split("\u2500")[1].strip() for line in text.splitlines() if line[:1] == "\u256d"][
         1:
     ] == [*dict.fromkeys(purposes)]
-
-
-def test_help_imports_nothing_heavy() -> None:
-    program = (
-        "import runpy, sys\n"
-        "try:\n    runpy.run_module('nonsmooth', run_name='__main__')\n"
-        "finally:\n    print('MODULES', *sys.modules)"
-    )
-    done = run_process(sys.executable, "-c", program, "--help")
-    text, _, modules = done.stdout.rpartition("MODULES")
-    assert done.returncode == 0
-    assert not done.stderr
-    assert all(name in text for name in GROUP.commands)
-    assert not {name.partition(".")[0] for name in modules.split()} & HEAVY
 
 
 @pytest.mark.parametrize("name", COMMANDS)
@@ -229,10 +214,6 @@ def test_examples_work(example: str, tmp_path: Path, monkeypatch: pytest.MonkeyP
     assert out
 
 
-def test_version() -> None:
-    assert run("--version") == (0, f"nonsmooth {nonsmooth.__version__}\n", "")
-
-
 # --- list, solve, verify
 
 
@@ -264,24 +245,6 @@ def test_list() -> None:
         assert word in out
 
 
-def test_json_of_solve_and_verify() -> None:
-    found = told("solve", ORBIT)
-    assert told("verify", ORBIT).keys() - found.keys() == {"arithmetic", "proof"}
-    assert list(found) == [
-        *("orbit", "parameters", "unknowns", "period", "residual", "digits", "multipliers"),
-        *("trace", "margin", "stability", "admissible", "requires", "phases"),
-    ]
-    assert found["orbit"] == ORBIT
-    assert found["digits"] == 15
-    assert list(found["parameters"]) == ["chi", "eta", "V", "e1", "e2"]
-    assert found["stability"] == "stable"
-    assert found["admissible"] == "conditional"
-    bounds = {bound["parameter"]: bound["greater_than"] for bound in found["requires"]}
-    assert bounds["us2"].startswith("0.7228")
-    assert [m["trivial"] for m in found["multipliers"]] == [False, False]
-    assert Decimal(found["multipliers"][1]["re"]) == 0
-
-
 @pytest.mark.parametrize("name", orbit_names())
 def test_every_orbit_is_solved_verified_and_shown(name: str) -> None:
     found, verified = told("solve", name), told("verify", name, "--digits", "15")
@@ -306,22 +269,6 @@ def test_every_orbit_is_solved_verified_and_shown(name: str) -> None:
         assert max(map(len, out.splitlines())) <= 80
         for number in (found["trace"], found["period"], *found["unknowns"].values()):
             assert number in out.split()
-
-
-def test_json_of_the_stop_orbits() -> None:
-    for name in ("rigid-stop/one-impact", "elastic-stop/one-contact"):
-        found = told("solve", name, "--digits", "40")
-        assert found["stability"] == "neutral"
-        assert found["admissible"] is True
-        assert Decimal(found["margin"]) == 0
-        assert [m["trivial"] for m in found["multipliers"]] == [False, False, True]
-        first, second, one = found["multipliers"]
-        assert first["re"] == second["re"]
-        assert first["im"] == second["im"].removeprefix("-")
-        assert (Decimal(one["re"]), Decimal(one["im"])) == (1, 0)
-        with localcontext(prec=60):
-            assert abs(Decimal(first["re"]) * 2 + 1 - Decimal(found["trace"])) < Decimal("1e-39")
-    assert told("solve", "rigid-stop/one-impact")["parameters"]["r"] == "1"
 
 
 def test_json_of_a_border_collision() -> None:
@@ -351,16 +298,6 @@ def test_digits_are_true(digits: int) -> None:
             texts = [answer["unknowns"].get(name) or answer[name] for answer in (few, many)]
             found, true = map(Decimal, texts)
             assert abs(found - true) <= Decimal(10) ** -digits * max(Decimal(1), abs(true)), name
-
-
-def test_paper_values() -> None:
-    found = told("solve", ORBIT, "--unknown", "e1,e2", "--given", "ta=1,tau=2")
-    assert list(found["unknowns"]) == ["z10", "z20", "tau1", "tau2", "e1", "e2"]
-    assert list(found["parameters"]) == ["chi", "eta", "V", "ta", "tau"]
-    # the printed digits are of an orbit with slightly different e1, e2
-    printed = {"e1": 3.0195, "e2": 0.4831, "tau1": 1.568, "tau2": 3.28}
-    for name, value in printed.items():
-        assert float(found["unknowns"][name]) == pytest.approx(value, abs=2e-2)
 
 
 def test_parameters_are_exact() -> None:
@@ -533,13 +470,7 @@ STARTS = {"png": b"\x89PNG", "SVG": b"<?xml"}
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("kind", "ending"),
-    [
-        *(("time", "png"), ("velocity", "SVG"), ("phase", "png"), ("strip", "SVG")),
-        *(("multipliers", "png"), ("all", "SVG")),
-    ],
-)
+@pytest.mark.parametrize(("kind", "ending"), [("time", "png"), ("all", "SVG")])
 def test_plot(kind: str, ending: str, saved: Path) -> None:
     target = saved.with_suffix(f".{ending}")
     options = ("plot", str(saved), "--kind", kind, "--out", str(target))
@@ -684,60 +615,19 @@ def test_interrupt_is_130_and_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
     ("arguments", "part"),
     [
         ("dry-friction/global-stik", "did you mean 'dry-friction/global-stick'?"),
-        ("dry-friction", "unknown orbit 'dry-friction'"),
-        (f"{ORBIT} etta=1", "unknown parameter 'etta'; did you mean 'eta'?"),
         (f"{ORBIT} chi=1.2", "chi = 1.2"),
-        (f"{ORBIT} eta=0", "eta = 0"),
-        (f"{ORBIT} V=-1", "V = -1"),
         (f"{ORBIT} V=nan", "V: 'nan'"),
-        (f"{ORBIT} eta=inf", "eta: 'inf'"),
-        (f"{ORBIT} eta=1e400", "eta: '1e400'"),
-        (f"{ORBIT} e1=-1", "e1 = -1"),
-        (f"{ORBIT} us1=4 ur1=3", "e1"),
-        (f"{ORBIT} e1=3 us1=1 ur1=3", "e1 = 3 contradicts ur1 - us1 = 2"),
-        (f"{ORBIT} us1=0", "us1 = 0"),
-        (f"{ORBIT} eta=1/0", "division by zero"),
-        (f"{ORBIT} eta=__import__('os')", "eta: "),
         (f"{ORBIT} eta", "'eta' is not of the form name=value"),
         (f"{ORBIT} eta=", "'eta=' is not of the form name=value"),
         (f"{ORBIT} eta=1 eta=1", "parameter eta is given twice"),
         (f"{ORBIT} --digits 0", "digits = 0"),
-        (f"{ORBIT} --digits -1", "digits = -1"),
         (f"{ORBIT} --digits {10**9}", f"digits = {10**9}"),
-        (f"{ORBIT} --guess tua=2", "'tua'; did you mean 'ta'?"),
         (f"{ORBIT} --guess tau", "'tau' is not of the form name=value"),
         (f"{ORBIT} --guess tau=nan", "tau: 'nan'"),
         (f"{ORBIT} --guess tau=2,tau=2", "unknown tau is given twice"),
         (f"{ORBIT} --unknown e1", "as many of one as of the other"),
-        (f"{ORBIT} --given ta=1", "as many of one as of the other"),
         (f"{ORBIT} --unknown e1,e2 --given ta=1,ta=2", "unknown ta is given twice"),
-        (f"{ORBIT} --unknown etta --given ta=1", "'etta'; did you mean 'eta'?"),
-        (f"{ORBIT} --unknown e1 --given tua=1", "'tua'; did you mean 'ta'?"),
-        (f"{ORBIT} e1=3 --unknown e1 --given ta=1", "parameter e1 is both given and to be solved"),
-        ("rigid-stop/one-impact r=1.2", "r = 1.2 is outside its domain [0, 1]"),
-        ("rigid-stop/one-impact r=-0.1", "r = -0.1 is outside its domain [0, 1]"),
-        ("rigid-stop/one-impact k3=1", "unknown parameter 'k3'; did you mean 'k2'?"),
-        ("rigid-stop/one-impact T=0", "T = 0 is outside its domain (0, oo)"),
         ("rigid-stop/one-impact T=1e6", "more than 100000 radians of its fastest oscillation"),
-        ("elastic-stop/one-contact k3=0", "k3 = 0 is outside its domain (0, oo)"),
-        ("elastic-stop/one-contact k3=-1", "k3 = -1 is outside its domain (0, oo)"),
-        ("elastic-stop/one-contact r=1", "unknown parameter 'r'"),
-        ("elastic-stop/one-contact --unknown T --given tau1=4", "'tau1'; did you mean 'tau'?"),
-        *(
-            (f"{name} {parameter}={value}", f"{parameter} = {value} is outside its domain (0, oo)")
-            for name in ("rigid-stop/one-impact", "elastic-stop/one-contact")
-            for parameter in ("m1", "m2", "k1", "k2")
-            for value in ("0", "-1")
-        ),
-        ("dry-friction/symmetric us1=-1", "us1 = -1 is outside its domain"),
-        ("dry-friction/symmetric us1=2 ur1=1", "e1 = ur1 - us1 is -1.0"),
-        ("dry-friction/symmetric e1=-1", "e1 = -1 is outside its domain"),
-        (
-            "dry-friction/solution-ii e1=3",
-            "e1 is an unknown of dry-friction/solution-ii: to give it, solve for another"
-            " parameter in its place (--unknown NAME --given e1=3)",
-        ),
-        ("dry-friction/solution-ii us1=1 ur1=3", "e1 is to be solved for, but ur1, us1 fix it"),
         ("dry-friction/solution-ii --unknown V --given ta=0", "'ta'; did you mean 'tau'?"),
     ],
 )

@@ -526,7 +526,7 @@ def in_c(equations: EquationSystem, folder: Path) -> Callable[..., tuple[int, li
     for name, text in emit_library(itinerary.system, [itinerary], "tests").items():
         (folder / name).write_text(text, encoding="utf-8")
     stem = itinerary.system.name.replace("-", "_")
-    library = library_of(folder / f"{stem}.c", "-O1", include=folder)
+    library = library_of(folder / f"{stem}.c", include=folder)
     solver = library[c_function(stem, "solve", itinerary.name)]
 
     def solve(values: Sequence[Any], guess: Sequence[Any]) -> tuple[int, list[float]]:

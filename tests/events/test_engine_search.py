@@ -1,15 +1,9 @@
 """The compiled search for the first crossing, alone, on sums that are hard on it."""
 
 import math
-import sys
 
 import numpy as np
 import pytest
-
-from tests.places import CHECKOUT
-
-sys.path.append(str(CHECKOUT / "scripts" / "development"))
-
 from stressing import Ball, Sums, first_excess, undecided
 from stressing_search import FAMILIES, random_sums, search, verdicts
 

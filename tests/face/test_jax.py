@@ -7,36 +7,32 @@ measured against differences in 40 digits.
 from __future__ import annotations
 
 import builtins
-import sys
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from typing import Any
 
 import numpy as np
 import pytest
+from benchmarking import gradients
 from numpy.testing import assert_allclose, assert_array_equal
 
 import nonsmooth as ns
 from nonsmooth.jax import differentiable
 from tests.face.functions import made
-from tests.places import CHECKOUT
-
-sys.path.append(str(CHECKOUT / "scripts"))
-
-from benchmarking import gradients
 
 MODES = ("both", "reverse")
 NAME, BY, OF = "dry-friction/global-stick", ("eta", "V"), ("period", "trace")
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture
 def jax() -> Iterator[Any]:
-    """JAX with 64 bits."""
+    """JAX with 64 bits; what it compiled for a test goes with the test."""
     module = pytest.importorskip("jax")
     before = module.config.jax_enable_x64
     module.config.update("jax_enable_x64", True)
     yield module
     module.config.update("jax_enable_x64", before)
+    module.clear_caches()
 
 
 def at(*lead: int) -> np.ndarray:

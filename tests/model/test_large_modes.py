@@ -1,5 +1,6 @@
 """Modes of many states and their factors, against exponentials and the matrices they stand for."""
 
+import weakref
 from typing import Any
 
 import numpy as np
@@ -7,7 +8,8 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.linalg import expm
 
-from nonsmooth.runtime.model.factored_flows import FactoredFlows
+from nonsmooth.runtime.model.factored_flows import FactoredFlows, arrays_of
+from nonsmooth.runtime.model.modes import numeric_modes as remembering
 from nonsmooth.runtime.model.modes.numeric_modes import numeric_modes
 from nonsmooth.runtime.model.time_functions import functions_at
 from tests.large_systems import chain, masses_apart
@@ -86,3 +88,16 @@ def test_factors_are_the_matrices_they_stand_for() -> None:
         bounds = flows.sizes(abs(extended))
         assert (bounds >= sizes * (1 - 1e-13)).all()
         assert bounds.sum() < 2 * sizes.sum()
+
+
+def test_of_many_fields_the_modes_are_remembered_that_fit_into_memory(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    most = 1 << 20
+    monkeypatch.setattr(remembering, "_MOST", most)
+    remembering._remembered.cache_clear()
+    fields = [k / 100 * FIELDS["chain"] for k in range(100, 200)]
+    arrays = [weakref.ref(array) for f in fields for array in arrays_of(numeric_modes(f).flows)]
+    kept = [array() for array in arrays if array() is not None]
+    remembering._remembered.cache_clear()
+    assert most / 4 < sum(array.nbytes for array in kept) < most

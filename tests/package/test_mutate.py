@@ -6,19 +6,14 @@ import ast
 import random
 import re
 import subprocess
-import sys
 from pathlib import Path
 
+import mutate
 import pytest
-from mutating import Place
+from mutating import Place, functions, places, planted, probed
+from mutating_c import TOKEN
 
 from tests.places import CHECKOUT
-
-sys.path.append(str(CHECKOUT / "scripts" / "development"))
-
-import mutate
-from mutating import functions, places, planted, probed
-from mutating_c import TOKEN
 
 PYTHON = '''"""Numbers: 1 + 1."""
 from typing import TYPE_CHECKING

@@ -2,19 +2,13 @@
 
 from __future__ import annotations
 
-import sys
-
 import numpy as np
 import pytest
-
-from nonsmooth.runtime.orbits.orbit import Orbit
-from tests.places import CHECKOUT
-
-sys.path.append(str(CHECKOUT / "scripts"))
-
 from benchmarking import peers
 from benchmarking.peer_responses import HarmonicBalance, Shooting, follow_both_ways
 from benchmarking.responses import our_motion, settled
+
+from nonsmooth.runtime.orbits.orbit import Orbit
 
 
 @pytest.fixture(scope="module")

@@ -1,16 +1,10 @@
 """Motions that are hard on an engine: random ones, special starts, and long ones at 40 digits."""
 
 import math
-import sys
 from dataclasses import replace
 
 import numpy as np
 import pytest
-
-from tests.places import CHECKOUT
-
-sys.path.append(str(CHECKOUT / "scripts" / "development"))
-
 from stressing_chains import against_digits, random_chain
 from stressing_motions import (
     ELASTIC,

@@ -22,6 +22,7 @@ The first of four ways that succeeds is taken:
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache, lru_cache
 
 import numpy as np
@@ -44,6 +45,7 @@ __all__ = ["NumericModes", "grouped_modes", "no_modes", "numeric_modes", "standi
 
 _ONE = mode_shapes([(1, False)])
 _FEW = 4  # for fewer fields it pays to remember their modes
+_MOST, _FEWEST = 128 << 20, 32  # bytes of what is remembered of one size, and entries of any size
 
 
 def numeric_modes(field: np.ndarray, rows: np.ndarray | None = None) -> NumericModes:
@@ -57,7 +59,7 @@ def numeric_modes(field: np.ndarray, rows: np.ndarray | None = None) -> NumericM
     rate = 0.0 if rows is None else float(fall_rates(array[None], rows[None])[0])
     try:
         with np.errstate(over="ignore", invalid="ignore"):
-            return _numeric_modes(array.tobytes(), len(array), rate)
+            return _remembered(len(array))(array.tobytes(), rate)
     except np.linalg.LinAlgError:
         raise InputError(
             "entries of a vector field are too far apart: double precision does not tell its modes"
@@ -122,10 +124,18 @@ def _unchanging(
     return NumericModes(shapes, exponents, flows)
 
 
-@lru_cache(maxsize=4096)  # configurations share fields, and so do points of a sweep
-def _numeric_modes(content: bytes, size: int, rate: float) -> NumericModes:
-    found = _found(np.frombuffer(content).reshape(size, size + 1), rate)
-    return _unchanging(found.exponents, found.flows, found.shapes)
+@cache
+def _remembered(size: int) -> Callable[[bytes, float], NumericModes]:
+    """Modes by field and rate: configurations share fields, and so do points of a sweep."""
+    terms = size if size < LARGE else 5  # matrices of all modes, or factors
+    most = max(_FEWEST, min(4096, _MOST // (8 * size**2 * terms)))
+
+    @lru_cache(most)
+    def modes(content: bytes, rate: float) -> NumericModes:
+        found = _found(np.frombuffer(content).reshape(size, size + 1), rate)
+        return _unchanging(found.exponents, found.flows, found.shapes)
+
+    return modes
 
 
 def _simple_modes(fields: np.ndarray, rows: np.ndarray) -> list[ModeGroup]:
