@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TypeVar
 
@@ -188,23 +188,21 @@ def _known(solved: Solved | str) -> Solved:
 
 
 def label_names(found: Found) -> dict[int, str]:
-    """Texts of the labels for pictures: orbits and equilibria that attract, and the outcomes."""
-    attracting = {i: entry for i, entry in enumerate(found.orbits) if entry.starts}
-    names = {
-        i: f"orbit {i + 1}, period {entry.period:.6g}{_apart(i, attracting)}"
-        for i, entry in attracting.items()
-    }
+    """Texts of the labels for pictures: all orbits and equilibria, and the outcomes."""
     count = len(found.orbits)
-    for i, entry in enumerate(found.equilibria):
-        if entry.starts:
-            names[count + i] = f"equilibrium {count + i + 1}, {entry.equilibrium.configuration}"
+    names = {
+        i: f"orbit {i + 1}, period {entry.period:.6g}{_apart(i, found.orbits)}"
+        for i, entry in enumerate(found.orbits)
+    }
+    for i, steady in enumerate(found.equilibria, count):
+        names[i] = f"equilibrium {i + 1}, {steady.equilibrium.configuration}"
     return {**names, **{int(outcome): outcome.text for outcome in Outcome}}
 
 
-def _apart(place: int, attracting: Mapping[int, FoundOrbit]) -> str:
+def _apart(place: int, orbits: Sequence[FoundOrbit]) -> str:
     """Text that distinguishes an orbit from others of its period: mirror image, or start."""
-    entry = attracting[place]
-    alike = [o.orbit for o in attracting.values() if f"{o.period:.6g}" == f"{entry.period:.6g}"]
+    entry = orbits[place]
+    alike = [o.orbit for o in orbits if f"{o.period:.6g}" == f"{entry.period:.6g}"]
     if len(alike) == 1:
         return ""
     if entry.mirror not in (None, place):
