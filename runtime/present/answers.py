@@ -11,8 +11,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import answer, encode, nan_as_null
-from nonsmooth.runtime.explore.continuation.branch import Branch
-from nonsmooth.runtime.explore.continuation.continue_event import Locus
+from nonsmooth.runtime.explore.continuation.branch import Branch, Locus
 from nonsmooth.runtime.explore.design.optimum import Design
 from nonsmooth.runtime.explore.finding.found import Found, FoundEquilibrium, FoundOrbit
 from nonsmooth.runtime.explore.finding.outcomes import settled_texts

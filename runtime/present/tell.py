@@ -26,8 +26,7 @@ from nonsmooth.runtime.present.told import (
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.core.differentiable import DifferentiableFunction
-    from nonsmooth.runtime.explore.continuation.branch import Branch
-    from nonsmooth.runtime.explore.continuation.continue_event import Locus
+    from nonsmooth.runtime.explore.continuation.branch import Branch, Locus
     from nonsmooth.runtime.explore.continuation.event import Event
     from nonsmooth.runtime.explore.design.optimum import Design
     from nonsmooth.runtime.explore.finding.found import Found, FoundEquilibrium, FoundOrbit

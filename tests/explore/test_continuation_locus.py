@@ -10,8 +10,7 @@ import numpy as np
 import pytest
 
 import nonsmooth
-from nonsmooth.runtime.explore.continuation.branch import Branch
-from nonsmooth.runtime.explore.continuation.continue_event import Locus
+from nonsmooth.runtime.explore.continuation.branch import Branch, Locus
 from nonsmooth.runtime.model.naming import shown_name
 from tests.cli.test_cli import run
 from tests.explore.test_continuation_forced import branch as impacts

@@ -13,8 +13,7 @@ import pytest
 import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.runtime.core.result_files import checksum_of
-from nonsmooth.runtime.explore.continuation.branch import Branch
-from nonsmooth.runtime.explore.continuation.continue_event import Locus
+from nonsmooth.runtime.explore.continuation.branch import Branch, Locus
 from nonsmooth.runtime.explore.design.optimum import Design
 from nonsmooth.runtime.explore.finding.found import Found
 from nonsmooth.runtime.explore.finding.sweep import Sweep

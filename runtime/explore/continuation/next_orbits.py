@@ -74,31 +74,10 @@ def next_itineraries(
     """
     if not event.border_collision:
         raise InputError(f"{event.kind} is no border collision: the itinerary goes on")
-    place = _beside(branch, event)
-    base, system_at = composed_family(branch, place, parameters)
-    span = float(np.ptp(branch.parameter_values)) or abs(event.value) or 1.0
-    side = 1 if branch.parameter_values[place] < event.value else -1  # where it is no motion
+    ways_off = [[side * distance for distance in _DISTANCES] for side in (1, -1)]
     found: dict[_Phases, Orbit] = {}
-    own = canonical_itinerary(base.itinerary)
-    ways = _candidates(base, event)
-    for sign in (side, -side):
-        for distance in _DISTANCES:
-            try:
-                here, period = system_at(event.value + sign * distance * span)
-                orbits = [
-                    *_composed(base, ways, here, event, period),
-                    *_without_boundary(base, here, event),
-                ]
-            except InputError:  # beyond a domain
-                break
-            if sign == side and period is None:
-                orbits += _simulated(base, here)
-            for orbit in orbits:
-                name = canonical_itinerary(orbit.itinerary)
-                if name != own and name not in found and _near(float(orbit.period), base):
-                    found[name] = orbit
-            if orbits:
-                break
+    for orbit in _others(branch, event, parameters, ways_off, _SHORT, settling=True):
+        found.setdefault(canonical_itinerary(orbit.itinerary), orbit)
     return tuple(found.values())
 
 
@@ -112,23 +91,46 @@ def orbits_beside(
     which one begins at the collision. `parameters` are those of the system that the orbit
     leaves open; absent ones are chosen.
     """
-    base, system_at = composed_family(branch, _beside(branch, event), parameters)
+    ways_off = [[side * distance] for distance in _CLOSE for side in (1, -1)]
+    return tuple(_others(branch, event, parameters, ways_off, _SHORTER, settling=False))
+
+
+def _others(
+    branch: Branch,
+    event: Event,
+    parameters: Mapping[str, Any] | None,
+    ways_off: Sequence[Sequence[float]],
+    short: float,
+    *,
+    settling: bool,
+) -> Iterator[Orbit]:
+    """Admissible orbits of other itineraries near a collision, at the first place of each way off.
+
+    Places without any are passed. Distances are in units of the branch's range, positive where
+    the branch ceases to be a motion; with `settling` a motion is simulated there too.
+    """
+    place = _beside(branch, event)
+    base, system_at = composed_family(branch, place, parameters)
     span = float(np.ptp(branch.parameter_values)) or abs(event.value) or 1.0
-    own, found = canonical_itinerary(base.itinerary), list[Orbit]()
-    ways = _candidates(base, event)
-    for distance in _CLOSE:
-        for sign in (-1, 1):
+    side = 1 if branch.parameter_values[place] < event.value else -1
+    own, ways = canonical_itinerary(base.itinerary), _candidates(base, event)
+    for distances in ways_off:
+        for distance in distances:
             try:
-                here, period = system_at(event.value + sign * distance * span)
-                found += _composed(base, ways, here, event, period, _SHORTER)
-                found += _without_boundary(base, here, event)
+                here, period = system_at(event.value + side * distance * span)
+                orbits = [
+                    *_composed(base, ways, here, event, period, short),
+                    *_without_boundary(base, here, event),
+                ]
             except InputError:  # beyond a domain
-                continue
-    return tuple(
-        orbit
-        for orbit in found
-        if canonical_itinerary(orbit.itinerary) != own and _near(float(orbit.period), base)
-    )
+                break
+            if settling and distance > 0 and period is None:
+                orbits += _simulated(base, here)
+            for orbit in orbits:
+                if canonical_itinerary(orbit.itinerary) != own and _near(orbit.period, base):
+                    yield orbit
+            if orbits:
+                break
 
 
 def _beside(branch: Branch, event: Event) -> int:
@@ -180,7 +182,7 @@ def _composed(
     parameters: Mapping[str, Any],
     event: Event,
     period: Value | None,
-    short: float = _SHORT,
+    short: float,
 ) -> Iterator[Orbit]:
     """Admissible orbits of the itineraries of `ways`, near the known orbit."""
     point, symmetry = piecewise(base.system, parameters), base.symmetry
@@ -338,9 +340,9 @@ def _simulated(base: Orbit, parameters: Mapping[str, Any]) -> list[Orbit]:
     return []
 
 
-def _near(period: float, base: Orbit) -> bool:
+def _near(period: Any, base: Orbit) -> bool:
     """Whether an orbit of such a period may coincide with the known one at the collision."""
-    return abs(period / float(base.period) - 1) < _NEAR
+    return abs(float(period) / float(base.period) - 1) < _NEAR
 
 
 def canonical_itinerary(itinerary: Sequence[tuple[str, str]]) -> _Phases:

@@ -16,8 +16,7 @@ from nonsmooth.runtime.core.result_files import FileFormat
 from nonsmooth.runtime.model.saved_system import SAVED_VERSION
 
 if TYPE_CHECKING:
-    from nonsmooth.runtime.explore.continuation.branch import Branch
-    from nonsmooth.runtime.explore.continuation.continue_event import Locus
+    from nonsmooth.runtime.explore.continuation.branch import Branch, Locus
     from nonsmooth.runtime.explore.design.optimum import Design
     from nonsmooth.runtime.explore.finding.sweep import Sweep
     from nonsmooth.runtime.explore.fitting.fit_record import Fit
@@ -152,7 +151,7 @@ KINDS: dict[str, KeptKind] = {
         "saved branch", ".explore.continuation.branch:Branch", 4, _check_branch
     ),
     "nonsmooth locus": KeptKind(
-        "saved curve of events", ".explore.continuation.continue_event:Locus", 3, _check_locus
+        "saved curve of events", ".explore.continuation.branch:Locus", 3, _check_locus
     ),
     "nonsmooth design": KeptKind(
         "saved design", ".explore.design.optimum:Design", 2, _check_design
