@@ -26,7 +26,7 @@ from nonsmooth.runtime.explore.charting.problem import (
     number,
     table_hash,
 )
-from nonsmooth.runtime.explore.finding.found import Found, label_names
+from nonsmooth.runtime.explore.finding.find import Found, label_names
 from nonsmooth.runtime.explore.finding.outcomes import (
     Attractors,
     Outcome,

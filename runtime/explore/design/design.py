@@ -8,15 +8,17 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.explore.design.design_points import Beyond, DesignPoint, DesignPoints
-from nonsmooth.runtime.explore.design.objective import (
+from nonsmooth.runtime.explore.design.optimising import (
+    INTERRUPTED,
     Aim,
+    Ended,
     MarginKey,
     Optimality,
     Trial,
     optimality,
+    optimise,
     watched_margins,
 )
-from nonsmooth.runtime.explore.design.optimising import INTERRUPTED, Ended, optimise
 from nonsmooth.runtime.explore.design.optimum import (
     CONVERGED,
     NOT_REACHED,

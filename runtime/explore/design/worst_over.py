@@ -18,8 +18,14 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.design.design_points import Beyond, DesignPoint, DesignPoints
-from nonsmooth.runtime.explore.design.objective import Aim, Trial, watched_margins
-from nonsmooth.runtime.explore.design.optimising import INTERRUPTED, Ended, optimise
+from nonsmooth.runtime.explore.design.optimising import (
+    INTERRUPTED,
+    Aim,
+    Ended,
+    Trial,
+    optimise,
+    watched_margins,
+)
 from nonsmooth.runtime.explore.design.quantities import extreme_keys
 
 __all__ = [

@@ -11,16 +11,14 @@ spread of a column where these are not known.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, NonsmoothError
-from nonsmooth.runtime.explore.finding.find import find_orbits
+from nonsmooth.runtime.explore.finding.find import find_orbits, start_box
 from nonsmooth.runtime.explore.finding.primitive import add_orbit, primitive_orbit
-from nonsmooth.runtime.explore.finding.start_box import start_box
 from nonsmooth.runtime.explore.finding.steady import responses
-from nonsmooth.runtime.explore.fitting.fit_record import Fit
 from nonsmooth.runtime.explore.fitting.measurements import Measured, usual_size
 from nonsmooth.runtime.explore.fitting.outputs import ResponseQuantity, response_quantity
 from nonsmooth.runtime.explore.fitting.prediction import Prediction
@@ -34,6 +32,9 @@ from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.simulation.recurrence import Candidate, Itinerary, canonical, itinerary_of
 from nonsmooth.runtime.simulation.simulate import simulate_one
 from nonsmooth.runtime.simulation.starting import on_circles
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.explore.fitting.fit import Fit
 
 __all__ = ["KnownResponses", "look", "points_under", "predict_steady", "response_curves"]
 
