@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -77,16 +78,16 @@ def singular_values(
     if kernels.reduced:
         raise InputError(f"{orbit} is not explicit: its unknowns {', '.join(kernels.reduced)} move")
 
-    def positive(values: np.ndarray) -> np.ndarray:
+    def positive(values: np.ndarray, column: Any = slice(None)) -> np.ndarray:
         named = others | {parameter: values}
         arrays = [np.broadcast_to(named[n], values.shape) for n in kernels.parameter_names]
         rows = np.stack(arrays, axis=-1)
         spectrum, _ = kernels.spectrum(rows)
-        return np.asarray(kernels.expand(rows, spectrum, None)[1]) > 0
+        return np.asarray(kernels.expand(rows, spectrum, None)[1][:, column] > 0)
 
     found: list[float] = []
     for column, signs in enumerate(positive(grid).T):
-        changes = _changes(lambda values, k=column: positive(values)[:, k], grid, signs)
+        changes = _changes(partial(positive, column=column), grid, signs)
         found += [(below + above) / 2 for below, above, _ in changes]
     return tuple(sorted(found))
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import partial
+from functools import cache, partial
 from itertools import product
 from typing import Any, NamedTuple, Protocol
 
@@ -28,7 +28,7 @@ from nonsmooth.runtime.explore.design.quantities import (
     corner_of,
     extreme_rows,
     is_largest_of_several,
-    multiplier_gap,
+    multiplier_rows,
     radius_rows,
     unit_of,
 )
@@ -167,20 +167,24 @@ class Aim:
             found = extreme_rows(
                 measured.derivatives, self.quantity, self.extremes, wanted, self.scale
             )
-        elif self.quantity == RADIUS and self.sign > 0:
-            found = radius_rows(measured.derivatives, wanted)
         else:
-            value, slope = measured.values[self.quantity], measured.slopes[self.quantity]
-            found = LevelRows(
-                np.array([wanted - self.sign * value]),
-                -self.sign * slope[None],
-                np.ones(1),
-                np.ones(1),
-            )
+            relation = "<=" if self.sign > 0 else ">="
+            found = self._limit(member, self.quantity, relation, self.sign * wanted)
+            found = found._replace(by_level=self.sign * found.by_level)
         by_level = found.by_level[:, None] * self.scale
         slopes = np.hstack([self._by_places(found.by_parameters), by_level])
         sizes = self.scale**found.powers
         return Rows(found.values / sizes, slopes / sizes[:, None])
+
+    def _limit(self, member: DesignPoint, quantity: str, relation: str, wanted: float) -> LevelRows:
+        """The rows of a condition on a quantity: at most, at least or just a wanted value."""
+        if quantity == MULTIPLIER:
+            return multiplier_rows(member.quantities.derivatives, wanted)
+        if quantity == RADIUS and relation == "<=":
+            return radius_rows(member.quantities.derivatives, wanted)
+        value, slope = self.distance(member, quantity, relation, wanted)
+        by_level = np.array([1.0 if relation == "<=" else -1.0])
+        return LevelRows(np.array([value]), slope[None], by_level, np.ones(1))
 
     def size(self, condition: DesignCondition) -> float:
         """Unit in which the violation of a condition is measured."""
@@ -188,24 +192,16 @@ class Aim:
 
     def condition_rows(self, member: DesignPoint, condition: DesignCondition) -> Rows:
         """One condition at one orbit: rows that are not negative, or zero for an equation."""
-        measured, wanted = member.quantities, float(condition.value)
-        if condition.quantity == MULTIPLIER:
-            gap = multiplier_gap(measured.derivatives, wanted)
-            values, slopes = np.array([gap.value]), gap.slope[None]
-        elif condition.quantity == RADIUS and condition.relation == "<=":
-            rows = radius_rows(measured.derivatives, wanted)
-            values, slopes = rows.values, rows.by_parameters
-        else:
-            value, slope = self.distance(member, condition)
-            values, slopes = np.array([value]), slope[None]
-        size = self.size(condition)
-        return Rows(values / size, self._with_level(self._by_places(slopes) / size))
+        found, size = self._limit(member, *condition.asked), self.size(condition)
+        slopes = self._by_places(found.by_parameters) / size
+        return Rows(found.values / size, self._with_level(slopes))
 
-    def distance(self, member: DesignPoint, condition: DesignCondition) -> tuple[float, np.ndarray]:
+    def distance(
+        self, member: DesignPoint, quantity: str, relation: str, wanted: float
+    ) -> tuple[float, np.ndarray]:
         """How far a quantity is inside of a condition, and the derivatives by all parameters."""
-        measured, sign = member.quantities, -1.0 if condition.relation == "<=" else 1.0
-        value = measured.values[condition.quantity] - float(condition.value)
-        return sign * value, sign * measured.slopes[condition.quantity]
+        measured, sign = member.quantities, -1.0 if relation == "<=" else 1.0
+        return sign * (measured.values[quantity] - wanted), sign * measured.slopes[quantity]
 
     def _with_level(self, slopes: np.ndarray) -> np.ndarray:
         """Derivatives extended by that by the level, which is zero."""
@@ -216,14 +212,8 @@ class Aim:
 
         It is positive where the condition is relaxed, and minus that for an equation.
         """
-        derivatives, wanted = member.quantities.derivatives, float(condition.value)
-        if condition.quantity == MULTIPLIER:
-            found = np.array([-multiplier_gap(derivatives, wanted).by_wanted])
-        elif condition.quantity == RADIUS and condition.relation == "<=":
-            found = radius_rows(derivatives, wanted).by_level
-        else:
-            found = np.ones(1)
-        return found / self.size(condition)
+        sign = 1.0 if condition.relation == "<=" else -1.0
+        return sign * self._limit(member, *condition.asked).by_level / self.size(condition)
 
     def distances(self, member: DesignPoint) -> tuple[np.ndarray, np.ndarray]:
         """Scaled distances (m,) from the boundaries, and their derivatives by all parameters.
@@ -245,10 +235,10 @@ class Aim:
         values, slopes = self.distances(member)
         return Rows(values - _INSIDE, self._with_level(self._by_places(slopes)))
 
-    def rows(self, point: Trial, level: float, *, equal: bool) -> Rows:
+    def rows(self, point: Trial, level: float | None, *, equal: bool) -> Rows:
         """The rows of all equations (`equal`), or of all other conditions, of a trial.
 
-        `level` is the value of the level, where there is one.
+        `level` is the value of the level; None leaves out the conditions that nothing exceeds it.
         """
         found = [
             self.condition_rows(member, each)
@@ -258,7 +248,7 @@ class Aim:
         ]
         if self.margins and not equal:
             found.extend(self.margin_rows(member) for member in point.members)
-        if self.levelled and not equal:
+        if self.levelled and not equal and level is not None:
             found.extend(self.level_rows(member, level) for member in point.members)
         if not found:
             return Rows(np.zeros(0), np.zeros((0, len(self.lengths) + self.levelled)))
@@ -266,16 +256,8 @@ class Aim:
 
     def missed(self, point: Trial) -> float:
         """Largest violation of all conditions at a trial, in their units."""
-        equal = np.abs(self.rows(point, 0.0, equal=True).values)
-        short = [
-            self.condition_rows(member, c).values
-            for member in point.members
-            for c in self.conditions
-            if c.relation != "="
-        ]
-        if self.margins:
-            short.extend(self.margin_rows(member).values for member in point.members)
-        return float(max(np.concatenate([[0.0], equal, *(-each for each in short)])))
+        equal, short = (self.rows(point, None, equal=each).values for each in (True, False))
+        return float(max(np.abs(equal).max(initial=0.0), (-short).max(initial=0.0)))
 
 
 class Optimality(NamedTuple):
@@ -415,6 +397,7 @@ def optimise(points: Trials, aim: Aim, most: int, history: list[Trial]) -> Ended
     `history`. Ctrl-C ends it at the best trial until then, with the reason INTERRUPTED.
     """
 
+    @cache
     def merit(point: Trial) -> float:
         if aim.quantity:
             return aim.value(point) + _PENALTY * aim.missed(point)

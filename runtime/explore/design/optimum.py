@@ -153,12 +153,10 @@ class DesignCondition:
         """The condition as it is written."""
         return f"{self.quantity}{self.relation}{self.value.text}"
 
-    def excess(self, value: float) -> float:
-        """Amount by which a value violates the condition; zero where it holds."""
-        missed = value - float(self.value)
-        if self.relation == "=":
-            return abs(missed)
-        return max(0.0, missed if self.relation == "<=" else -missed)
+    @property
+    def asked(self) -> tuple[str, str, float]:
+        """The quantity, the relation and the value as a number."""
+        return self.quantity, self.relation, float(self.value)
 
 
 def condition_in(text: str) -> DesignCondition:
