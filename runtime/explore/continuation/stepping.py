@@ -247,31 +247,25 @@ def _ended(
     curve: Curve, z: np.ndarray, following: np.ndarray, limits: tuple[float, float]
 ) -> tuple[np.ndarray, str] | None:
     """The point at which a step passes an end of the interval or a dwell time vanishes, or None."""
-    waits = curve.dwell(np.stack([z, following, np.zeros_like(z)]))
-    ends: list[tuple[float, np.ndarray, float, str]] = []
-    for k, name in enumerate(curve.dwell_names):
-        before, after, constant = waits[:, k].tolist()
-        if after <= 0:
-            part = before / (before - after)
-            normal = np.array([curve.dwell(unit[None])[0, k] - constant for unit in np.eye(len(z))])
-            ends.append((part, normal * curve.sizes, -constant, f"{name} goes to zero"))
-    axis = np.zeros(len(z))
-    axis[-1] = 1
-    for limit, sign in zip(limits, (-1, 1), strict=True):
-        if sign * following[-1] >= sign * limit:
-            part = (limit - z[-1]) / (following[-1] - z[-1])
-            ends.append((part, axis, limit / curve.sizes[-1], "end of the interval"))
-    if not ends:
+    size, phases = len(z), len(curve.dwell_names)
+    constants, *waits = curve.dwell(np.eye(size + 1, size, -1))
+    axis = np.eye(size)[-1]
+    normals = np.vstack([(np.array(waits) - constants).T * curve.sizes, axis, -axis])
+    offsets = np.append(-constants, np.array(limits) / curve.sizes[-1] * (1, -1))
+    before, after = (normals @ (point / curve.sizes) - offsets for point in (z, following))
+    passed = np.flatnonzero(after <= 0).tolist()
+    if not passed:
         return None
-    part, normal, offset, reason = min(ends, key=lambda end: end[0])
+    part, place = min((before[k] / (before[k] - after[k]), k) for k in passed)
+    normal, offset = normals[place], float(offsets[place])
+    dwell = place < phases
+    reason = f"{curve.dwell_names[place]} goes to zero" if dwell else "end of the interval"
     found = correct(curve, z + part * (following - z), normal, offset)
     if found is None or not _determined(curve, found[0], normal):
         return _before(curve, z, following, normal, offset), reason
     point = found[0]
-    if reason.startswith("end"):
-        point[-1] = (
-            limits[0] if abs(point[-1] - limits[0]) < abs(point[-1] - limits[1]) else limits[1]
-        )
+    if not dwell:
+        point[-1] = limits[place - phases]
     return point, reason
 
 

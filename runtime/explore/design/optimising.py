@@ -9,7 +9,7 @@ multipliers meet, what it has learned of the curvature can stop it early.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache, partial
 from itertools import product
@@ -84,7 +84,7 @@ class Rows(NamedTuple):
     slopes: np.ndarray
 
 
-class Trial(Protocol):
+class Trial(Hashable, Protocol):
     """Parameters that were tried, and the orbits there."""
 
     @property

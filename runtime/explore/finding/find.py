@@ -12,7 +12,7 @@ from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import permutations, product
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -419,24 +419,20 @@ def _found(
     steady_order = sorted(range(len(steady)), key=lambda i: -of_steady[i])
     places = {old: new for new, old in enumerate(order) if old < attracting}
     places |= {attracting + old: len(order) + new for new, old in enumerate(steady_order)}
-    sorted_orbits = [orbits[i] for i in order]
-    sorted_steady = [steady[i] for i in steady_order]
+
+    def entries(kind: Any, solved: Sequence[Any], counts: list[int], order: list[int]) -> Any:
+        mirrors = _mirror_places([solved[i] for i in order], symmetries)
+        return tuple(
+            kind(solved[i], counts[i], counts[i] / len(starts), mirror)
+            for i, mirror in zip(order, mirrors, strict=True)
+        )
+
     return Found(
         attractors.kernels.name,
         point.parameters,
         point.structure.states,
-        tuple(
-            FoundOrbit(orbit, of_orbits[i], of_orbits[i] / len(starts), mirror)
-            for i, orbit, mirror in zip(
-                order, sorted_orbits, _mirror_places(sorted_orbits, symmetries), strict=True
-            )
-        ),
-        tuple(
-            FoundEquilibrium(equilibrium, of_steady[i], of_steady[i] / len(starts), mirror)
-            for i, equilibrium, mirror in zip(
-                steady_order, sorted_steady, _mirror_places(sorted_steady, symmetries), strict=True
-            )
-        ),
+        entries(FoundOrbit, orbits, of_orbits, order),
+        entries(FoundEquilibrium, steady, of_steady, steady_order),
         starts,
         np.array([places.get(label, label) for label in labels.tolist()], dtype=int),
         limits,

@@ -11,6 +11,7 @@ spread of a column where these are not known.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -372,36 +373,29 @@ def response_curves(fit: Fit, experiment: int = 0) -> tuple[np.ndarray, dict[str
     kernels = known_system(fit.system)
     structure = structure_of(kernels)
     quantities = {s.name: response_quantity(s.expression, structure) for s in found.series}
-    if not found.along:
-        values = np.arange(float(len(found.responses)))
-        points = [dict(each.parameters) for each in found.responses]
-        rows = np.arange(len(points))
-    else:
-        measured = np.array([float(each.parameters[found.along]) for each in found.responses])
-        order = np.argsort(measured, kind="stable")
-        values = np.linspace(measured.min(), measured.max(), _VALUES)
-        rows = abs(values[:, None] - measured).argmin(axis=1)
-        columns = {
-            name: np.array([float(each.parameters[name]) for each in found.responses])[order]
-            for name in found.responses[0].parameters
-        }
-        between = {n: np.interp(values, measured[order], c) for n, c in columns.items()}
-        points = [{name: column[k] for name, column in between.items()} for k in range(_VALUES)]
-    by = [found.along or next(iter(found.responses[0].parameters))]
-    every = range(len(found.responses))
-    orbits = [fit.response(row, experiment).derivatives(by) for row in every]
+    rows = range(len(found.responses))
+    table = {
+        name: np.array([float(each.parameters[name]) for each in found.responses])
+        for name in found.responses[0].parameters
+    }
+    measured = table.get(found.along, np.arange(float(len(rows))))
+    order = np.argsort(measured, kind="stable")
+    values = np.linspace(measured.min(), measured.max(), _VALUES) if found.along else measured
+    nearest = abs(values[:, None] - measured).argmin(axis=1).tolist()
+    between = {n: np.interp(values, measured[order], c[order]) for n, c in table.items()}
+    by = [found.along or next(iter(table))]
+    orbits = [fit.response(row, experiment).derivatives(by) for row in rows]
     curves = {name: np.full(len(values), np.nan) for name in quantities}
     own = [each.orbit.itinerary for each in orbits]
-    for place, (row, point) in enumerate(zip(rows.tolist(), points, strict=True)):
-        if place and own[row] != own[rows[place - 1]]:
+    for place, row in enumerate(nearest):
+        if place and own[row] != own[nearest[place - 1]]:
             continue  # no line joins responses of different phases
+        point = {name: float(column[place]) for name, column in between.items()}
         there, _ = _responses_at(kernels, point, by, [orbits[row]], unstable=True)
         for each in there:
             for name, quantity in quantities.items():
-                try:
+                with suppress(NonsmoothError):
                     curves[name][place] = quantity.of(each)[0]
-                except NonsmoothError:
-                    continue
     for series in found.series:
         if quantities[series.name].periodic:  # next to what was measured
             order = np.argsort(series.times, kind="stable")
