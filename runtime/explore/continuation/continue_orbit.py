@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from operator import attrgetter, itemgetter
-from typing import Any, overload
+from typing import overload
 
 import numpy as np
 
@@ -167,7 +167,9 @@ def continue_orbit(
     points = MOST_POINTS if points is None else points
     if isinstance(orbit, Branch):
         raise InputError("orbit is a Branch: give its .orbit, or one of its events as event=")
-    limits = _checked(orbit, parameter, interval, step, points)
+    check_converged(orbit, "followed")
+    limits = check_interval(orbit, parameter, interval)
+    check_steps(step, points)
     if resume is not None:
         _check_same(orbit, parameter, limits, resume)
         orbit = resume.orbit
@@ -300,15 +302,6 @@ def _verdict(multipliers: np.ndarray, conservative: bool) -> StabilityOfPoint:
     if abs(largest - 1) < _NEUTRAL:
         return "undecided"
     return "stable" if largest < 1 else "unstable"
-
-
-def _checked(
-    orbit: Orbit, parameter: str, interval: Any, step: float, points: int
-) -> tuple[float, float]:
-    check_converged(orbit, "followed")
-    limits = check_interval(orbit, parameter, interval)
-    check_steps(step, points)
-    return limits
 
 
 class _EventCurve:

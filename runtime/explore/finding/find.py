@@ -29,7 +29,7 @@ from nonsmooth.runtime.explore.finding.primitive import (
     primitive_orbit,
     same_orbit,
 )
-from nonsmooth.runtime.explore.finding.steady import Equilibrium
+from nonsmooth.runtime.explore.finding.steady import Equilibrium, same_state
 from nonsmooth.runtime.model.kernels import SystemKernels, grown, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
@@ -536,10 +536,8 @@ def _mirror_places(
 def _is_image(entry: Orbit | Equilibrium, other: Orbit | Equilibrium, symmetry: Symmetry) -> bool:
     if isinstance(entry, Orbit):
         return isinstance(other, Orbit) and same_orbit(entry, image_of(other, symmetry))
-    if isinstance(other, Orbit):
-        return False
-    size = np.abs(entry.state).max()
-    return bool((np.abs(entry.state - symmetry.matrix @ other.state) <= 1e-9 * size).all())
+    image = None if isinstance(other, Orbit) else symmetry.matrix @ other.state
+    return image is not None and same_state(entry.state, image)
 
 
 def _candidates(system: PiecewiseLinear) -> Iterator[np.ndarray]:
