@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -26,7 +27,7 @@ from nonsmooth.runtime.explore.continuation.orbit_family import (
     composed_family,
 )
 from nonsmooth.runtime.explore.continuation.stepping import correct, scaled_rows
-from nonsmooth.runtime.explore.finding.primitive import repeated_part
+from nonsmooth.runtime.explore.finding.primitive import repeated_part, settled_orbit
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import FORCING_PHASE, Structure
@@ -37,8 +38,6 @@ from nonsmooth.runtime.shooting.newton import CONVERGED, SINGULAR
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, itinerary_shape
 from nonsmooth.runtime.shooting.symmetry import whole_shape
 from nonsmooth.runtime.shooting.table_newton import solve_shape
-from nonsmooth.runtime.simulation.recurrence import itinerary_of
-from nonsmooth.runtime.simulation.simulate import simulate_one
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.explore.continuation.branch import Branch
@@ -53,7 +52,6 @@ _SHORTER = _SHORT / 50  # very near the collision
 _SHORTEST = 1e-9  # of the period: what lasts less is no phase
 _SAME = 1e-6  # of the period: how near the dwell times of one orbit are
 _NEAR = 0.3  # of the period: how much another orbit's may differ
-_TRANSITIONS = 400
 _LENGTHS = (0.02, 0.005, 0.05, 0.1, 0.001)  # of the step from one branch to the other
 _CORRECTED = 10.0  # of a step to another branch: how far the corrector may go
 _APART = 0.5  # of such a step: how far from the meeting point an orbit has to be
@@ -125,7 +123,7 @@ def _others(
             except InputError:  # beyond a domain
                 break
             if settling and distance > 0 and period is None:
-                orbits += _simulated(base, here)
+                orbits += _settled(base, here)
             for orbit in orbits:
                 if canonical_itinerary(orbit.itinerary) != own and _near(orbit.period, base):
                     yield orbit
@@ -323,20 +321,13 @@ def _without_boundary(base: Orbit, parameters: Mapping[str, Any], event: Event) 
         yield orbit
 
 
-def _simulated(base: Orbit, parameters: Mapping[str, Any]) -> list[Orbit]:
-    """The admissible periodic orbit that a simulation from the orbit's start settles on, if any."""
-    configuration = base.itinerary[0][0]
+def _settled(base: Orbit, parameters: Mapping[str, Any]) -> list[Orbit]:
+    """The admissible periodic orbit that a motion from the orbit's start settles on, if any."""
     start = base.states[0].astype(float).tolist()
-    try:
-        motion = simulate_one(
-            base.system, parameters, start, configuration, transitions=_TRANSITIONS
-        )
-        itinerary, dwell, begin = itinerary_of(motion)
-        orbit = solve_itinerary(base.system, parameters, itinerary, dwell.tolist(), begin.tolist())
-        if orbit.converged and orbit.admissibility.verdict is True:
+    with suppress(InputError):  # no such motion, or it does not come back
+        orbit = settled_orbit(base.system, parameters, start, base.itinerary[0][0])
+        if orbit is not None and orbit.converged and orbit.admissibility.verdict is True:
             return [orbit]
-    except InputError:  # no such motion, or it does not come back
-        pass
     return []
 
 

@@ -18,20 +18,17 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, NonsmoothError
 from nonsmooth.runtime.explore.finding.find import find_orbits, start_box
-from nonsmooth.runtime.explore.finding.primitive import add_orbit, primitive_orbit
-from nonsmooth.runtime.explore.finding.steady import responses
+from nonsmooth.runtime.explore.finding.primitive import add_orbit, settled_orbit
 from nonsmooth.runtime.explore.fitting.measurements import Measured, usual_size
 from nonsmooth.runtime.explore.fitting.outputs import ResponseQuantity, response_quantity
 from nonsmooth.runtime.explore.fitting.prediction import Prediction
 from nonsmooth.runtime.explore.fitting.unknowns import Unknowns
-from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels, grown, known_system
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives, followed
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.simulation.recurrence import Candidate, Itinerary, canonical, itinerary_of
-from nonsmooth.runtime.simulation.simulate import simulate_one
+from nonsmooth.runtime.simulation.recurrence import Itinerary, canonical
 from nonsmooth.runtime.simulation.starting import on_circles
 
 if TYPE_CHECKING:
@@ -39,7 +36,6 @@ if TYPE_CHECKING:
 
 __all__ = ["KnownResponses", "look", "points_under", "predict_steady", "response_curves"]
 
-_TRANSITIONS = 600  # after which a motion has settled
 _STARTS = 6  # at random, at each point
 _SEARCHED = 60  # starts of a search for an orbit that is told
 _SHORTEST = 0.25  # step of the way to other parameters: then a response is lost
@@ -248,25 +244,12 @@ def _settled_from(
     start: Sequence[float],
     configuration: str | None = None,
 ) -> list[Orbit]:
-    """The periodic response on which a motion from a state (N,) settles, in a list.
-
-    The list is empty where the motion does not settle on a periodic one.
-    """
+    """The stable response on which a motion from a state (N,) settles, in a list, if any."""
     try:
-        motion = simulate_one(kernels, parameters, start, configuration, transitions=_TRANSITIONS)
-        current = motion.structure.kernels or kernels
-        point = motion.system
-        if motion.status == Status.QUIET:
-            orbit = responses(current, point)[int(motion.run.configurations[-1])]
-        elif motion.status == Status.TRANSITIONS:
-            cycle = itinerary_of(motion, since=motion.end / 2)
-            guess = Candidate(cycle.itinerary, cycle.dwell_times, cycle.start, 0.0)
-            orbit = primitive_orbit(current, point, guess)
-        else:
-            return []
-        return [orbit] if orbit is not None and _counts(orbit, unstable=False) else []
+        orbit = settled_orbit(kernels, parameters, start, configuration)
     except _FAILURES:
         return []
+    return [orbit] if orbit is not None and _counts(orbit, unstable=False) else []
 
 
 def _survey(kernels: SystemKernels, points: Sequence[Point]) -> list[list[Orbit]]:
