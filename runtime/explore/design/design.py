@@ -135,17 +135,21 @@ def design(
     if resume is not None:
         question.check_resumed(resume)
     quantity, names, bounds = question.quantity, question.parameters, question.bounds
-    branch, asked, measured = question.branch, question.quantities, question.measured
+    branch, asked, measured = question.worst_over, question.quantities, question.measured
     history: list[Trial] = []
 
     def told(visited: int) -> None:
         if progress is not None:
             progress(len(history), visited)
 
+    def where(member: DesignPoint) -> str:
+        """Position of an orbit on the branch, in words."""
+        return "".join(f" at {n} = {float(member.orbit.given[n]):.6g}" for n in branch)
+
     points = DesignPoints(
         orbit if resume is None else resume.orbit,
-        names if branch is None else (*names, branch[0]),
-        bounds if branch is None else np.vstack([bounds, branch[1]]),
+        (*names, *branch),
+        np.vstack([bounds, *branch.values()]),
         measured,
         rough=question.rough,
         admissible=admissible,
@@ -171,7 +175,7 @@ def design(
         extreme_keys([first.quantities.derivatives], quantity) if several else (),
     )
     trials: DesignPoints | BranchPoints = points
-    if branch is not None:
+    if branch:
         aim, trials = spread(points, aim)
     begin: Trial = trials.visited[0]
     _check_dependence(names, begin, aim)
@@ -179,7 +183,7 @@ def design(
         ended = optimise_worst(trials, aim, iterations, history)
     else:
         ended = optimise(points, aim, iterations, history)
-    left = optimality(aim, ended.point, names, bounds, trials.where)
+    left = optimality(aim, ended.point, names, bounds, where)
     met = left.residual <= (_OPTIMAL if quantity else _SOLVED) and aim.missed(ended.point) <= _MET
     status = CONVERGED if met else NOT_REACHED
     stopped = ended.reason == INTERRUPTED
@@ -193,13 +197,13 @@ def design(
         quantity=quantity,
         parameters=names,
         bounds=bounds,
-        worst_over=question.worst_over,
+        worst_over=branch,
         conditions=question.conditions,
         method="least-squares" if question.aim == "solve" else "SLSQP",
         quantities=asked,
         before=_values_of(names, aim, begin, asked) if resume is None else resume.before,
         after=_values_of(names, aim, ended.point, asked),
-        worst_at=_worst_at(left, branch),
+        worst_at=tuple(float(w.orbit.given[name]) for name in branch for w in left.worst_at),
         gradient=_gradient_of(names, aim, ended.point, measured),
         active=left.active,
         corner=left.corner,
@@ -213,14 +217,6 @@ def design(
     if stopped:
         raise Interrupted(found)
     return found
-
-
-def _worst_at(
-    left: Optimality, branch: tuple[str, tuple[float, float]] | None
-) -> tuple[float, ...]:
-    if branch is None:
-        return ()
-    return tuple(float(member.orbit.given[branch[0]]) for member in left.worst_at)
 
 
 def _watched(first: DesignPoint, lengths: np.ndarray) -> dict[MarginKey, float]:

@@ -242,11 +242,6 @@ class BranchPoints:
     def _slope(self, member: DesignPoint, row: int) -> float:
         return float(_alarms(self._aim, member, self.points.lengths[-1])[1][row])
 
-    def where(self, member: DesignPoint) -> str:
-        """Position of an orbit on the branch, in words."""
-        name = self.points.names[-1]
-        return f" at {name} = {float(member.orbit.given[name]):.6g}"
-
 
 def spread(points: DesignPoints, aim: Aim) -> tuple[Aim, BranchPoints]:
     """The aim for all orbits of a branch, and the first trial.
