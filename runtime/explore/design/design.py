@@ -37,7 +37,7 @@ from nonsmooth.runtime.explore.design.worst_over import BranchPoints, optimise_w
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.simulation.simulate import checked_count
 
-__all__ = ["along", "along_branch", "design"]
+__all__ = ["along", "design"]
 
 MOST_ITERATIONS = 200
 _OPTIMAL = 1e-5  # of the gradient that is left
@@ -307,31 +307,17 @@ def _message_of(aim: Aim, ended: Ended, left: Optimality, *, converged: bool) ->
     return f"{told}: {why}"
 
 
-def along(design: Design, parameter: str, count: int) -> tuple[np.ndarray, np.ndarray]:
-    """Values (count,) of a parameter over its bounds, and the quantities (count, m) there.
-
-    The parameter is one that varied; the others are as where the design ended. The quantities
-    are NaN where the branch does not lead.
-    """
-    bounds = design.bounds[design.parameters.index(parameter)]
-    return _around(design, design.orbit, parameter, bounds, count)
-
-
-def along_branch(design: Design, count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Values (count,) of the branch's parameter, and quantities (count, m) before and after.
-
-    The design needs `worst_over`; the orbits are those where it began and where it ended.
-    """
-    ((parameter, interval),) = design.worst_over.items()
-    values, before = _around(design, design.start, parameter, np.array(interval), count)
-    return values, before, _around(design, design.orbit, parameter, np.array(interval), count)[1]
-
-
-def _around(
-    design: Design, orbit: Orbit, parameter: str, interval: np.ndarray, count: int
+def along(
+    design: Design, orbit: Orbit, parameter: str, count: int
 ) -> tuple[np.ndarray, np.ndarray]:
+    """Values (count,) of a parameter over its interval, and the quantities (count, m) there.
+
+    The parameter is one that varied, or that of the branch; the others are as for `orbit`, where
+    the design began or ended. The quantities are NaN where the branch does not lead.
+    """
+    varied = dict(zip(design.parameters, design.bounds, strict=True))
+    bounds = np.array([{**varied, **design.worst_over}[parameter]])
     wanted = [name for name in design.quantities if name != MULTIPLIER]
-    bounds = interval[None]
     points = DesignPoints(orbit, (parameter,), bounds, wanted, rough=wanted, admissible=False)
     begin = points.visited[0].place[0]
     parts = np.linspace(0.0, 1.0, count)
