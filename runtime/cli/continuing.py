@@ -287,13 +287,13 @@ def _in_the_plane(
 ) -> int:
     """Follow an event in the plane of two parameters, keep and show it; gives the exit code."""
     from nonsmooth.runtime.cli.display import counted
-    from nonsmooth.runtime.explore.continuation.continue_event import MOST_POINTS, continue_event
+    from nonsmooth.runtime.explore.continuation.continue_orbit import MOST_EVENTS, continue_orbit
 
     what = f"following {event.kind.replace('-', ' ')}"
-    with counted(what, 2 * MOST_POINTS) as progress:
+    with counted(what, 2 * MOST_EVENTS) as progress:
         locus, stopped = worked(
-            lambda: continue_event(
-                branch, event, second, interval, step=2 * step, progress=progress
+            lambda: continue_orbit(
+                branch, second, interval, event=event, step=2 * step, progress=progress
             )
         )
     return reply.give(

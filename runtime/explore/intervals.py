@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -26,27 +27,21 @@ class Interval:
     """Values of a parameter for which an orbit is admissible."""
 
     lower: float
-    upper: float
     below: str  # what fails below the lower end, empty at an end of the searched range
+    upper: float
     above: str  # what fails above the upper end, empty at an end of the searched range
 
 
 def admissible_intervals(
-    orbit: str,
-    parameter: str,
-    lower: float,
-    upper: float,
-    parameters: Mapping[str, object] | None = None,
-    *,
-    points: int = 4000,
+    orbit: str, parameter: str, lower: float, upper: float, points: int = 4000
 ) -> tuple[Interval, ...]:
     """Intervals of one parameter, in increasing order, in which an orbit exists and is admissible.
 
     They are detected on an even grid of `points`; the ends between neighbours that differ are
     bisected to the last bit, each with its reason. An interval between two points of the grid
-    is not seen. Open parameters are taken as large as needed. `orbit` is ``system/orbit``;
-    parameters that are not given take the values of the reference point. Refused are wrong
-    names, an empty range, and too few points.
+    is not seen. Open parameters are taken as large as needed. `orbit` is ``system/orbit``; its
+    other parameters take the values of the reference point. Refused are wrong names, and an
+    empty range.
 
     Examples
     --------
@@ -54,105 +49,77 @@ def admissible_intervals(
     >>> round(found.lower, 6), round(found.upper, 6)
     (0.805, 1.200186)
     """
-    kernels, others, grid = _line(orbit, parameter, lower, upper, parameters, points)
+    kernels, others, grid = _line(orbit, parameter, lower, upper, points)
 
     def allowed(values: np.ndarray) -> np.ndarray:
         many: Any = solve(orbit, others | {parameter: values})
         return np.asarray(many.admissible)
 
     inside = allowed(grid)
-    changes = np.flatnonzero(inside[1:] != inside[:-1])
-    ends = _bisected(allowed, grid[changes], grid[changes + 1], inside[changes])
-    starts = [grid[0]] if inside[0] else []
-    stops = [grid[-1]] if inside[-1] else []
-    for place, (below, above) in zip(changes, ends, strict=True):
-        (stops if inside[place] else starts).append(below if inside[place] else above)
-    reasons = {
-        (below if inside[place] else above): _failure(
-            kernels, others, parameter, *((below, above) if inside[place] else (above, below))
-        )
-        for place, (below, above) in zip(changes, ends, strict=True)
-    }
-    return tuple(
-        Interval(float(a), float(b), reasons.get(a, ""), reasons.get(b, ""))
-        for a, b in zip(sorted(starts), sorted(stops), strict=True)
-    )
+    ends = [(float(grid[0]), "")] if inside[0] else []
+    for below, above, at_below in _changes(allowed, grid, inside):
+        end, beyond = (below, above) if at_below else (above, below)
+        ends.append((end, _failure(kernels, others, parameter, end, beyond)))
+    if inside[-1]:
+        ends.append((float(grid[-1]), ""))
+    return tuple(Interval(*low, *high) for low, high in zip(ends[::2], ends[1::2], strict=True))
 
 
 def singular_values(
-    orbit: str,
-    parameter: str,
-    lower: float,
-    upper: float,
-    parameters: Mapping[str, object] | None = None,
-    *,
-    points: int = 4000,
+    orbit: str, parameter: str, lower: float, upper: float, points: int = 4000
 ) -> tuple[float, ...]:
     """Values of one parameter, in increasing order, at which an explicit orbit is not determined.
 
     They are the sign changes of the determinants of the linear equations that give it. The
     arguments are those of `admissible_intervals`; an orbit that is not explicit is refused too.
     """
-    kernels, others, grid = _line(orbit, parameter, lower, upper, parameters, points)
+    kernels, others, grid = _line(orbit, parameter, lower, upper, points)
     if kernels.reduced:
         raise InputError(f"{orbit} is not explicit: its unknowns {', '.join(kernels.reduced)} move")
 
-    def determinants(values: np.ndarray) -> np.ndarray:
+    def positive(values: np.ndarray, column: Any = slice(None)) -> np.ndarray:
         named = others | {parameter: values}
         arrays = [np.broadcast_to(named[n], values.shape) for n in kernels.parameter_names]
         rows = np.stack(arrays, axis=-1)
         spectrum, _ = kernels.spectrum(rows)
-        return np.asarray(kernels.expand(rows, spectrum, None)[1])
+        return np.asarray(kernels.expand(rows, spectrum, None)[1][:, column] > 0)
 
     found: list[float] = []
-    for column in range(determinants(grid).shape[-1]):
-
-        def positive(values: np.ndarray, column: int = column) -> np.ndarray:
-            return np.asarray(determinants(values)[:, column] > 0)
-
-        signs = positive(grid)
-        changes = np.flatnonzero(signs[1:] != signs[:-1])
-        ends = _bisected(positive, grid[changes], grid[changes + 1], signs[changes])
-        found += [float((below + above) / 2) for below, above in ends]
+    for column, signs in enumerate(positive(grid).T):
+        changes = _changes(partial(positive, column=column), grid, signs)
+        found += [(below + above) / 2 for below, above, _ in changes]
     return tuple(sorted(found))
 
 
 def _line(
-    orbit: str,
-    parameter: str,
-    lower: float,
-    upper: float,
-    parameters: Mapping[str, object] | None,
-    points: int,
+    orbit: str, parameter: str, lower: float, upper: float, points: int
 ) -> tuple[OrbitKernels, dict[str, Any], np.ndarray]:
     """Kernels, the other parameters as floats, and a grid inside the range."""
     kernels = load_orbit(orbit)
-    if not kernels.derived:
-        raise InputError(f"{kernels.name} is composed: intervals need equations that are derived")
     if parameter not in kernels.parameter_names:
         raise unknown_name("parameter", parameter, kernels.parameter_names)
     if not np.isfinite([lower, upper]).all() or not lower < upper:
         raise InputError(f"the range of {parameter}, {lower} to {upper}, is empty")
-    if points < 2:
-        raise InputError(f"points = {points}: a grid has two at least")
-    point = complete(kernels, {**(parameters or {}), parameter: upper})
+    point = complete(kernels, {parameter: upper})
     others = {name: float(v) for name, v in point.values.items() if name != parameter}
     step = (upper - lower) / points
     return kernels, others, np.linspace(lower + step / 2, upper - step / 2, points)
 
 
-def _bisected(
-    decide: Callable[[np.ndarray], np.ndarray],
-    below: np.ndarray,
-    above: np.ndarray,
-    at_below: np.ndarray,
-) -> list[tuple[float, float]]:
-    """Pairs of neighbouring floating-point numbers between which a decision changes."""
-    for _ in range(_HALVINGS if len(below) else 0):
+def _changes(
+    decide: Callable[[np.ndarray], np.ndarray], grid: np.ndarray, decided: np.ndarray
+) -> list[tuple[float, float, bool]]:
+    """Neighbouring floating-point numbers between which a decision changes, and that at the lower.
+
+    `decided` is the decision at the grid.
+    """
+    places = np.flatnonzero(decided[1:] != decided[:-1])
+    below, above, at_below = grid[places], grid[places + 1], decided[places]
+    for _ in range(_HALVINGS if len(places) else 0):
         middle = (below + above) / 2
         same = decide(middle) == at_below
         below, above = np.where(same, middle, below), np.where(same, above, middle)
-    return list(zip(below.tolist(), above.tolist(), strict=True))
+    return list(zip(below.tolist(), above.tolist(), at_below.tolist(), strict=True))
 
 
 def _failure(

@@ -11,13 +11,12 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import answer, encode, nan_as_null
-from nonsmooth.runtime.explore.continuation.branch import Branch
-from nonsmooth.runtime.explore.continuation.continue_event import Locus
+from nonsmooth.runtime.explore.continuation.branch import Branch, Locus
 from nonsmooth.runtime.explore.design.optimum import Design
-from nonsmooth.runtime.explore.finding.found import Found, FoundEquilibrium, FoundOrbit
+from nonsmooth.runtime.explore.finding.find import Found, FoundEquilibrium, FoundOrbit
 from nonsmooth.runtime.explore.finding.outcomes import settled_texts
 from nonsmooth.runtime.explore.finding.sweep import Sweep
-from nonsmooth.runtime.explore.fitting.fit_record import Fit
+from nonsmooth.runtime.explore.fitting.fit import Fit
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.report import orbit_json
 from nonsmooth.runtime.proof.motion.motion_proof import Proof

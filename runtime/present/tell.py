@@ -26,15 +26,14 @@ from nonsmooth.runtime.present.told import (
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.core.differentiable import DifferentiableFunction
-    from nonsmooth.runtime.explore.continuation.branch import Branch
-    from nonsmooth.runtime.explore.continuation.continue_event import Locus
+    from nonsmooth.runtime.explore.continuation.branch import Branch, Locus
     from nonsmooth.runtime.explore.continuation.event import Event
     from nonsmooth.runtime.explore.design.optimum import Design
-    from nonsmooth.runtime.explore.finding.found import Found, FoundEquilibrium, FoundOrbit
+    from nonsmooth.runtime.explore.finding.find import Found, FoundEquilibrium, FoundOrbit
     from nonsmooth.runtime.explore.finding.sweep import Sweep
-    from nonsmooth.runtime.explore.fitting.fit_record import Fit, FittedExperiment
+    from nonsmooth.runtime.explore.fitting.fit import Fit, FittedExperiment
     from nonsmooth.runtime.explore.fitting.measurements import Experiment
-    from nonsmooth.runtime.explore.fitting.nearest_grazing import NearestGrazing
+    from nonsmooth.runtime.explore.fitting.statistics import NearestGrazing
     from nonsmooth.runtime.orbits.motion import Motion
     from nonsmooth.runtime.orbits.orbit import Orbit, Orbits
     from nonsmooth.runtime.simulation.derivatives import MotionDerivatives

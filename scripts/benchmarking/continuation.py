@@ -10,7 +10,6 @@ from benchmarking.measuring import Row, timed
 
 import nonsmooth
 from nonsmooth.derive import Harmonic, RigidStop, System, chain_matrices, oscillator
-from nonsmooth.runtime.explore.continuation.continue_event import continue_event
 from nonsmooth.runtime.model.kernels import load_system
 
 STICK = "dry-friction/global-stick"
@@ -87,7 +86,7 @@ def branch(quick: bool) -> Iterator[Row]:
     flip = next(event for event in several.events if event.kind == "flip")
     yield Row(
         "a flip in two parameters",
-        timed(lambda: continue_event(several, flip, "eta", (3.5, 4.5)), 1, runs),
+        timed(lambda: nonsmooth.continue_orbit(several, "eta", (3.5, 4.5), event=flip), 1, runs),
     )
 
 

@@ -12,7 +12,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import least_squares
 
 import nonsmooth as ns
-from nonsmooth.runtime.explore.fitting.fit_record import Fit
+from nonsmooth.runtime.explore.fitting.fit import Fit
 
 __all__ = ["fits"]
 

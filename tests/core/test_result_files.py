@@ -20,7 +20,7 @@ import pytest
 import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.runtime.core.result_files import checksum_of
-from nonsmooth.runtime.explore.finding.found import Found
+from nonsmooth.runtime.explore.finding.find import Found
 from tests.certified import LOOP, kicked, loop, prove_basin, prove_doubling, prove_graph
 from tests.horseshoes import folded_horseshoe
 from tests.shared import shared_file

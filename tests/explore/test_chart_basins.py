@@ -58,7 +58,8 @@ def test_labels_agree_with_following_single_starts(found: Path, tmp_path: Path) 
         for dwell in lasted[1:-1]:
             assert np.abs(orbit.dwell_times - dwell).min() < 1e-6
     names = plane.attractor.attrs["meanings"]
-    assert names["1"].startswith("orbit 1, period ")
+    for number, entry in enumerate(known.orbits, 1):
+        assert names[str(number)].startswith(f"orbit {number}, period {entry.period:.6g}")
     counts = told("chart", str(store))["points"]
     assert sum(counts.values()) == numbers.size
     assert counts[names["1"]] == int((numbers == 1).sum())

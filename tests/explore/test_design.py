@@ -14,7 +14,7 @@ from nonsmooth.runtime.explore.design.quantities import radius_rows
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.multipliers import MapDerivatives, multiplier_derivatives
 from tests.explore.test_continuation_forced import branch as struck
-from tests.explore.test_continuation_forced import closed_forms
+from tests.explore.test_continuation_forced import bump_grazings, bumped, closed_forms
 from tests.places import GALLERY
 
 IMPACTS = f"{GALLERY / 'impact_oscillator.py'}:one-period"
@@ -386,3 +386,10 @@ def test_a_design_ends_where_its_branch_turns_back() -> None:
     found = ns.design(begin, solve={"v0": -4}, over={"sigma": (-2, 0.14)}, admissible=False)
     assert found.message == "v0=-4 not reached: the branch turns back (a fold)"
     assert found.after["sigma"] == pytest.approx(closed_forms()[0], abs=1e-8)
+
+
+def test_a_design_ends_where_a_phase_vanishes() -> None:
+    """A contact's time goes to zero as steeply as a branch turns: the reason tells them apart."""
+    found = ns.design(bumped(), maximise="period", over={"Omega": (10, 27)})
+    assert found.message == "no optimum: tau1 goes to zero"
+    assert found.after["Omega"] == pytest.approx(bump_grazings()[0], rel=1e-8)

@@ -35,7 +35,7 @@ def halfway(period):
     ],
 )
 def test_ends_are_where_admissibility_changes(name, parameter, lower, upper):
-    found = admissible_intervals(name, parameter, lower, upper, points=POINTS)
+    found = admissible_intervals(name, parameter, lower, upper, POINTS)
     assert found
     assert [i.lower for i in found] == sorted(i.lower for i in found)
     for interval in found:
@@ -61,7 +61,7 @@ def test_ends_are_where_admissibility_changes(name, parameter, lower, upper):
 
 
 def test_the_rigid_orbit_lives_between_resonance_and_grazing():
-    found = admissible_intervals(RIGID, "T", 3, 8, points=POINTS)
+    found = admissible_intervals(RIGID, "T", 3, 8, POINTS)
     first, second, *_ = found
     assert first.below == second.below == "the equations are singular"
     assert first.lower == pytest.approx(3.1842000168868, abs=1e-9)
@@ -76,7 +76,7 @@ def test_the_rigid_orbit_lives_between_resonance_and_grazing():
 
 
 def test_singular_values_are_the_zeros_of_another_determinant():
-    found = singular_values(RIGID, "T", 0.5, 30, points=POINTS)
+    found = singular_values(RIGID, "T", 0.5, 30, POINTS)
     assert len(found) == 12
     for period in found:
         below, above = halfway(period * (1 - 1e-9)), halfway(period * (1 + 1e-9))
@@ -84,8 +84,9 @@ def test_singular_values_are_the_zeros_of_another_determinant():
     grid = np.linspace(0.5, 30, 20001)
     signs = np.sign([halfway(period) for period in grid[::10]])
     assert np.count_nonzero(np.diff(signs)) == len(found)
-    stiff = singular_values(RIGID, "k1", 0.2, 20, {"T": "7.001"}, points=POINTS)
-    assert solve(RIGID, {"k1": list(stiff), "T": 7.001}).status.tolist() == [5] * len(stiff)
+    stiff = singular_values(RIGID, "k1", 0.2, 20, POINTS)
+    assert solve(RIGID, {"k1": list(stiff)}).status.tolist() == [5] * len(stiff)
+    assert stiff
 
 
 @pytest.mark.parametrize(
@@ -98,8 +99,6 @@ def test_singular_values_are_the_zeros_of_another_determinant():
         ((RIGID, "T", 3, 3), "is empty"),
         ((RIGID, "T", 3, np.inf), "is empty"),
         ((RIGID, "T", np.nan, 3), "is empty"),
-        ((RIGID, "T", 3, 8, {"m1": -1}), "m1 = -1 is outside its domain"),
-        ((RIGID, "T", 3, 8, {"m3": 1}), "unknown parameter 'm3'"),
     ],
 )
 def test_wrong_input_is_named_on_one_line(arguments, message):
@@ -109,15 +108,13 @@ def test_wrong_input_is_named_on_one_line(arguments, message):
         assert "\n" not in str(caught.value)
 
 
-def test_too_few_points_and_orbits_that_are_not_explicit():
-    with pytest.raises(InputError, match="points = 1: a grid has two at least"):
-        admissible_intervals(RIGID, "T", 3, 8, points=1)
+def test_an_orbit_that_is_not_explicit():
     with pytest.raises(InputError, match="is not explicit: its unknowns tau move"):
         singular_values(ELASTIC, "T", 3, 8)
 
 
 def test_the_whole_range_may_be_admissible_or_nothing():
-    (whole,) = admissible_intervals(RIGID, "T", 5, 6, points=50)
+    (whole,) = admissible_intervals(RIGID, "T", 5, 6, 50)
     assert (whole.below, whole.above) == ("", "")
     assert 5 < whole.lower < whole.upper < 6
-    assert admissible_intervals(RIGID, "T", 7.5, 9, points=50) == ()
+    assert admissible_intervals(RIGID, "T", 7.5, 9, 50) == ()

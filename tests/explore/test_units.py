@@ -24,7 +24,7 @@ from nonsmooth.derive import (
     Transition,
     oscillator,
 )
-from nonsmooth.runtime.explore.finding.found import Found
+from nonsmooth.runtime.explore.finding.find import Found
 from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.scaled_systems import DAMPING, FORCE, LENGTH, MASS, RATE, STIFFNESS
 

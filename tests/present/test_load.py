@@ -13,12 +13,11 @@ import pytest
 import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.runtime.core.result_files import checksum_of
-from nonsmooth.runtime.explore.continuation.branch import Branch
-from nonsmooth.runtime.explore.continuation.continue_event import Locus
+from nonsmooth.runtime.explore.continuation.branch import Branch, Locus
 from nonsmooth.runtime.explore.design.optimum import Design
-from nonsmooth.runtime.explore.finding.found import Found
+from nonsmooth.runtime.explore.finding.find import Found
 from nonsmooth.runtime.explore.finding.sweep import Sweep
-from nonsmooth.runtime.explore.fitting.fit_record import Fit
+from nonsmooth.runtime.explore.fitting.fit import Fit
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.files import kept
 from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate

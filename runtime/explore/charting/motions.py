@@ -26,7 +26,7 @@ from nonsmooth.runtime.explore.charting.problem import (
     number,
     table_hash,
 )
-from nonsmooth.runtime.explore.finding.found import Found, label_names
+from nonsmooth.runtime.explore.finding.find import Found, label_names
 from nonsmooth.runtime.explore.finding.outcomes import (
     Attractors,
     Outcome,
@@ -237,13 +237,7 @@ class BasinProblem(ChartProblem):
 
     def variables(self) -> tuple[Variable, ...]:
         """The variables of the chart."""
-        found = self.found
-        names = {k: f"orbit {k + 1}" for k in range(len(found.orbits))}
-        names |= {
-            len(names) + k: f"equilibrium {len(names) + k + 1}"
-            for k in range(len(found.equilibria))
-        }
-        names |= label_names(found)
+        names = label_names(self.found)
         meaning = "attractor that the start leads to, counted from 1, or how it ends"
         meanings = {_numbered(label): names[label] for label in sorted(names)}
         computed = {MISSING: "not computed", 0: "computed"}

@@ -24,6 +24,7 @@ from nonsmooth.runtime.explore.charting.problem import (
     fixed_values,
     held_text,
     kernels_held,
+    labelled,
     number,
     table_hash,
 )
@@ -130,11 +131,22 @@ class OrbitChart(ChartProblem):
         told = "" if not set(orbits.bounded) - set(self.given) else ", for large enough open ones"
         limits = {NEITHER: "none fails", NO_ORBIT: "none found", UNTOLD: "not told"}
         return (
-            _flags("status", MISSING, {MISSING: "not computed", **STATUS}),
+            labelled(
+                "status",
+                "whether an orbit is found",
+                MISSING,
+                {MISSING: "not computed", **STATUS},
+            ),
             Variable(
                 "admissible", "|b1", False, {"long_name": f"a motion of the real system{told}"}
             ),
-            _flags("limit", NO_ORBIT, {**limits, **dict(enumerate(orbits.limits))}, "<i2"),
+            labelled(
+                "limit",
+                "what fails first",
+                NO_ORBIT,
+                {**limits, **dict(enumerate(orbits.limits))},
+                "<i2",
+            ),
             number("trace", "trace of the Poincare map"),
             number(
                 "margin",
@@ -206,18 +218,3 @@ def held_orbit_chart(identity: Mapping[str, Any], held: Mapping[str, Any]) -> Or
     if many is not None and declared_kernels(kernels, many) is None:
         many = None  # they were made elsewhere: the store says so
     return OrbitChart(kernels.address, fixed, names, compiled, held["of"], many)
-
-
-def _flags(name: str, fill: int, meanings: Mapping[int, str], dtype: str = "|i1") -> Variable:
-    return Variable(
-        name,
-        dtype,
-        fill,
-        {
-            "flag_values": list(meanings),
-            "flag_meanings": " ".join(
-                text.partition(":")[0].replace(" ", "_") for text in meanings.values()
-            ),
-            "meanings": {str(value): text for value, text in meanings.items()},
-        },
-    )

@@ -64,9 +64,11 @@ def number(name: str, meaning: str, **attributes: str) -> Variable:
 def labelled(
     name: str, meaning: str, fill: int, meanings: Mapping[int, str], dtype: str = "|i1"
 ) -> Variable:
-    """A variable whose numbers have meanings."""
+    """A variable whose numbers have meanings, as flags by the CF conventions too."""
     texts = {str(value): text for value, text in meanings.items()}
-    return Variable(name, dtype, fill, {"long_name": meaning, "meanings": texts})
+    flags = " ".join(text.partition(":")[0].replace(" ", "_") for text in texts.values())
+    told = {"flag_values": list(meanings), "flag_meanings": flags, "meanings": texts}
+    return Variable(name, dtype, fill, {"long_name": meaning, **told})
 
 
 class ChartProblem(ABC):

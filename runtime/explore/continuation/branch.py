@@ -1,19 +1,19 @@
-"""A branch of periodic orbits over one parameter: what can be asked of it and is drawn of it."""
+"""Branches of periodic orbits over one parameter, and curves of their events over two."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, missing_extra, unknown_name
-from nonsmooth.runtime.core.json_codec import AnyComplexTable, AnyRow, Flags, Row, Table
+from nonsmooth.runtime.core.json_codec import AnyComplexTable, AnyRow, Flags, Row, Table, one_of
 from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.explore.continuation.energy import energy_of
-from nonsmooth.runtime.explore.continuation.event import Event, point_of
+from nonsmooth.runtime.explore.continuation.event import KINDS, Event, point_of
 from nonsmooth.runtime.explore.continuation.next_orbits import next_itineraries, other_branch
 from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily, composed_family
 from nonsmooth.runtime.model.piecewise import piecewise
@@ -24,7 +24,7 @@ from nonsmooth.runtime.orbits.orbit_file import KeptOrbit
 from nonsmooth.runtime.simulation.observables import observe
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["Branch", "StabilityOfPoint", "forcing_frequencies", "usual_quantities"]
+__all__ = ["Branch", "Locus", "StabilityOfPoint", "forcing_frequencies", "usual_quantities"]
 
 StabilityOfPoint = Literal["stable", "neutral", "unstable", "undecided"]
 _POINTS = 4000  # in a period of a Motion: an error of 1e-6 of the amplitude
@@ -264,6 +264,91 @@ class Branch(Kept):
             What was drawn on.
         """
         return registered("draw_branch")(self, quantity, axes, over=over, frequency=frequency)
+
+
+@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
+class Locus(Kept):
+    """A curve in the plane of two parameters along which an event happens.
+
+    Attributes
+    ----------
+    kind : str
+        A key of `nonsmooth.runtime.explore.continuation.event.KINDS`.
+    boundary : str
+        Empty where the event is no matter of one.
+    parameters : (str, str)
+    values : array (k, 2)
+        Of both parameters, in the order in which the points follow.
+    unknown_names : tuple of str
+    unknowns : array (k, n)
+    ends : tuple of str
+        Why it ends on either side.
+    start : int
+        Which of the points it was followed from.
+    orbit : Orbit
+        That the branch of the event was followed from.
+    """
+
+    kind: Annotated[str, one_of(tuple(KINDS))]
+    boundary: str
+    parameters: tuple[str, str]
+    values: Table
+    unknown_names: tuple[str, ...]
+    unknowns: Table
+    ends: tuple[str, str]
+    start: int
+    orbit: KeptOrbit
+
+    def __len__(self) -> int:
+        return len(self.values)
+
+    @property
+    def name(self) -> str:
+        """Name of the orbit."""
+        return self.orbit.name
+
+    @property
+    def title(self) -> str:
+        """The event and the orbit in words."""
+        kind = self.kind.replace("-", " ")
+        return f"{kind}{' of ' * bool(self.boundary)}{self.boundary}: {self.name}"
+
+    def orbit_at(self, place: int) -> Orbit:
+        """Give the orbit at a point of the curve.
+
+        Parameters
+        ----------
+        place : int
+            Number of the point, counted from 0.
+
+        Returns
+        -------
+        Orbit
+
+        Raises
+        ------
+        InputError
+            If the curve has no such point.
+        """
+        if not -len(self) <= place < len(self):
+            raise InputError(f"the curve has {len(self)} points, no point {place}")
+        z = np.append(self.unknowns[place], self.values[place])
+        return OrbitFamily(self.orbit, *self.parameters).at(z)
+
+    def plot(self, axes: Any = None) -> Any:
+        """Draw the curve in the plane of its parameters.
+
+        Parameters
+        ----------
+        axes : matplotlib Axes, optional
+            Where to draw; a figure of its own when omitted.
+
+        Returns
+        -------
+        matplotlib Axes
+            What was drawn on.
+        """
+        return registered("draw_locus")(self, axes)
 
 
 def _amplitude_of(motion: Motion | Trajectory, state: str) -> float:

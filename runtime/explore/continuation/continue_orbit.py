@@ -1,20 +1,37 @@
-"""Periodic orbits followed over one parameter."""
+"""Periodic orbits followed over one parameter, and events of their branches over two.
+
+To follow an event the orbit's equations are joined by one that holds at it: for a fold and a
+branch point that their Jacobian is singular (the last entry of the solution of a bordered system:
+A. Griewank and G. Reddien, SIAM J. Numer. Anal. 21, 1984), else that the event's monitor is zero.
+Its gradient and the derivatives by the second parameter are central differences, which slow
+Newton's method down but do not limit what it converges to.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from operator import attrgetter
-from typing import TYPE_CHECKING, Any, overload
+from operator import attrgetter, itemgetter
+from typing import overload
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
 from nonsmooth.runtime.core.result_files import check_same_question
-from nonsmooth.runtime.explore.continuation.branch import Branch, StabilityOfPoint
-from nonsmooth.runtime.explore.continuation.event import Event, point_of
-from nonsmooth.runtime.explore.continuation.locating import describe, locate_all, locate_limits
-from nonsmooth.runtime.explore.continuation.monitors import Monitor, monitors_of
+from nonsmooth.runtime.explore.continuation.branch import Branch, Locus, StabilityOfPoint
+from nonsmooth.runtime.explore.continuation.event import (
+    Event,
+    Monitor,
+    Monitors,
+    monitors_of,
+    point_of,
+)
+from nonsmooth.runtime.explore.continuation.locating import (
+    Track,
+    describe,
+    locate_all,
+    locate_limits,
+)
 from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily, check_interval
 from nonsmooth.runtime.explore.continuation.stepping import (
     INTERRUPTED,
@@ -28,12 +45,10 @@ from nonsmooth.runtime.model.saved_system import check_same_system
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
 from nonsmooth.runtime.shooting.newton import SHORTEST
 
-if TYPE_CHECKING:
-    from nonsmooth.runtime.explore.continuation.continue_event import Locus
+__all__ = ["MOST_EVENTS", "continue_orbit"]
 
-__all__ = ["continue_orbit"]
-
-MOST_POINTS = 2000
+MOST_POINTS, MOST_EVENTS = 2000, 500  # of a branch, of a curve of events
+_DIFFERENCE = 1e-5  # in units of the sizes
 MET = "it meets the branch that it doubles"
 _NEUTRAL = 1e-10  # distance of a multiplier from the unit circle that is not decided
 
@@ -135,32 +150,33 @@ def continue_orbit(
     (('V', 'eta'), ('end of the interval', 'end of the interval'))
     """
     if event is not None:
-        from nonsmooth.runtime.explore.continuation.continue_event import continue_event
-
         if not isinstance(orbit, Branch):
             raise InputError("an event is followed on its branch: give that in the orbit's place")
         if admissible or resume is not None:
             raise InputError("admissible and resume: of orbits only, not of an event")
-        given: dict[str, Any] = {"step": step, "points": points}
-        options = {name: value for name, value in given.items() if value is not None}
-        return continue_event(orbit, event, parameter, interval, progress=progress, **options)
+        return _events(
+            orbit,
+            event,
+            parameter,
+            interval,
+            2 * STEP if step is None else step,
+            MOST_EVENTS if points is None else points,
+            progress,
+        )
     step = STEP if step is None else step
     points = MOST_POINTS if points is None else points
     if isinstance(orbit, Branch):
         raise InputError("orbit is a Branch: give its .orbit, or one of its events as event=")
-    limits = _checked(orbit, parameter, interval, step, points)
+    check_converged(orbit, "followed")
+    limits = check_interval(orbit, parameter, interval)
+    check_steps(step, points)
     if resume is not None:
         _check_same(orbit, parameter, limits, resume)
         orbit = resume.orbit
     curve = OrbitFamily(orbit, parameter, lengths=limits[1] - limits[0])
     known = None if resume is None else _path_of(curve, resume)
-    told = 0
 
-    def go_on(before: np.ndarray, z: np.ndarray) -> str | None:
-        nonlocal told
-        told += 1
-        if progress is not None:
-            progress(told)
+    def ended(before: np.ndarray, z: np.ndarray) -> str | None:
         parts = zip(curve.unevenness(before), curve.unevenness(z), strict=True)
         if any(first @ second < 0 for first, second in parts):
             return MET
@@ -168,7 +184,7 @@ def continue_orbit(
             return "the orbit is no motion of the real system beyond"
         return None
 
-    path = trace_both_ways(curve, limits, step, points, go_on, known)
+    path = trace_both_ways(curve, limits, step, points, known=known, ended=ended, progress=progress)
     stopped = INTERRUPTED in path.ends
     if stopped and len(path.points) < 2:
         raise KeyboardInterrupt
@@ -205,8 +221,8 @@ def _path_of(curve: OrbitFamily, branch: Branch) -> Path:
 def _branch(curve: OrbitFamily, path: Path) -> Branch:
     """The branch of a path, with its events."""
     points, ends = path.points, path.ends
-    found = locate_all(monitors_of(curve, points), points, path.tangents)
-    found = _with_meetings(curve, found, path)
+    track = Track(monitors_of(curve, points), points, path.tangents)
+    found = _with_meetings(curve, locate_all(track), path)
     allowed = curve.admissible(points)
     vanished = _vanished(curve, points, ends)
     found = [
@@ -218,7 +234,7 @@ def _branch(curve: OrbitFamily, path: Path) -> Branch:
         )
     ]
     found += vanished
-    found += locate_limits(curve, points, allowed, found)
+    found += locate_limits(track, allowed, found)
     found.sort(key=attrgetter("place"))
     multipliers = curve.multipliers(points)
     return Branch(
@@ -288,10 +304,122 @@ def _verdict(multipliers: np.ndarray, conservative: bool) -> StabilityOfPoint:
     return "stable" if largest < 1 else "unstable"
 
 
-def _checked(
-    orbit: Orbit, parameter: str, interval: Any, step: float, points: int
-) -> tuple[float, float]:
-    check_converged(orbit, "followed")
-    limits = check_interval(orbit, parameter, interval)
+class _EventCurve:
+    """The points z = (unknowns, first parameter, second parameter) at which an event happens."""
+
+    def __init__(self, monitors: Monitors, event: Event) -> None:
+        self._monitors, self._curve = monitors, monitors.curve
+        self.dwell_names, self.sizes = self._curve.dwell_names, self._curve.sizes
+        self.first = np.append(point_of(event), self._curve.first[-1])
+        several = _monitors_of(monitors, event)
+        self._monitor, self._unit = several[0], 1.0
+        self._vanishing = event.phase if event.kind == "vanishing-phase" else None
+        left, _, right = np.linalg.svd(self._scaled(self.first))
+        self._left, self._right = left[:, -1], right[-1]
+        told = [(monitor, *self._told(monitor)) for monitor in several]
+        self._monitor, _, self._unit = min(told, key=itemgetter(1))
+
+    def equations(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """See `Curve`."""
+        residual, jacobian = self._curve.equations(z)
+        return np.append(residual, self._value(z)), np.vstack([jacobian, self._slopes(z)])
+
+    def _told(self, monitor: Monitor) -> tuple[float, float]:
+        """Distance of a monitor from zero in units of its change nearby, and this unit."""
+        self._monitor = monitor
+        unit = float(np.abs(self._slopes(self.first) * self.sizes)[:-1].max()) or 1.0
+        return abs(self._value(self.first)) / unit, unit
+
+    def _slopes(self, z: np.ndarray) -> np.ndarray:
+        """Derivatives (n + 2,) of the event's function."""
+        step = _DIFFERENCE * self.sizes
+        rises = [self._value(z + s) - self._value(z - s) for s in np.diag(step)]
+        return np.array(rises) / (2 * step)
+
+    def leaps(self, z: np.ndarray, following: np.ndarray) -> bool:
+        """False: no other branch is watched for (see `Curve`)."""
+        return False
+
+    def dwell(self, z: np.ndarray) -> np.ndarray:
+        """See `Curve`; the dwell time that vanishes along the whole locus is replaced by 1."""
+        found = np.array(self._curve.dwell(z))
+        if self._vanishing is not None:
+            found[:, self._vanishing] = 1.0
+        return found
+
+    def _scaled(self, z: np.ndarray) -> np.ndarray:
+        jacobian = self._curve.equations(z, by=1)[1] * self.sizes[:-1]
+        units = np.abs(jacobian).max(axis=1, keepdims=True)
+        return np.asarray(jacobian[:, :-1] / units)
+
+    def _value(self, z: np.ndarray) -> float:
+        """Value of the function that is zero at the event, in units of its change nearby."""
+        if self._vanishing is not None:
+            wait = self._curve.dwell(z[None])[0, self._vanishing]
+            return float(wait / self.sizes[self._vanishing])
+        if self._monitor.kind in ("fold", "branch-point"):
+            jacobian = self._scaled(z)
+            bordered = np.block(
+                [[jacobian, self._left[:, None]], [self._right[None], np.zeros((1, 1))]]
+            )
+            right = np.zeros(len(bordered))
+            right[-1] = 1
+            return float(np.linalg.solve(bordered, right)[-1])
+        return self._monitors.value(self._monitor, z, np.zeros(len(z))) / self._unit
+
+
+def _events(
+    branch: Branch,
+    event: Event,
+    parameter: str,
+    interval: tuple[float, float],
+    step: float,
+    points: int,
+    progress: Callable[[int], object] | None,
+) -> Locus:
+    """The curve of a branch's event in the plane of two parameters."""
+    if event.kind == "admissibility":
+        raise InputError("an event that no boundary explains cannot be followed")
+    if parameter == branch.parameter:
+        raise unknown_name(
+            "second parameter", parameter, [n for n in branch.orbit.given if n != parameter]
+        )
+    limits = check_interval(branch.orbit, parameter, interval)
     check_steps(step, points)
-    return limits
+    lengths = np.ptp(branch.parameter_values) or 1.0, limits[1] - limits[0]
+    curve = OrbitFamily(branch.orbit, branch.parameter, parameter, lengths=lengths)
+    if len(curve.equations(curve.first)[0]) != len(curve.names):
+        raise InputError(f"{branch.name} is one of a family: its events are not followed")
+    second = np.full(len(branch), curve.first[-1])
+    known = np.column_stack([branch.unknowns, branch.parameter_values, second])
+    locus = _EventCurve(monitors_of(curve, known), event)
+    path = trace_both_ways(locus, limits, step, points, progress=progress)
+    found = Locus(
+        kind=event.kind,
+        boundary=event.boundary,
+        parameters=(branch.parameter, parameter),
+        values=path.points[:, -2:],
+        unknown_names=branch.unknown_names,
+        unknowns=path.points[:, :-2],
+        ends=path.ends,
+        start=path.start,
+        orbit=branch.orbit,
+    )
+    if INTERRUPTED in path.ends:
+        raise Interrupted(found)
+    return found
+
+
+def _monitors_of(monitors: Monitors, event: Event) -> list[Monitor]:
+    """Monitors that may have a zero at an event: a transition may have several conditions."""
+    if event.kind == "vanishing-phase":
+        return [Monitor(event.kind)]
+    place = event.kind, -1 if event.phase is None else event.phase, event.boundary
+    found = [
+        monitor
+        for monitor in (*monitors.smooth, *monitors.borders)
+        if (monitor.kind, monitor.phase, monitor.boundary) == place
+    ]
+    if not found:
+        raise InputError(f"the branch does not watch this event: {event.text}")
+    return found

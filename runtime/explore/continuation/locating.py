@@ -19,12 +19,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.polynomial import Polynomial
 
-from nonsmooth.runtime.explore.continuation.event import KINDS, Event
-from nonsmooth.runtime.explore.continuation.monitors import BranchSamples, Monitor, Monitors, Track
+from nonsmooth.runtime.explore.continuation.event import KINDS, Event, Monitor, Monitors
 from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
-from nonsmooth.runtime.explore.continuation.stepping import on_chord
+from nonsmooth.runtime.explore.continuation.stepping import correct, tangent_at
 
-__all__ = ["describe", "locate_all", "locate_limits"]
+__all__ = ["Track", "describe", "locate_all", "locate_limits"]
 
 _SAME = 1e-9  # of a chord: two names of one event
 _TOUCHING = 1e-6  # of a chord: two crossings of one number that are one touch
@@ -40,31 +39,109 @@ _ROUNDING = 1e-13  # of the values at the ends: there a number is zero
 _NOISE, _MOST_NOISE = 16 * float(np.finfo(float).eps), 1e-10
 _POLE = 1e3  # of the values at the ends: so large is it between them beside a pole alone
 
+_PARTS = 3  # of a step: looked at one by one
+_LEAST_COSINE = 0.99  # between the tangent and that of the interpolation
+_BESIDE = 1e-3  # of a chord: where the branch is still determined beside a singular point
+
 _TOUCHES = ", touched and not passed"
 
 # of several that fall together the first says most
 _PRECEDENCE = ("simultaneous", "tangent", "grazing", "entry", "condition")
 
 
-def locate_all(monitors: Monitors, points: np.ndarray, tangents: np.ndarray) -> list[Event]:
-    """All events between the points (k, n + 1) of a branch, in their order.
+class Track:
+    """The steps of a branch, and the values of the watched functions along them.
 
-    The unit tangents (k, n + 1) are in the curve's units.
+    Places count the steps of the branch; the rest is the part of the chord between two points.
+    The attribute `places` (k,) has several of each step, and the last point of the branch.
     """
-    if len(points) < 2:
-        return []
-    track = Track(monitors, points, tangents)
-    samples = track.samples()
-    with np.errstate(all="ignore"):  # infinite where a boundary is touched
-        smooth = monitors.smooth_values(samples.points, samples.tangents)
-        border, _ = monitors.border_values(samples.points)
+
+    def __init__(self, monitors: Monitors, points: np.ndarray, tangents: np.ndarray) -> None:
+        self.monitors, self.curve = monitors, monitors.curve
+        self._points, self._tangents = points, tangents
+        self._known: dict[tuple[int, float], np.ndarray | None] = {}
+        count = len(points) - 1
+        steps = np.repeat(np.arange(count), _PARTS)
+        found, part, ahead = self._interpolated(steps, np.tile(np.arange(_PARTS) / _PARTS, count))
+        found[::_PARTS], ahead[::_PARTS] = points[:-1], tangents[:-1]
+        self.places = np.append(steps + part, count)
+        self._samples = np.vstack([found, points[-1:]]), np.vstack([ahead, tangents[-1:]])
+
+    def samples(self) -> np.ndarray:
+        """Values (k, m) of all functions at the places, on the cubic interpolation of the branch.
+
+        Its error is of the fourth order in the step.
+        """
+        with np.errstate(all="ignore"):  # infinite where a boundary is touched
+            smooth = self.monitors.smooth_values(*self._samples)
+            return np.hstack([smooth, self.monitors.border_values(self._samples[0])[0]])
+
+    def _interpolated(
+        self, steps: np.ndarray, r: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Points, parts of the chord and tangents of the cubics of steps, at r from 0 to 1."""
+        sizes, r = self.curve.sizes, r[:, None]
+        first, last = self._points[steps] / sizes, self._points[steps + 1] / sizes
+        chord = last - first
+        length = np.linalg.norm(chord, axis=-1, keepdims=True)
+        before, after = length * self._tangents[steps], length * self._tangents[steps + 1]
+        bend = (1 - r) * before - r * after + (2 * r - 1) * chord
+        along = r * chord + r * (1 - r) * bend
+        change = chord + (1 - 2 * r) * bend + r * (1 - r) * (2 * chord - before - after)
+        part = (along * chord).sum(axis=-1) / (length[:, 0] ** 2)
+        ahead = change / np.linalg.norm(change, axis=-1, keepdims=True)
+        return (first + along) * sizes, part, ahead
+
+    def point(self, step: int, part: float) -> np.ndarray | None:
+        """The point (n + 1,) of the branch across from a part (0 to 1) of a step's chord, or None.
+
+        None stands for a failure of Newton's method.
+        """
+        if part in (0.0, 1.0):
+            return np.asarray(self._points[step + int(part)])
+        key = step, part
+        if key not in self._known:
+            found = self._across(step, part)
+            if found is None:  # a branch point: between its neighbours
+                sides = [self._across(step, part + side) for side in (-_BESIDE, _BESIDE)]
+                if sides[0] is not None and sides[1] is not None:
+                    found = (sides[0] + sides[1]) / 2
+            self._known[key] = found
+        return self._known[key]
+
+    def _across(self, step: int, part: float) -> np.ndarray | None:
+        first, last = self._points[step : step + 2] / self.curve.sizes
+        chord = (last - first) / np.linalg.norm(last - first)
+        guess, *_ = self._interpolated(np.array([step]), np.array([part]))
+        offset = float(chord @ (first + part * (last - first)))
+        found = correct(self.curve, guess[0], chord, offset)
+        return None if found is None else found[0]
+
+    def at(self, place: float) -> tuple[int, float]:
+        """Number of the step and part of its chord of a place, counted in steps."""
+        step = min(int(place), len(self._points) - 2)
+        return step, place - step
+
+    def value(self, monitor: Monitor, step: int, part: float) -> float:
+        """Value of a watched function at a part (0 to 1) of a step's chord; NaN without a point."""
+        point = self.point(step, part)
+        if point is None:
+            return float("nan")
+        _, _, (near,) = self._interpolated(np.array([step]), np.array([part]))
+        ahead = near if monitor.source else tangent_at(self.curve, point, near)
+        if ahead @ near < _LEAST_COSINE:  # a branch point, which has two tangents
+            ahead = near
+        return self.monitors.value(monitor, point, ahead)
+
+
+def locate_all(track: Track) -> list[Event]:
+    """All events between the points of a branch, in their order."""
     found: list[Event] = []
-    for watched, values in ((monitors.smooth, smooth), (monitors.borders, border)):
-        for column, monitor in enumerate(watched):
-            own = values[:, column]
-            usual = float(np.nanmedian(abs(own))) if np.isfinite(own).any() else 0.0
-            events = _located(_Watch(track, samples, monitor, column, usual), own)
-            found += _touches_merged(sorted(events, key=attrgetter("place")))
+    watched = (*track.monitors.smooth, *track.monitors.borders)
+    for monitor, values in zip(watched, track.samples().T, strict=True):
+        usual = float(np.nanmedian(abs(values))) if np.isfinite(values).any() else 0.0
+        events = _located(_Watch(track, monitor, usual), values)
+        found += _touches_merged(sorted(events, key=attrgetter("place")))
     found.sort(key=attrgetter("place"))
     return _distinct(_at_meetings(found))
 
@@ -73,27 +150,21 @@ class _Watch(NamedTuple):
     """One of the watched functions along a branch."""
 
     track: Track
-    samples: BranchSamples
     monitor: Monitor
-    column: int
     usual: float  # size of its values
 
-    @property
-    def border(self) -> bool:
-        return bool(self.monitor.source)
-
     def value(self, step: int, part: float) -> float:
-        return self.track.value(self.column, step, part, border=self.border)
+        return self.track.value(self.monitor, step, part)
 
     def at_sample(self, number: int) -> float:
-        """Exact value at a sample; `samples` itself lies on the interpolation."""
-        return self.value(*self.track.at(float(self.samples.places[number])))
+        """Exact value at a place; the samples themselves lie on the interpolation."""
+        return self.value(*self.track.at(float(self.track.places[number])))
 
 
 def _located(watch: _Watch, values: np.ndarray) -> Iterator[Event]:
     """Events of one function, from its values at the samples."""
     signs, last = _signs(values), len(values) - 1
-    if watch.usual < _NOTHING and not watch.border:
+    if watch.usual < _NOTHING and not watch.monitor.source:
         return  # a multiplier that is 1 or -1 all along
     changes = np.flatnonzero(signs[:-1] * signs[1:] < 0).tolist()
     crossed: set[int] = set()
@@ -108,9 +179,9 @@ def _located(watch: _Watch, values: np.ndarray) -> Iterator[Event]:
             crossed |= inside
             continue
         yield from _around_extremum(watch, window, float(signs[number]))
-    places = watch.samples.places
+    places = watch.track.places.tolist()
     for number in sorted(crossed):
-        yield from _crossings(watch, float(places[number]), float(places[number + 1]))
+        yield from _crossings(watch, places[number], places[number + 1])
 
 
 def _crossed(watch: _Watch, window: range) -> set[int]:
@@ -143,7 +214,7 @@ def _around_extremum(watch: _Watch, window: range, sign: float) -> Iterator[Even
 
     if watch.monitor.kind == "condition":
         return  # what is touched and not crossed leads where it did
-    low, middle, high = watch.samples.places[list(window)].tolist()
+    low, middle, high = watch.track.places[list(window)].tolist()
     around = max(abs(watch.at_sample(k)) for k in window)
     error = _TOUCHED[0] * around + _TOUCHED[1] * watch.usual
 
@@ -201,9 +272,7 @@ def _event(
         before, after = curve.taken(curve.conditions(np.array(sides)))[:, monitor.phase]
         if before == after:
             return  # the others decide
-    time = None
-    if watch.border:
-        time = float(track.monitors.border_values(point[None])[1][0, watch.column])
+    time = track.monitors.at_border(monitor, point)[1] if monitor.source else None
     yield _touching(describe(curve, monitor, point, step + part, time), around is None)
 
 
@@ -322,34 +391,30 @@ def _distinct(found: list[Event]) -> list[Event]:
     return sorted([*others, *distinct], key=attrgetter("place"))
 
 
-def locate_limits(
-    curve: OrbitFamily, points: np.ndarray, admissible: np.ndarray, found: list[Event]
-) -> list[Event]:
+def locate_limits(track: Track, admissible: np.ndarray, found: list[Event]) -> list[Event]:
     """New events where admissibility changes between points and no border collision explains it.
 
-    `points` (k, n + 1) with `admissible` (k,); `found` are the events that are known already.
+    `admissible` (k,) is that of the points; `found` are the events that are known already.
     """
-    limits = []
+    limits, curve = [], track.curve
     for row in np.flatnonzero(admissible[1:] != admissible[:-1]).tolist():
         if any(row <= each.place <= row + 1 and each.border_collision for each in found):
             continue
         low, high = 0.0, 1.0
         for _ in range(_HALVINGS):
             middle = (low + high) / 2
-            point = on_chord(curve, points[row], points[row + 1], middle)
+            point = track.point(row, middle)
             if point is None:
                 break
             same = bool(curve.admissible(point[None])[0]) == bool(admissible[row])
             low, high = (middle, high) if same else (low, middle)
         inside, outside = (low, high) if admissible[row] else (high, low)
-        point = on_chord(curve, points[row], points[row + 1], inside)
-        beyond = on_chord(curve, points[row], points[row + 1], outside)
+        point, beyond = track.point(row, inside), track.point(row, outside)
         if point is None or beyond is None:
             continue
-        violations = curve.at(beyond).admissibility.violations
         monitor = Monitor("admissibility")
-        if violations:
-            monitor = Monitor("admissibility", violations[0].phase, violations[0].boundary)
+        for first in curve.at(beyond).admissibility.violations[:1]:
+            monitor = Monitor("admissibility", first.phase, first.boundary)
         limits.append(describe(curve, monitor, point, row + inside))
     return limits
 
@@ -363,7 +428,7 @@ def describe(
 ) -> Event:
     """The event of a monitor at a point (n + 1,) of the branch.
 
-    `place` is as `BranchSamples` counts it; `time` since the start of the phase, or None.
+    `place` is as `Track` counts it; `time` since the start of the phase, or None.
     """
     phase: int | None = None
     configuration = where = ""

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -26,7 +27,7 @@ from nonsmooth.runtime.explore.continuation.orbit_family import (
     composed_family,
 )
 from nonsmooth.runtime.explore.continuation.stepping import correct, scaled_rows
-from nonsmooth.runtime.explore.finding.primitive import repeated_part
+from nonsmooth.runtime.explore.finding.primitive import repeated_part, settled_orbit
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import FORCING_PHASE, Structure
@@ -37,8 +38,6 @@ from nonsmooth.runtime.shooting.newton import CONVERGED, SINGULAR
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, itinerary_shape
 from nonsmooth.runtime.shooting.symmetry import whole_shape
 from nonsmooth.runtime.shooting.table_newton import solve_shape
-from nonsmooth.runtime.simulation.recurrence import itinerary_of
-from nonsmooth.runtime.simulation.simulate import simulate_one
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.explore.continuation.branch import Branch
@@ -53,7 +52,6 @@ _SHORTER = _SHORT / 50  # very near the collision
 _SHORTEST = 1e-9  # of the period: what lasts less is no phase
 _SAME = 1e-6  # of the period: how near the dwell times of one orbit are
 _NEAR = 0.3  # of the period: how much another orbit's may differ
-_TRANSITIONS = 400
 _LENGTHS = (0.02, 0.005, 0.05, 0.1, 0.001)  # of the step from one branch to the other
 _CORRECTED = 10.0  # of a step to another branch: how far the corrector may go
 _APART = 0.5  # of such a step: how far from the meeting point an orbit has to be
@@ -74,31 +72,10 @@ def next_itineraries(
     """
     if not event.border_collision:
         raise InputError(f"{event.kind} is no border collision: the itinerary goes on")
-    place = _beside(branch, event)
-    base, system_at = composed_family(branch, place, parameters)
-    span = float(np.ptp(branch.parameter_values)) or abs(event.value) or 1.0
-    side = 1 if branch.parameter_values[place] < event.value else -1  # where it is no motion
+    ways_off = [[side * distance for distance in _DISTANCES] for side in (1, -1)]
     found: dict[_Phases, Orbit] = {}
-    own = canonical_itinerary(base.itinerary)
-    ways = _candidates(base, event)
-    for sign in (side, -side):
-        for distance in _DISTANCES:
-            try:
-                here, period = system_at(event.value + sign * distance * span)
-                orbits = [
-                    *_composed(base, ways, here, event, period),
-                    *_without_boundary(base, here, event),
-                ]
-            except InputError:  # beyond a domain
-                break
-            if sign == side and period is None:
-                orbits += _simulated(base, here)
-            for orbit in orbits:
-                name = canonical_itinerary(orbit.itinerary)
-                if name != own and name not in found and _near(float(orbit.period), base):
-                    found[name] = orbit
-            if orbits:
-                break
+    for orbit in _others(branch, event, parameters, ways_off, _SHORT, settling=True):
+        found.setdefault(canonical_itinerary(orbit.itinerary), orbit)
     return tuple(found.values())
 
 
@@ -112,23 +89,46 @@ def orbits_beside(
     which one begins at the collision. `parameters` are those of the system that the orbit
     leaves open; absent ones are chosen.
     """
-    base, system_at = composed_family(branch, _beside(branch, event), parameters)
+    ways_off = [[side * distance] for distance in _CLOSE for side in (1, -1)]
+    return tuple(_others(branch, event, parameters, ways_off, _SHORTER, settling=False))
+
+
+def _others(
+    branch: Branch,
+    event: Event,
+    parameters: Mapping[str, Any] | None,
+    ways_off: Sequence[Sequence[float]],
+    short: float,
+    *,
+    settling: bool,
+) -> Iterator[Orbit]:
+    """Admissible orbits of other itineraries near a collision, at the first place of each way off.
+
+    Places without any are passed. Distances are in units of the branch's range, positive where
+    the branch ceases to be a motion; with `settling` a motion is simulated there too.
+    """
+    place = _beside(branch, event)
+    base, system_at = composed_family(branch, place, parameters)
     span = float(np.ptp(branch.parameter_values)) or abs(event.value) or 1.0
-    own, found = canonical_itinerary(base.itinerary), list[Orbit]()
-    ways = _candidates(base, event)
-    for distance in _CLOSE:
-        for sign in (-1, 1):
+    side = 1 if branch.parameter_values[place] < event.value else -1
+    own, ways = canonical_itinerary(base.itinerary), _candidates(base, event)
+    for distances in ways_off:
+        for distance in distances:
             try:
-                here, period = system_at(event.value + sign * distance * span)
-                found += _composed(base, ways, here, event, period, _SHORTER)
-                found += _without_boundary(base, here, event)
+                here, period = system_at(event.value + side * distance * span)
+                orbits = [
+                    *_composed(base, ways, here, event, period, short),
+                    *_without_boundary(base, here, event),
+                ]
             except InputError:  # beyond a domain
-                continue
-    return tuple(
-        orbit
-        for orbit in found
-        if canonical_itinerary(orbit.itinerary) != own and _near(float(orbit.period), base)
-    )
+                break
+            if settling and distance > 0 and period is None:
+                orbits += _settled(base, here)
+            for orbit in orbits:
+                if canonical_itinerary(orbit.itinerary) != own and _near(orbit.period, base):
+                    yield orbit
+            if orbits:
+                break
 
 
 def _beside(branch: Branch, event: Event) -> int:
@@ -180,7 +180,7 @@ def _composed(
     parameters: Mapping[str, Any],
     event: Event,
     period: Value | None,
-    short: float = _SHORT,
+    short: float,
 ) -> Iterator[Orbit]:
     """Admissible orbits of the itineraries of `ways`, near the known orbit."""
     point, symmetry = piecewise(base.system, parameters), base.symmetry
@@ -321,26 +321,19 @@ def _without_boundary(base: Orbit, parameters: Mapping[str, Any], event: Event) 
         yield orbit
 
 
-def _simulated(base: Orbit, parameters: Mapping[str, Any]) -> list[Orbit]:
-    """The admissible periodic orbit that a simulation from the orbit's start settles on, if any."""
-    configuration = base.itinerary[0][0]
+def _settled(base: Orbit, parameters: Mapping[str, Any]) -> list[Orbit]:
+    """The admissible periodic orbit that a motion from the orbit's start settles on, if any."""
     start = base.states[0].astype(float).tolist()
-    try:
-        motion = simulate_one(
-            base.system, parameters, start, configuration, transitions=_TRANSITIONS
-        )
-        itinerary, dwell, begin = itinerary_of(motion)
-        orbit = solve_itinerary(base.system, parameters, itinerary, dwell.tolist(), begin.tolist())
-        if orbit.converged and orbit.admissibility.verdict is True:
+    with suppress(InputError):  # no such motion, or it does not come back
+        orbit = settled_orbit(base.system, parameters, start, base.itinerary[0][0])
+        if orbit is not None and orbit.converged and orbit.admissibility.verdict is True:
             return [orbit]
-    except InputError:  # no such motion, or it does not come back
-        pass
     return []
 
 
-def _near(period: float, base: Orbit) -> bool:
+def _near(period: Any, base: Orbit) -> bool:
     """Whether an orbit of such a period may coincide with the known one at the collision."""
-    return abs(period / float(base.period) - 1) < _NEAR
+    return abs(float(period) / float(base.period) - 1) < _NEAR
 
 
 def canonical_itinerary(itinerary: Sequence[tuple[str, str]]) -> _Phases:

@@ -8,7 +8,8 @@ in those of their size, the parameter in that of its interval.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
+from itertools import count
 from typing import NamedTuple, Protocol
 
 import numpy as np
@@ -21,7 +22,6 @@ __all__ = [
     "Path",
     "check_steps",
     "correct",
-    "on_chord",
     "scaled_rows",
     "tangent_at",
     "trace_both_ways",
@@ -121,136 +121,108 @@ def correct(
     return None
 
 
-def on_chord(curve: Curve, first: np.ndarray, last: np.ndarray, part: float) -> np.ndarray | None:
-    """The point (n + 1,) of the branch across from a part (0 to 1) of a chord between two points.
-
-    None if Newton's method fails.
-    """
-    chord = (last - first) / curve.sizes
-    found = correct(curve, first + part * (last - first), chord / np.linalg.norm(chord))
-    return None if found is None else found[0]
-
-
 def trace_both_ways(
     curve: Curve,
     limits: tuple[float, float],
     step: float,
     most: int,
-    go_on: Callable[[np.ndarray, np.ndarray], str | None],
+    *,
     known: Path | None = None,
+    ended: Callable[[np.ndarray, np.ndarray], str | None] = lambda before, z: None,
+    progress: Callable[[int], object] | None = None,
 ) -> Path:
-    """The path of a branch, followed from its first point in both directions (`_trace_path`).
+    """The path of a branch, followed from its first point in both directions.
 
     The parameter increases at first. Neighbouring points differ. Ctrl-C ends the path where it
     is: such an end is INTERRUPTED. A `known` path goes on at these ends, and where it had as
     many points as were asked for. `limits` are those of the parameter, `step` is the largest
     step in the curve's units, and `most` the largest number of steps on either side, including
-    those of `known`. `go_on` maps two neighbouring points to the reason why the path ends
-    behind them, or to None.
+    those of `known`. `ended` maps two neighbouring points to the reason why the path ends
+    behind them, or to None; `progress` gets the number of points that were added.
     """
     if known is None:
         direction = tangent_at(curve, curve.first, np.eye(len(curve.first))[-1])
         known = Path(curve.first[None], direction[None], (INTERRUPTED, INTERRUPTED), 0)
     points, tangents, ends, start = known.points, known.tangents, list(known.ends), known.start
-    for side, sign in ((0, -1), (-1, 1)):
+    added = count(1)
+
+    def go_on(before: np.ndarray, z: np.ndarray) -> str | None:
+        if progress is not None:
+            progress(next(added))
+        return ended(before, z)
+
+    for side, sign in enumerate((-1, 1)):
         if ends[side] != INTERRUPTED and not ends[side].endswith(_MOST):
             continue
-        end = PathEnd(
-            begin=(points[side], sign * tangents[side]),
-            other=(points[-1 - side], sign * tangents[-1 - side]),
-            steps=start if side == 0 else len(points) - 1 - start,
-            length=float(np.linalg.norm(np.diff(points / curve.sizes, axis=0), axis=1).sum()),
-        )
-        steps, reason = _walked(_trace_path(curve, end, limits, step, most, go_on))
+        way = [*zip(points[::sign], sign * tangents[::sign], strict=True)]
+        left = most - (start if side == 0 else len(points) - 1 - start)
+        try:
+            reason = _extend(way, curve, limits, step, left, go_on) or f"{most}{_MOST}"
+        except KeyboardInterrupt:
+            reason = INTERRUPTED
+        start += (len(way) - len(points)) * (side == 0)
+        points, tangents = (np.array(row)[::sign] for row in zip(*way, strict=True))
+        tangents *= sign
         ends[side] = reason
-        if side == 0:
-            steps.reverse()
-            start += len(steps)
-        found = np.array([z for z, _ in steps]).reshape(-1, points.shape[1])
-        ahead = np.array([sign * tangent for _, tangent in steps]).reshape(found.shape)
-        order = slice(None, None, 1 if side == 0 else -1)
-        points = np.concatenate([found, points][order])
-        tangents = np.concatenate([ahead, tangents][order])
         if reason == CLOSED:
             ends = [CLOSED, CLOSED]
         if reason == INTERRUPTED:
             break
-    gaps = np.linalg.norm(np.diff(points / curve.sizes, axis=0), axis=1)
-    apart = np.append(True, gaps > _SAME_POINT)
+    apart = np.append(True, _lengths(curve, points) > _SAME_POINT)
     start = int(np.count_nonzero(apart[: start + 1])) - 1
     return Path(points[apart], tangents[apart], (ends[0], ends[1]), start)
 
 
-def _walked(
-    path: Iterator[tuple[np.ndarray, np.ndarray, str]],
-) -> tuple[list[tuple[np.ndarray, np.ndarray]], str]:
-    """Points and tangents of a path, and why it ends."""
-    steps: list[tuple[np.ndarray, np.ndarray]] = []
-    reason = INTERRUPTED
-    try:
-        for z, tangent, reason in path:  # noqa: B007 - the last one is the answer
-            steps.append((z, tangent))
-    except KeyboardInterrupt:
-        reason = INTERRUPTED
-    return steps, reason
+def _lengths(curve: Curve, points: np.ndarray) -> np.ndarray:
+    """Lengths (k - 1,) of the chords between points (k, n + 1), in the curve's units."""
+    return np.asarray(np.linalg.norm(np.diff(points / curve.sizes, axis=0), axis=1))
 
 
-class PathEnd(NamedTuple):
-    """An end of a path, at which it is followed further."""
-
-    # this end: point and tangent along the way (n + 1,), in the curve's units
-    begin: tuple[np.ndarray, np.ndarray]
-    other: tuple[np.ndarray, np.ndarray]  # the other end in the same form
-    steps: int  # number of steps from the beginning of the path
-    length: float  # of the whole path, in the curve's units
-
-
-def _trace_path(
+def _extend(
+    way: list[tuple[np.ndarray, np.ndarray]],
     curve: Curve,
-    end: PathEnd,
     limits: tuple[float, float],
     step: float,
     most: int,
     go_on: Callable[[np.ndarray, np.ndarray], str | None],
-) -> Iterator[tuple[np.ndarray, np.ndarray, str]]:
-    """Points and tangents of a branch beyond its end, and why it ends there ("" while it goes on).
+) -> str:
+    """Add steps behind the last one of a way; gives why it ends, "" after `most` of them.
 
-    The point of `end` itself is left out. The arguments are as in `trace_both_ways`; `most`
-    includes the steps that are known.
+    The way has points and tangents, which point along it. `go_on` gives the reason why it ends
+    behind two points, or None; the other arguments are as in `trace_both_ways`.
     """
-    (z, tangent), (first, direction) = end.begin, end.other
-    length, whole = step / 4, end.length
+    (first, direction), (z, tangent) = way[0], way[-1]
+    length, whole = step / 4, float(_lengths(curve, np.array([z for z, _ in way])).sum())
     if whole > 4 * step:  # the other end may be before this one
         length = min(length, float(np.linalg.norm((z - first) / curve.sizes)))
-    for _ in range(end.steps, most):
+    for _ in range(most):
         while True:
             found = _step(curve, z, tangent, length)
             if found is not None and not curve.leaps(z, found[0]):
                 break
             length /= 2
             if length < LEAST_STEP * step:
-                yield z, tangent, LOST
-                return
+                return LOST
         following, ahead, easy = found
         ended = _ended(curve, z, following, limits)
         if ended is not None:
             point, reason = ended
-            yield point, tangent_at(curve, point, ahead), reason
-            return
+            way.append((point, tangent_at(curve, point, ahead)))
+            return reason
         whole += length
         gap = float(np.linalg.norm((following - first) / curve.sizes))
         if whole > 4 * step and gap < 0.75 * length and ahead @ direction > LEAST_COSINE:
-            yield first, direction, CLOSED
-            return
+            way.append((first, direction))
+            return CLOSED
         before, z, tangent = z, following, ahead
         unknowns = float(np.abs(z[:-1] / curve.sizes[:-1]).max())
         reason = go_on(before, z) or ("" if unknowns < MOST_GROWTH else GROWN)
-        yield z, tangent, reason
+        way.append((z, tangent))
         if reason:
-            return
+            return reason
         if easy:
             length = min(1.5 * length, step * max(1.0, unknowns))
-    yield z, tangent, f"{most}{_MOST}"
+    return ""
 
 
 def _step(
@@ -275,31 +247,25 @@ def _ended(
     curve: Curve, z: np.ndarray, following: np.ndarray, limits: tuple[float, float]
 ) -> tuple[np.ndarray, str] | None:
     """The point at which a step passes an end of the interval or a dwell time vanishes, or None."""
-    waits = curve.dwell(np.stack([z, following, np.zeros_like(z)]))
-    ends: list[tuple[float, np.ndarray, float, str]] = []
-    for k, name in enumerate(curve.dwell_names):
-        before, after, constant = waits[:, k].tolist()
-        if after <= 0:
-            part = before / (before - after)
-            normal = np.array([curve.dwell(unit[None])[0, k] - constant for unit in np.eye(len(z))])
-            ends.append((part, normal * curve.sizes, -constant, f"{name} goes to zero"))
-    axis = np.zeros(len(z))
-    axis[-1] = 1
-    for limit, sign in zip(limits, (-1, 1), strict=True):
-        if sign * following[-1] >= sign * limit:
-            part = (limit - z[-1]) / (following[-1] - z[-1])
-            ends.append((part, axis, limit / curve.sizes[-1], "end of the interval"))
-    if not ends:
+    size, phases = len(z), len(curve.dwell_names)
+    constants, *waits = curve.dwell(np.eye(size + 1, size, -1))
+    axis = np.eye(size)[-1]
+    normals = np.vstack([(np.array(waits) - constants).T * curve.sizes, axis, -axis])
+    offsets = np.append(-constants, np.array(limits) / curve.sizes[-1] * (1, -1))
+    before, after = (normals @ (point / curve.sizes) - offsets for point in (z, following))
+    passed = np.flatnonzero(after <= 0).tolist()
+    if not passed:
         return None
-    part, normal, offset, reason = min(ends, key=lambda end: end[0])
+    part, place = min((before[k] / (before[k] - after[k]), k) for k in passed)
+    normal, offset = normals[place], float(offsets[place])
+    dwell = place < phases
+    reason = f"{curve.dwell_names[place]} goes to zero" if dwell else "end of the interval"
     found = correct(curve, z + part * (following - z), normal, offset)
     if found is None or not _determined(curve, found[0], normal):
         return _before(curve, z, following, normal, offset), reason
     point = found[0]
-    if reason.startswith("end"):
-        point[-1] = (
-            limits[0] if abs(point[-1] - limits[0]) < abs(point[-1] - limits[1]) else limits[1]
-        )
+    if not dwell:
+        point[-1] = limits[place - phases]
     return point, reason
 
 

@@ -8,15 +8,17 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.explore.design.design_points import Beyond, DesignPoint, DesignPoints
-from nonsmooth.runtime.explore.design.objective import (
+from nonsmooth.runtime.explore.design.optimising import (
+    INTERRUPTED,
     Aim,
+    Ended,
     MarginKey,
     Optimality,
     Trial,
     optimality,
+    optimise,
     watched_margins,
 )
-from nonsmooth.runtime.explore.design.optimising import INTERRUPTED, Ended, optimise
 from nonsmooth.runtime.explore.design.optimum import (
     CONVERGED,
     NOT_REACHED,
@@ -35,7 +37,7 @@ from nonsmooth.runtime.explore.design.worst_over import BranchPoints, optimise_w
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.simulation.simulate import checked_count
 
-__all__ = ["along", "along_branch", "design"]
+__all__ = ["along", "design"]
 
 MOST_ITERATIONS = 200
 _OPTIMAL = 1e-5  # of the gradient that is left
@@ -133,17 +135,21 @@ def design(
     if resume is not None:
         question.check_resumed(resume)
     quantity, names, bounds = question.quantity, question.parameters, question.bounds
-    branch, asked, measured = question.branch, question.quantities, question.measured
+    branch, asked, measured = question.worst_over, question.quantities, question.measured
     history: list[Trial] = []
 
     def told(visited: int) -> None:
         if progress is not None:
             progress(len(history), visited)
 
+    def where(member: DesignPoint) -> str:
+        """Position of an orbit on the branch, in words."""
+        return "".join(f" at {n} = {float(member.orbit.given[n]):.6g}" for n in branch)
+
     points = DesignPoints(
         orbit if resume is None else resume.orbit,
-        names if branch is None else (*names, branch[0]),
-        bounds if branch is None else np.vstack([bounds, branch[1]]),
+        (*names, *branch),
+        np.vstack([bounds, *branch.values()]),
         measured,
         rough=question.rough,
         admissible=admissible,
@@ -169,7 +175,7 @@ def design(
         extreme_keys([first.quantities.derivatives], quantity) if several else (),
     )
     trials: DesignPoints | BranchPoints = points
-    if branch is not None:
+    if branch:
         aim, trials = spread(points, aim)
     begin: Trial = trials.visited[0]
     _check_dependence(names, begin, aim)
@@ -177,7 +183,7 @@ def design(
         ended = optimise_worst(trials, aim, iterations, history)
     else:
         ended = optimise(points, aim, iterations, history)
-    left = optimality(aim, ended.point, names, bounds, trials.where)
+    left = optimality(aim, ended.point, names, bounds, where)
     met = left.residual <= (_OPTIMAL if quantity else _SOLVED) and aim.missed(ended.point) <= _MET
     status = CONVERGED if met else NOT_REACHED
     stopped = ended.reason == INTERRUPTED
@@ -191,13 +197,13 @@ def design(
         quantity=quantity,
         parameters=names,
         bounds=bounds,
-        worst_over=question.worst_over,
+        worst_over=branch,
         conditions=question.conditions,
         method="least-squares" if question.aim == "solve" else "SLSQP",
         quantities=asked,
         before=_values_of(names, aim, begin, asked) if resume is None else resume.before,
         after=_values_of(names, aim, ended.point, asked),
-        worst_at=_worst_at(left, branch),
+        worst_at=tuple(float(w.orbit.given[name]) for name in branch for w in left.worst_at),
         gradient=_gradient_of(names, aim, ended.point, measured),
         active=left.active,
         corner=left.corner,
@@ -211,14 +217,6 @@ def design(
     if stopped:
         raise Interrupted(found)
     return found
-
-
-def _worst_at(
-    left: Optimality, branch: tuple[str, tuple[float, float]] | None
-) -> tuple[float, ...]:
-    if branch is None:
-        return ()
-    return tuple(float(member.orbit.given[branch[0]]) for member in left.worst_at)
 
 
 def _watched(first: DesignPoint, lengths: np.ndarray) -> dict[MarginKey, float]:
@@ -309,31 +307,17 @@ def _message_of(aim: Aim, ended: Ended, left: Optimality, *, converged: bool) ->
     return f"{told}: {why}"
 
 
-def along(design: Design, parameter: str, count: int) -> tuple[np.ndarray, np.ndarray]:
-    """Values (count,) of a parameter over its bounds, and the quantities (count, m) there.
-
-    The parameter is one that varied; the others are as where the design ended. The quantities
-    are NaN where the branch does not lead.
-    """
-    bounds = design.bounds[design.parameters.index(parameter)]
-    return _around(design, design.orbit, parameter, bounds, count)
-
-
-def along_branch(design: Design, count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Values (count,) of the branch's parameter, and quantities (count, m) before and after.
-
-    The design needs `worst_over`; the orbits are those where it began and where it ended.
-    """
-    ((parameter, interval),) = design.worst_over.items()
-    values, before = _around(design, design.start, parameter, np.array(interval), count)
-    return values, before, _around(design, design.orbit, parameter, np.array(interval), count)[1]
-
-
-def _around(
-    design: Design, orbit: Orbit, parameter: str, interval: np.ndarray, count: int
+def along(
+    design: Design, orbit: Orbit, parameter: str, count: int
 ) -> tuple[np.ndarray, np.ndarray]:
+    """Values (count,) of a parameter over its interval, and the quantities (count, m) there.
+
+    The parameter is one that varied, or that of the branch; the others are as for `orbit`, where
+    the design began or ended. The quantities are NaN where the branch does not lead.
+    """
+    varied = dict(zip(design.parameters, design.bounds, strict=True))
+    bounds = np.array([{**varied, **design.worst_over}[parameter]])
     wanted = [name for name in design.quantities if name != MULTIPLIER]
-    bounds = interval[None]
     points = DesignPoints(orbit, (parameter,), bounds, wanted, rough=wanted, admissible=False)
     begin = points.visited[0].place[0]
     parts = np.linspace(0.0, 1.0, count)

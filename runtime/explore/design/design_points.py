@@ -154,10 +154,6 @@ class DesignPoints:
         """Whether an orbit that was visited is a motion, or need not be one."""
         return not self._admissible or self._is_motion(member.z)
 
-    def where(self, member: DesignPoint) -> str:
-        """Position of an orbit on a branch, in words: none, as there is no such branch."""
-        return ""
-
     def _is_motion(self, z: np.ndarray) -> bool:
         return bool(self._curve.admissible(z[None])[0])
 

@@ -1,24 +1,53 @@
-"""SciPy's constrained optimiser SLSQP along a branch of orbits, or its least squares.
+"""What a design makes as small as it can be under conditions, and SciPy's optimisers that do it.
 
-Where a trial lies beyond the branch the search begins again at the best orbit that was
-visited, in a smaller box around it; where it ends at a side of such a box, in a larger one. The
-optimiser also begins again where it ends, or at a better orbit that it has tried, until nothing
-is gained: where multipliers meet, what it has learned of the curvature can stop it early.
+All is in the variables of an optimiser: SLSQP along a branch of orbits, or least squares. Where a
+trial lies beyond the branch the search begins again at the best orbit that was visited, in a
+smaller box around it; where it ends at a side of such a box, in a larger one. The optimiser also
+begins again where it ends, or at a better orbit that it has tried, until nothing is gained: where
+multipliers meet, what it has learned of the curvature can stop it early.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from functools import partial
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cache, partial
+from itertools import product
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
-from nonsmooth.runtime.explore.design.design_points import Beyond
-from nonsmooth.runtime.explore.design.objective import Aim, Rows, Trial
+from nonsmooth.runtime.explore.design.design_points import Beyond, DesignPoint
+from nonsmooth.runtime.explore.design.optimum import ActiveLimit, DesignCondition
+from nonsmooth.runtime.explore.design.quantities import (
+    MULTIPLIER,
+    RADIUS,
+    ExtremeKey,
+    LevelRows,
+    QuantityValues,
+    corner_of,
+    extreme_rows,
+    is_largest_of_several,
+    multiplier_rows,
+    radius_rows,
+    unit_of,
+)
 
-__all__ = ["INTERRUPTED", "Ended", "Trials", "optimise"]
+__all__ = [
+    "INTERRUPTED",
+    "Aim",
+    "Ended",
+    "MarginKey",
+    "Optimality",
+    "Rows",
+    "Trial",
+    "optimality",
+    "optimise",
+    "watched_margins",
+]
 
+_INSIDE = 1e-10  # of a margin's unit: an orbit at the limit is a motion despite of rounding
+_ACTIVE, _ACTIVE_BOUND = 1e-6, 1e-7
 INTERRUPTED = "interrupted"
 _ROUNDS = 60
 _LEAST_BOX, _SIDE = 1e-9, 1e-9  # of the bounds
@@ -27,6 +56,316 @@ _MISSED = 1e-6  # of a condition: then it is approached first
 _PENALTY = 1e3  # of what misses a condition, beside the aim
 _PRECISION = 1e-15  # of the aim
 _LAST, _TINY = 5, 1e-15  # Newton's steps behind the least squares
+
+
+class MarginKey(NamedTuple):
+    """A boundary that must not be crossed during a phase, which is counted from 0."""
+
+    phase: int
+    boundary: str
+
+
+def watched_margins(measured: QuantityValues, lengths: np.ndarray) -> dict[MarginKey, float]:
+    """Units of the functions of the boundaries that an orbit does not reach, by their keys.
+
+    `lengths` (q,) are those of the parameters' intervals.
+    """
+    found = {}
+    for margin in measured.derivatives.margins:
+        changes = np.asarray(margin.rates[: len(lengths)], dtype=float) * lengths
+        found[MarginKey(margin.phase, margin.boundary)] = unit_of(float(margin.value), changes)
+    return found
+
+
+class Rows(NamedTuple):
+    """Scaled functions (m,) and their derivatives (m, n) by the variables of the optimiser."""
+
+    values: np.ndarray
+    slopes: np.ndarray
+
+
+class Trial(Hashable, Protocol):
+    """Parameters that were tried, and the orbits there."""
+
+    @property
+    def place(self) -> np.ndarray:
+        """Position (q,) of the parameters in their bounds: 0 is the lower one, 1 the upper."""
+
+    @property
+    def members(self) -> tuple[DesignPoint, ...]:
+        """The orbit at these parameters, or several orbits of its branch (for `worst_over`)."""
+
+
+@dataclass(frozen=True)
+class Aim:
+    """The objective that is minimised, and the conditions.
+
+    The variables are the places of the parameters in their bounds. If the objective is the
+    largest of several numbers, such as a spectral radius that is minimised, the level that none
+    of them exceeds is a further variable (the epigraph form). All conditions hold for all
+    orbits of a trial.
+    """
+
+    quantity: str
+    sign: int  # -1 where the quantity is maximised, else 1
+    conditions: tuple[DesignCondition, ...]
+    scale: float  # unit of the quantity
+    lengths: np.ndarray  # (q,), of the parameters' intervals
+    # of all quantities in the conditions that are not pure numbers
+    units: Mapping[str, float] = field(default_factory=dict)
+    # boundaries that must not be crossed in a phase, with the units of their functions
+    margins: Mapping[MarginKey, float] = field(default_factory=dict)
+    # local extremes of a peak, each of which has to be below the level
+    extremes: tuple[ExtremeKey, ...] = ()
+    spread: bool = False  # whether the worst along a branch is minimised
+
+    @property
+    def levelled(self) -> bool:
+        """Whether the level is one of the variables."""
+        several = is_largest_of_several(self.quantity, self.sign)
+        return bool(self.quantity) and (self.spread or several)
+
+    @property
+    def least_level(self) -> float:
+        """Lower bound of the level."""
+        return 0.0 if self.quantity == RADIUS and self.sign > 0 else -np.inf
+
+    def variables(self, point: Trial) -> np.ndarray:
+        """The variables (n,) at a trial."""
+        return np.append(point.place, self.value(point)) if self.levelled else point.place
+
+    def worst(self, point: Trial) -> DesignPoint:
+        """The orbit of a trial at which the quantity is worst."""
+        return max(point.members, key=self._value)
+
+    def value(self, point: Trial) -> float:
+        """Value of the objective at a trial, in units of `scale`."""
+        return self._value(self.worst(point))
+
+    def _value(self, member: DesignPoint) -> float:
+        return self.sign * member.quantities.values[self.quantity] / self.scale
+
+    def slope(self, point: Trial) -> np.ndarray:
+        """Derivatives (n,) of the objective by the variables."""
+        if self.levelled:
+            return np.asarray(np.eye(len(self.lengths) + 1)[-1])
+        slope = self.worst(point).quantities.slopes[self.quantity]
+        return np.asarray(self.sign * self._by_places(slope) / self.scale)
+
+    def _by_places(self, slopes: np.ndarray) -> np.ndarray:
+        """Derivatives by the places of the parameters, without those along a branch."""
+        count = len(self.lengths)
+        return np.asarray(slopes[..., :count] * self.lengths)
+
+    def level_rows(self, member: DesignPoint, level: float) -> Rows:
+        """The conditions that the quantity of an orbit does not exceed the level.
+
+        The level is in units of `scale`. The rows are not negative where the conditions hold.
+        """
+        measured, wanted = member.quantities, level * self.scale
+        if self.extremes:
+            found = extreme_rows(
+                measured.derivatives, self.quantity, self.extremes, wanted, self.scale
+            )
+        else:
+            relation = "<=" if self.sign > 0 else ">="
+            found = self._limit(member, self.quantity, relation, self.sign * wanted)
+            found = found._replace(by_level=self.sign * found.by_level)
+        by_level = found.by_level[:, None] * self.scale
+        slopes = np.hstack([self._by_places(found.by_parameters), by_level])
+        sizes = self.scale**found.powers
+        return Rows(found.values / sizes, slopes / sizes[:, None])
+
+    def _limit(self, member: DesignPoint, quantity: str, relation: str, wanted: float) -> LevelRows:
+        """The rows of a condition on a quantity: at most, at least or just a wanted value."""
+        if quantity == MULTIPLIER:
+            return multiplier_rows(member.quantities.derivatives, wanted)
+        if quantity == RADIUS and relation == "<=":
+            return radius_rows(member.quantities.derivatives, wanted)
+        value, slope = self.distance(member, quantity, relation, wanted)
+        by_level = np.array([1.0 if relation == "<=" else -1.0])
+        return LevelRows(np.array([value]), slope[None], by_level, np.ones(1))
+
+    def size(self, condition: DesignCondition) -> float:
+        """Unit in which the violation of a condition is measured."""
+        return max(self.units.get(condition.quantity, 1.0), abs(float(condition.value)))
+
+    def condition_rows(self, member: DesignPoint, condition: DesignCondition) -> Rows:
+        """One condition at one orbit: rows that are not negative, or zero for an equation."""
+        found, size = self._limit(member, *condition.asked), self.size(condition)
+        slopes = self._by_places(found.by_parameters) / size
+        return Rows(found.values / size, self._with_level(slopes))
+
+    def distance(
+        self, member: DesignPoint, quantity: str, relation: str, wanted: float
+    ) -> tuple[float, np.ndarray]:
+        """How far a quantity is inside of a condition, and the derivatives by all parameters."""
+        measured, sign = member.quantities, -1.0 if relation == "<=" else 1.0
+        return sign * (measured.values[quantity] - wanted), sign * measured.slopes[quantity]
+
+    def _with_level(self, slopes: np.ndarray) -> np.ndarray:
+        """Derivatives extended by that by the level, which is zero."""
+        return np.hstack([slopes, np.zeros((len(slopes), 1))]) if self.levelled else slopes
+
+    def relaxing(self, member: DesignPoint, condition: DesignCondition) -> np.ndarray:
+        """Growth (m,) of each row of a condition per unit of its value.
+
+        It is positive where the condition is relaxed, and minus that for an equation.
+        """
+        sign = 1.0 if condition.relation == "<=" else -1.0
+        return sign * self._limit(member, *condition.asked).by_level / self.size(condition)
+
+    def distances(self, member: DesignPoint) -> tuple[np.ndarray, np.ndarray]:
+        """Scaled distances (m,) from the boundaries, and their derivatives by all parameters.
+
+        A distance is 1 where there is no maximum inside the phase.
+        """
+        derivatives = member.quantities.derivatives
+        there = {MarginKey(m.phase, m.boundary): m for m in derivatives.margins}
+        values = np.ones(len(self.margins))
+        slopes = np.zeros((len(self.margins), len(derivatives.by)))
+        for place, (key, unit) in enumerate(self.margins.items()):
+            if key in there:
+                values[place] = float(there[key].value) / unit
+                slopes[place] = np.asarray(there[key].rates, dtype=float) / unit
+        return values, slopes
+
+    def margin_rows(self, member: DesignPoint) -> Rows:
+        """The conditions that an orbit crosses none of the boundaries."""
+        values, slopes = self.distances(member)
+        return Rows(values - _INSIDE, self._with_level(self._by_places(slopes)))
+
+    def rows(self, point: Trial, level: float | None, *, equal: bool) -> Rows:
+        """The rows of all equations (`equal`), or of all other conditions, of a trial.
+
+        `level` is the value of the level; None leaves out the conditions that nothing exceeds it.
+        """
+        found = [
+            self.condition_rows(member, each)
+            for member in point.members
+            for each in self.conditions
+            if (each.relation == "=") == equal
+        ]
+        if self.margins and not equal:
+            found.extend(self.margin_rows(member) for member in point.members)
+        if self.levelled and not equal and level is not None:
+            found.extend(self.level_rows(member, level) for member in point.members)
+        if not found:
+            return Rows(np.zeros(0), np.zeros((0, len(self.lengths) + self.levelled)))
+        return Rows(np.concatenate([f.values for f in found]), np.vstack([f.slopes for f in found]))
+
+    def missed(self, point: Trial) -> float:
+        """Largest violation of all conditions at a trial, in their units."""
+        equal, short = (self.rows(point, None, equal=each).values for each in (True, False))
+        return float(max(np.abs(equal).max(initial=0.0), (-short).max(initial=0.0)))
+
+
+class Optimality(NamedTuple):
+    """The conditions of Karush, Kuhn and Tucker at an orbit."""
+
+    active: tuple[ActiveLimit, ...]
+    residual: float  # remainder of the gradient, in units of the quantity and of the bounds
+    corner: str  # what happens where the quantity has no derivative, else empty
+    worst_at: tuple[DesignPoint, ...] = ()  # orbits of a branch at which the quantity is worst
+
+
+def optimality(
+    aim: Aim,
+    point: Trial,
+    names: tuple[str, ...],
+    bounds: np.ndarray,
+    where: Callable[[DesignPoint], str],
+) -> Optimality:
+    """The multipliers that leave as little as possible of the gradient at a trial.
+
+    Where nothing is optimised they are zero, and conditions that are missed are what is left.
+
+    They solve a linear least-squares problem with bounds, whatever optimiser was used. `bounds`
+    (q, 2) are those of the parameters `names`; `where` puts an orbit's place on a branch into
+    words.
+    """
+    from scipy.optimize import lsq_linear
+
+    if not aim.quantity:
+        met = [ActiveLimit(text=text, multiplier=0.0) for *_, text in _sides(point, names, bounds)]
+        return Optimality(tuple(met), aim.missed(point), "")
+    level, corner = aim.variables(point)[-1], ""
+    acting = [*_acting(aim, point, names, bounds, where)]
+    slopes = [each.slope for each in acting]
+    worst_at: list[DesignPoint] = []
+    for member in point.members if aim.levelled else ():
+        levels = aim.level_rows(member, level)
+        near = np.abs(levels.values) <= _ACTIVE
+        if not near.any():
+            continue
+        worst_at.append(member)
+        corner = corner or corner_of(
+            member.quantities.derivatives,
+            aim.quantity,
+            near,
+            levels.slopes,
+            aim.scale / aim.lengths,
+        )
+        slopes.extend(levels.slopes[near])
+    if len(worst_at) > 1:
+        corner = "; ".join(
+            [f"as bad at {len(worst_at)} places of the branch", *filter(None, [corner])]
+        )
+    gradient = aim.slope(point)
+    if not slopes:
+        return Optimality((), float(np.abs(gradient).max()), corner, tuple(worst_at))
+    lower = np.zeros(len(slopes))
+    lower[: len(acting)][[each.equation for each in acting]] = -np.inf
+    found = lsq_linear(np.array(slopes).T, gradient, (lower, np.full(len(slopes), np.inf)))
+    left = float(np.abs(found.fun).max())
+    factors: dict[str, float] = {}  # a conjugate pair meets one condition twice
+    for (text, _, unit, _), factor in zip(acting, found.x.tolist(), strict=False):
+        factors[text] = factors.get(text, 0.0) + factor * aim.scale * unit
+    limits = tuple(ActiveLimit(text=text, multiplier=each) for text, each in factors.items())
+    return Optimality(limits, left, corner, tuple(worst_at))
+
+
+class _Acting(NamedTuple):
+    """A condition or a bound that holds with equality."""
+
+    text: str
+    slope: np.ndarray  # (n,)
+    unit: float  # by how much it grows per unit of its limit
+    equation: bool = False
+
+
+def _acting(
+    aim: Aim,
+    point: Trial,
+    names: Sequence[str],
+    bounds: np.ndarray,
+    where: Callable[[DesignPoint], str],
+) -> Iterator[_Acting]:
+    for member, condition in product(point.members, aim.conditions):
+        equation = condition.relation == "="
+        rows, grown = aim.condition_rows(member, condition), aim.relaxing(member, condition)
+        for value, slope, unit in zip(*rows, grown.tolist(), strict=True):
+            if equation or abs(value) <= _ACTIVE:
+                yield _Acting(condition.text + where(member), slope, unit, equation)
+    for member in point.members if aim.margins else ():
+        margins = aim.margin_rows(member)
+        for (key, unit), value, slope in zip(aim.margins.items(), *margins, strict=True):
+            if abs(value) <= _ACTIVE:
+                away = f"{key.boundary} stays away in phase {key.phase + 1}"
+                yield _Acting(away + where(member), slope, 1 / unit)
+    units = np.eye(len(names) + aim.levelled)
+    for place, sign, text in _sides(point, names, bounds):
+        yield _Acting(text, sign * units[place], 1 / float(aim.lengths[place]))
+
+
+def _sides(
+    point: Trial, names: Sequence[str], bounds: np.ndarray
+) -> Iterator[tuple[int, float, str]]:
+    """Parameters at a bound, with the direction inwards and the bound in words."""
+    for place, name in enumerate(names):
+        for side, (sign, relation) in enumerate(((1.0, ">="), (-1.0, "<="))):
+            if abs(point.place[place] - side) <= _ACTIVE_BOUND:
+                yield place, sign, f"{name}{relation}{float(bounds[place, side])!r}"
 
 
 class Trials(Protocol):
@@ -58,6 +397,7 @@ def optimise(points: Trials, aim: Aim, most: int, history: list[Trial]) -> Ended
     `history`. Ctrl-C ends it at the best trial until then, with the reason INTERRUPTED.
     """
 
+    @cache
     def merit(point: Trial) -> float:
         if aim.quantity:
             return aim.value(point) + _PENALTY * aim.missed(point)

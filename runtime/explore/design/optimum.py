@@ -6,7 +6,7 @@ It is asked for an aim, parameters in bounds, conditions, and a branch perhaps.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -153,12 +153,10 @@ class DesignCondition:
         """The condition as it is written."""
         return f"{self.quantity}{self.relation}{self.value.text}"
 
-    def excess(self, value: float) -> float:
-        """Amount by which a value violates the condition; zero where it holds."""
-        missed = value - float(self.value)
-        if self.relation == "=":
-            return abs(missed)
-        return max(0.0, missed if self.relation == "<=" else -missed)
+    @property
+    def asked(self) -> tuple[str, str, float]:
+        """The quantity, the relation and the value as a number."""
+        return self.quantity, self.relation, float(self.value)
 
 
 def condition_in(text: str) -> DesignCondition:
@@ -187,8 +185,8 @@ class DesignQuestion:
     parameters: tuple[str, ...]  # those that vary
     bounds: np.ndarray  # (p, 2)
     conditions: tuple[DesignCondition, ...]  # including the wanted values
-    # parameter and interval along which the worst value counts
-    branch: tuple[str, tuple[float, float]] | None
+    # parameter and interval along which the worst value counts, or nothing
+    worst_over: dict[str, tuple[float, float]]
 
     @property
     def sign(self) -> int:
@@ -216,11 +214,6 @@ class DesignQuestion:
         if asked and all(c.relation == "<=" for c in self.conditions if c.quantity == RADIUS):
             rough.append(RADIUS)
         return tuple(rough)
-
-    @property
-    def worst_over(self) -> dict[str, tuple[float, float]]:
-        """The branch as `Design` stores it."""
-        return {} if self.branch is None else dict([self.branch])
 
     def check_resumed(self, known: Design) -> None:
         """Refuse to resume the design of another question; the message names what differs."""
@@ -252,7 +245,11 @@ def design_question(
     names, bounds = _bounds_of(orbit, over)
     conditions = _conditions_of(solve, subject_to, len(names))
     branch = _branch_interval(orbit, worst_over, names)
-    _check_spread(branch is not None, aim, conditions)
+    if branch and aim == "solve":
+        raise InputError("values that are solved for are of one orbit: leave out worst_over")
+    for each in conditions if branch else ():
+        if each.relation == "=":
+            raise InputError(f"{each.text}: an equation cannot hold all along worst_over")
     if quantity == MULTIPLIER:
         raise InputError(f"{MULTIPLIER} is no quantity to {aim}: ask for {RADIUS}")
     return DesignQuestion(orbit, aim, quantity, names, bounds, conditions, branch)
@@ -308,27 +305,16 @@ def _conditions_of(
     return wanted
 
 
-def _check_spread(whole: bool, aim: str, conditions: Sequence[DesignCondition]) -> None:
-    """Refuse an aim or a condition that cannot hold along a whole branch."""
-    if not whole:
-        return
-    if aim == "solve":
-        raise InputError("values that are solved for are of one orbit: leave out worst_over")
-    for each in conditions:
-        if each.relation == "=":
-            raise InputError(f"{each.text}: an equation cannot hold all along worst_over")
-
-
 def _branch_interval(
     orbit: Orbit, worst_over: Mapping[str, tuple[float, float]] | None, varied: tuple[str, ...]
-) -> tuple[str, tuple[float, float]] | None:
-    """The parameter of the branch along which the worst value counts, and its interval, or None.
+) -> dict[str, tuple[float, float]]:
+    """The parameter of the branch along which the worst value counts, and its interval, if any.
 
     Refused are several parameters, one that varies, and an interval that is empty or does not
     hold the orbit.
     """
     if worst_over is None:
-        return None
+        return {}
     if not isinstance(worst_over, Mapping) or len(worst_over) != 1:
         raise InputError(
             'worst_over gives the interval of one parameter, such as {"w": (0.9, 1.1)}'
@@ -336,4 +322,4 @@ def _branch_interval(
     ((name, interval),) = worst_over.items()
     if name in varied:
         raise InputError(f"{name} varies: it cannot be the parameter of the branch too")
-    return name, check_interval(orbit, name, interval)
+    return {name: check_interval(orbit, name, interval)}

@@ -34,7 +34,6 @@ __all__ = [
     "MULTIPLIER",
     "RADIUS",
     "ExtremeKey",
-    "Gap",
     "LevelRows",
     "QuantityValues",
     "corner_of",
@@ -44,7 +43,7 @@ __all__ = [
     "is_largest_of_several",
     "is_pure",
     "measure",
-    "multiplier_gap",
+    "multiplier_rows",
     "radius_rows",
     "unit_of",
 ]
@@ -118,19 +117,21 @@ def unit_of(value: float, changes: np.ndarray) -> float:
     return size or 1.0
 
 
-class Gap(NamedTuple):
-    """The characteristic polynomial at a wanted multiplier."""
+class LevelRows(NamedTuple):
+    """Conditions of a level, each not negative where the largest number is at most the level."""
 
-    value: float  # product of the differences between the wanted multiplier and each multiplier
-    slope: np.ndarray  # derivatives (q,) by parameters, also where multipliers collide
-    by_wanted: float  # derivative by the wanted multiplier
+    values: np.ndarray  # (m,)
+    by_parameters: np.ndarray  # derivatives (m, q)
+    by_level: np.ndarray  # derivatives (m,)
+    powers: np.ndarray  # (m,), power of the quantity's unit in which each is measured
 
 
-def multiplier_gap(derivatives: OrbitDerivatives, wanted: float) -> Gap:
-    """The characteristic polynomial at a wanted multiplier, zero where the orbit has it.
+def multiplier_rows(derivatives: OrbitDerivatives, wanted: float) -> LevelRows:
+    """The equation that an orbit has a wanted multiplier: its characteristic polynomial there.
 
-    Refused are the multiplier zero, and a family of orbits, which has the multiplier 1
-    everywhere.
+    That is the product of the differences between the wanted multiplier and each multiplier,
+    which has derivatives also where multipliers collide. Refused are the multiplier zero, and a
+    family of orbits, which has the multiplier 1 everywhere.
     """
     matrix, rates, rank, trivial = derivatives.directions.section
     if trivial or not wanted:
@@ -142,7 +143,8 @@ def multiplier_gap(derivatives: OrbitDerivatives, wanted: float) -> Gap:
     value = float(np.linalg.det(shifted)) / scale
     moving = np.concatenate([-rates, unit[None]])
     *moved, by_wanted = imaginary_parts(np.linalg.det(stepped(shifted, moving, None)), None) / scale
-    return Gap(value, np.array(moved), float(by_wanted) - beside * value / wanted)
+    by_level = float(by_wanted) - beside * value / wanted
+    return LevelRows(np.array([value]), np.array([moved]), np.array([by_level]), np.ones(1))
 
 
 class _MultiplierGroup(NamedTuple):
@@ -232,15 +234,6 @@ def _plane(matrix: np.ndarray, values: np.ndarray) -> np.ndarray:
     if size != len(values):
         raise np.linalg.LinAlgError("multipliers are not told apart")
     return np.asarray(basis[:, : len(values)])
-
-
-class LevelRows(NamedTuple):
-    """Conditions of a level, each not negative where the largest number is at most the level."""
-
-    values: np.ndarray  # (m,)
-    by_parameters: np.ndarray  # derivatives (m, q)
-    by_level: np.ndarray  # derivatives (m,)
-    powers: np.ndarray  # (m,), power of the quantity's unit in which each is measured
 
 
 class ExtremeKey(NamedTuple):

@@ -11,15 +11,20 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.design.design_points import Beyond, DesignPoint, DesignPoints
-from nonsmooth.runtime.explore.design.objective import Aim, Trial, watched_margins
-from nonsmooth.runtime.explore.design.optimising import INTERRUPTED, Ended, optimise
+from nonsmooth.runtime.explore.design.optimising import (
+    INTERRUPTED,
+    Aim,
+    Ended,
+    Trial,
+    optimise,
+    watched_margins,
+)
 from nonsmooth.runtime.explore.design.quantities import extreme_keys
 
 __all__ = [
@@ -54,14 +59,14 @@ def _alarms(aim: Aim, member: DesignPoint, length: float) -> tuple[np.ndarray, n
     conditions, then to the margins. The branch's parameter is the last of the member's, and
     `length` is that of its interval.
     """
-    measured, margins = member.quantities, aim.distances(member)
-    scale = -aim.sign / aim.scale
-    values = [scale * measured.values[aim.quantity]]
-    slopes = [scale * float(measured.slopes[aim.quantity][-1])]
-    for condition in aim.conditions:
-        value, slope = aim.distance(member, condition)
-        values.append(value / aim.size(condition))
-        slopes.append(float(slope[-1]) / aim.size(condition))
+    margins = aim.distances(member)
+    asked = [(aim.quantity, "<=" if aim.sign > 0 else ">=", 0.0, aim.scale)]
+    asked += [(*condition.asked, aim.size(condition)) for condition in aim.conditions]
+    values, slopes = [], []
+    for quantity, relation, wanted, size in asked:
+        value, slope = aim.distance(member, quantity, relation, wanted)
+        values.append(value / size)
+        slopes.append(float(slope[-1]) / size)
     return (
         np.concatenate([values, margins[0]]),
         np.concatenate([slopes, margins[1][:, -1]]) * length,
@@ -114,14 +119,14 @@ def _worst_places(points: DesignPoints, aim: Aim, place: np.ndarray, scan: _Scan
     alarms = np.array([_alarms(aim, member, points.lengths[-1]) for member in scan.members])
     found: list[_Place] = []
     for row in range(alarms.shape[2]):
-        values, slopes = alarms[:, 0, row], alarms[:, 1, row]
 
-        def at(part: float, which: int, row: int = row) -> float:
+        def at(part: float, row: int = row) -> tuple[float, float]:
             member = _member_at(points, place, part)
-            return float(_alarms(aim, member, points.lengths[-1])[which][row])
+            value, slope = _alarms(aim, member, points.lengths[-1])
+            return float(value[row]), float(slope[row])
 
-        value, slope = partial(at, which=0), partial(at, which=1)
-        least = _least(scan.parts, values, slopes, value, slope, every=row == 0)
+        values, slopes = alarms[:, :, row].T
+        least = _least(scan.parts, values, slopes, at, every=row == 0)
         found += [_Place(part, row, bend) for part, bend in least]
     found.sort()
     return [w for k, w in enumerate(found) if k == 0 or w.part - found[k - 1].part > _APART]
@@ -131,62 +136,42 @@ def _least(
     parts: np.ndarray,
     values: np.ndarray,
     slopes: np.ndarray,
-    value: Callable[[float], float],
-    slope: Callable[[float], float],
+    at: Callable[[float], tuple[float, float]],
     *,
     every: bool,
 ) -> list[tuple[float, float]]:
     """Places of the local minima of a function, with its second derivatives inside, else 0.
 
-    Unless `every` is set, only minima that may be the least one are kept.
+    `at` gives its value and slope at a place; where the slope is NaN it counts as zero. Unless
+    `every` is set, only minima that may be the least one are kept.
     """
-    from scipy.optimize import minimize_scalar
+    from scipy.optimize import brentq, minimize_scalar
 
     last = len(parts) - 1
-    places: list[tuple[float, float]] = []  # values and places
-    for k in range(last + 1):
-        before = values[k - 1] if k > 0 else np.inf
-        after = values[k + 1] if k < last else np.inf
-        if values[k] <= before and values[k] < after:
-            places.append((float(values[k]), float(parts[k])))
-    for k in range(last):
-        if slopes[k] < 0 < slopes[k + 1]:
-            near = min(float(values[k]), float(values[k + 1]))
-            places.append((near, -1.0 - k))  # to be looked for
-    if not every:
-        least = min(values)
-        width = float(np.ptp(values)) / max(last, 1)
-        places = [each for each in places if each[0] <= least + width]
+    most = np.inf if every else values.min() + np.ptp(values) / max(last, 1)
+    turning = [k for k in range(last) if slopes[k] < 0 < slopes[k + 1]]
     found = []
-    for _, part in places:
-        if part >= 0:
-            k = round(part * last)
-            sides = slopes[max(k - 1, 0) : k + 2]
-            if 0 < k < last and np.isnan(sides).any():
-                low, high = parts[k - 1], parts[k + 1]
-                inside = minimize_scalar(value, bounds=(low, high), options={"xatol": 1e-9})
-                found.append((float(inside.x), 0.0))
-            elif k in (0, last) or not _turns(slopes, k):
-                found.append((part, 0.0))
-        else:
-            k = int(-part - 1)
-            inside = _zero(slope, float(parts[k]), float(parts[k + 1]))
+
+    def slope(part: float) -> float:
+        return float(np.nan_to_num(at(part)[1]))
+
+    for k in turning:
+        if min(values[k : k + 2]) <= most:
+            inside = float(brentq(slope, parts[k], parts[k + 1], xtol=_FINE))
             beside = inside + (_BESIDE if inside < 0.5 else -_BESIDE)
-            bend = (slope(beside) - slope(inside)) / (beside - inside)
+            bend = (at(beside)[1] - at(inside)[1]) / (beside - inside)
             found.append((inside, max(float(np.nan_to_num(bend)), 0.0)))
+    around = np.concatenate([[np.inf], values, [np.inf]])
+    lowest = (values <= around[:-2]) & (values < around[2:]) & (values <= most)
+    for k in np.flatnonzero(lowest).tolist():
+        inner = 0 < k < last
+        if inner and np.isnan(slopes[k - 1 : k + 2]).any():
+            bounds = parts[k - 1], parts[k + 1]
+            corner = minimize_scalar(lambda x: at(x)[0], bounds=bounds, options={"xatol": 1e-9})
+            found.append((float(corner.x), 0.0))
+        elif not inner or not {k - 1, k} & {*turning}:
+            found.append((float(parts[k]), 0.0))
     return found
-
-
-def _turns(slopes: np.ndarray, k: int) -> bool:
-    """Whether a sign change of the slope next to a place already gives this minimum."""
-    return bool(slopes[k - 1] < 0 < slopes[k] or slopes[k] < 0 < slopes[k + 1])
-
-
-def _zero(slope: Callable[[float], float], low: float, high: float) -> float:
-    """Place where a slope turns positive; a place where the slope is NaN counts as that."""
-    from scipy.optimize import brentq
-
-    return float(brentq(lambda part: np.nan_to_num(slope(part)), low, high, xtol=_FINE))
 
 
 @dataclass(frozen=True, eq=False)
@@ -256,11 +241,6 @@ class BranchPoints:
 
     def _slope(self, member: DesignPoint, row: int) -> float:
         return float(_alarms(self._aim, member, self.points.lengths[-1])[1][row])
-
-    def where(self, member: DesignPoint) -> str:
-        """Position of an orbit on the branch, in words."""
-        name = self.points.names[-1]
-        return f" at {name} = {float(member.orbit.given[name]):.6g}"
 
 
 def spread(points: DesignPoints, aim: Aim) -> tuple[Aim, BranchPoints]:

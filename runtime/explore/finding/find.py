@@ -10,15 +10,16 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import permutations, product
+from typing import Any, TypeVar
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError, Interrupted
-from nonsmooth.runtime.core.values import random_generator
+from nonsmooth.runtime.core.errors import InputError, Interrupted, one_line, unknown_name
+from nonsmooth.runtime.core.registry import Kept
+from nonsmooth.runtime.core.values import Value, by_name, random_generator
 from nonsmooth.runtime.core.workload import check_memory
-from nonsmooth.runtime.explore.finding.found import Found, FoundEquilibrium, FoundOrbit
 from nonsmooth.runtime.explore.finding.outcomes import Attractors, Outcome, attractors_of
 from nonsmooth.runtime.explore.finding.primitive import (
     add_orbit,
@@ -28,8 +29,7 @@ from nonsmooth.runtime.explore.finding.primitive import (
     primitive_orbit,
     same_orbit,
 )
-from nonsmooth.runtime.explore.finding.start_box import start_box
-from nonsmooth.runtime.explore.finding.steady import Equilibrium
+from nonsmooth.runtime.explore.finding.steady import Equilibrium, same_state
 from nonsmooth.runtime.model.kernels import SystemKernels, grown, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
@@ -50,8 +50,16 @@ from nonsmooth.runtime.simulation.recurrence import (
 from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
 from nonsmooth.runtime.simulation.starting import on_circles
 
-__all__ = ["find_orbits"]
+__all__ = [
+    "Found",
+    "FoundEquilibrium",
+    "FoundOrbit",
+    "find_orbits",
+    "label_names",
+    "start_box",
+]
 
+Solved = TypeVar("Solved", Orbit, Equilibrium)
 _TOLERANCES = (1e-10, 1e-7, 1e-4, 1e-2)  # of a return: the tightest that finds one decides
 _EXACT = 1e-7  # of a return: of a motion that has settled
 _KEPT = 129  # entries: cycles of at most 64 phases
@@ -59,6 +67,199 @@ _NEAR, _LONGEST = 0.3, 12  # a near return, and the longest cycle that is tried 
 _MOST_COORDINATES = 3  # of which all permutations are tried; of more, one sign of all
 _LONGEST_CYCLE = 6
 _MOST = 200
+
+
+@dataclass(frozen=True, eq=False)
+class FoundOrbit:
+    """A periodic orbit and how many of the starts led to it.
+
+    Attributes
+    ----------
+    solved : Orbit or str
+        Over its primitive period; of one phase that ends with ``forcing-phase`` where it
+        reaches no boundary. Or why an entry of a file is no orbit of its system.
+    starts : int
+    share : float
+        Of all starts; 0 for an orbit that no start led to.
+    mirror : int or None
+        Place of the orbit before it whose mirror image it is; its own where it is its own.
+    """
+
+    solved: Orbit | str
+    starts: int
+    share: float
+    mirror: int | None = None
+
+    @property
+    def orbit(self) -> Orbit:
+        """The orbit.
+
+        Raises
+        ------
+        InputError
+            Where a file holds what is no orbit of its system; so does all that is told of it.
+        """
+        return _known(self.solved)
+
+    @property
+    def itinerary(self) -> tuple[tuple[str, str], ...]:
+        """Phases: configuration, and boundary by which it is left."""
+        return self.orbit.itinerary
+
+    @property
+    def period(self) -> float:
+        """Sum of the dwell times."""
+        return float(self.orbit.period)
+
+    @property
+    def forcing_periods(self) -> tuple[int, ...]:
+        """How many periods of each forcing it lasts; none without a forcing."""
+        turns = self.period * np.abs(self.orbit.tables.piecewise.forcing_speeds) / (2 * np.pi)
+        return tuple(round(float(count)) for count in turns)
+
+    @property
+    def verdict(self) -> str:
+        """Stable, unstable, neutral or undecided."""
+        return str(self.orbit.stability.verdict)
+
+
+@dataclass(frozen=True, eq=False)
+class FoundEquilibrium:
+    """An equilibrium and how many of the starts led to it.
+
+    Attributes
+    ----------
+    solved : Equilibrium or str
+        Or why an entry of a file is no equilibrium of its system.
+    starts : int
+    share : float
+    mirror : int or None
+        Place of the equilibrium before it whose mirror image it is, or its own.
+    """
+
+    solved: Equilibrium | str
+    starts: int
+    share: float
+    mirror: int | None = None
+
+    @property
+    def equilibrium(self) -> Equilibrium:
+        """The equilibrium.
+
+        Raises
+        ------
+        InputError
+            Where a file holds what is no equilibrium of its system.
+        """
+        return _known(self.solved)
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Found(Kept):
+    """What was found to live in a system, with the largest basins first.
+
+    Attributes
+    ----------
+    system : str
+    parameters : dict of str to Value
+    names : tuple of str
+        Of the states.
+    orbits : tuple of FoundOrbit
+    equilibria : tuple of FoundEquilibrium
+    starts : array (n, N)
+    labels : array (n,) of int
+        Where each start led: the place of an orbit, then of an equilibrium, or an `Outcome`.
+    box : array (N, 2)
+        From where the starts were drawn.
+    transitions : int
+        How many each start was followed.
+    complete : bool
+        Whether the search was not interrupted.
+    """
+
+    _kept_by = "save_found"
+
+    system: str
+    parameters: dict[str, Value]
+    names: tuple[str, ...]
+    orbits: tuple[FoundOrbit, ...]
+    equilibria: tuple[FoundEquilibrium, ...]
+    starts: np.ndarray
+    labels: np.ndarray
+    box: np.ndarray
+    transitions: int
+    complete: bool = True
+
+    def share(self, outcome: Outcome) -> float:
+        """Give the share of the starts that end in one way.
+
+        Parameters
+        ----------
+        outcome : Outcome
+            One of `outcomes`.
+
+        Returns
+        -------
+        float
+            Between 0 and 1.
+
+        Raises
+        ------
+        InputError
+            For several outcomes.
+        """
+        if np.ndim(outcome):
+            raise InputError(f"{one_line(repr(outcome), 60)} is no outcome of one start")
+        return float(np.mean(self.labels == outcome)) if self.labels.size else 0.0
+
+    @property
+    def outcomes(self) -> dict[Outcome, float]:
+        """Shares of the starts that lead to nothing that is listed, by how they end."""
+        shares = {outcome: self.share(outcome) for outcome in Outcome}
+        return {outcome: share for outcome, share in shares.items() if share}
+
+    @property
+    def unclassified(self) -> float:
+        """Share of the starts whose motion was not recognised."""
+        return self.share(Outcome.UNCLASSIFIED)
+
+    @property
+    def resting(self) -> float:
+        """Share of the starts that came to rest, at any of the places where that is possible."""
+        return self.share(Outcome.RESTING)
+
+
+def _known(solved: Solved | str) -> Solved:
+    """The content of an entry; raises `InputError` with the reason if it is refused."""
+    if isinstance(solved, str):
+        raise InputError(solved)
+    return solved
+
+
+def label_names(found: Found) -> dict[int, str]:
+    """Texts of the labels for pictures: all orbits and equilibria, and the outcomes."""
+    count = len(found.orbits)
+    names = {
+        i: f"orbit {i + 1}, period {entry.period:.6g}{_apart(i, found.orbits)}"
+        for i, entry in enumerate(found.orbits)
+    }
+    for i, steady in enumerate(found.equilibria, count):
+        names[i] = f"equilibrium {i + 1}, {steady.equilibrium.configuration}"
+    return {**names, **{int(outcome): outcome.text for outcome in Outcome}}
+
+
+def _apart(place: int, orbits: Sequence[FoundOrbit]) -> str:
+    """Text that distinguishes an orbit from others of its period: mirror image, or start."""
+    entry = orbits[place]
+    alike = [o.orbit for o in orbits if f"{o.period:.6g}" == f"{entry.period:.6g}"]
+    if len(alike) == 1:
+        return ""
+    if entry.mirror not in (None, place):
+        return f", mirror image of {entry.mirror + 1}"
+    starts = np.array([orbit.states[0].astype(float) for orbit in alike])
+    state = int(np.ptp(starts, axis=0).argmax())
+    name = entry.orbit.tables.cycle.structure.states[state]
+    return f", from {name} = {float(entry.orbit.states[0, state]):.4g}"
 
 
 def find_orbits(
@@ -218,24 +419,20 @@ def _found(
     steady_order = sorted(range(len(steady)), key=lambda i: -of_steady[i])
     places = {old: new for new, old in enumerate(order) if old < attracting}
     places |= {attracting + old: len(order) + new for new, old in enumerate(steady_order)}
-    sorted_orbits = [orbits[i] for i in order]
-    sorted_steady = [steady[i] for i in steady_order]
+
+    def entries(kind: Any, solved: Sequence[Any], counts: list[int], order: list[int]) -> Any:
+        mirrors = _mirror_places([solved[i] for i in order], symmetries)
+        return tuple(
+            kind(solved[i], counts[i], counts[i] / len(starts), mirror)
+            for i, mirror in zip(order, mirrors, strict=True)
+        )
+
     return Found(
         attractors.kernels.name,
         point.parameters,
         point.structure.states,
-        tuple(
-            FoundOrbit(orbit, of_orbits[i], of_orbits[i] / len(starts), mirror)
-            for i, orbit, mirror in zip(
-                order, sorted_orbits, _mirror_places(sorted_orbits, symmetries), strict=True
-            )
-        ),
-        tuple(
-            FoundEquilibrium(equilibrium, of_steady[i], of_steady[i] / len(starts), mirror)
-            for i, equilibrium, mirror in zip(
-                steady_order, sorted_steady, _mirror_places(sorted_steady, symmetries), strict=True
-            )
-        ),
+        entries(FoundOrbit, orbits, of_orbits, order),
+        entries(FoundEquilibrium, steady, of_steady, steady_order),
         starts,
         np.array([places.get(label, label) for label in labels.tolist()], dtype=int),
         limits,
@@ -339,10 +536,8 @@ def _mirror_places(
 def _is_image(entry: Orbit | Equilibrium, other: Orbit | Equilibrium, symmetry: Symmetry) -> bool:
     if isinstance(entry, Orbit):
         return isinstance(other, Orbit) and same_orbit(entry, image_of(other, symmetry))
-    if isinstance(other, Orbit):
-        return False
-    size = np.abs(entry.state).max()
-    return bool((np.abs(entry.state - symmetry.matrix @ other.state) <= 1e-9 * size).all())
+    image = None if isinstance(other, Orbit) else symmetry.matrix @ other.state
+    return image is not None and same_state(entry.state, image)
 
 
 def _candidates(system: PiecewiseLinear) -> Iterator[np.ndarray]:
@@ -448,3 +643,75 @@ def _cycles(follows: dict[tuple[str, str], set[tuple[str, str]]]) -> Iterator[It
                     if phase > first and phase not in path
                 ]
             yield from (path for path in paths if first in follows.get(path[-1], ()))
+
+
+def start_box(
+    system: PiecewiseLinear, given: Mapping[str, tuple[float, float]] | None = None
+) -> np.ndarray:
+    """Bounds (N, 2) between which starts are drawn, the same in all units.
+
+    For each state they are twice the largest size at which a boundary or a constraint lies, on
+    both sides. For a state without one, they are twice the size at which the equations of
+    motion balance it with the others, the loads and the forcings, at the rate of the system.
+    `given` replaces the bounds of some states; unknown names and empty intervals are refused.
+    """
+    structure = system.structure
+    rows = system.rows[list(structure.watched)]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        sizes = np.abs(rows[:, -1:] / rows[:, :-1])
+    sizes[~np.isfinite(sizes)] = 0.0
+    largest = sizes.max(axis=0, initial=0.0)
+    forced = list(structure.forced)
+    largest[forced] = 1.0
+    largest = _balanced(np.abs(system.fields), largest)
+    limits = np.stack([-2 * largest, 2 * largest], axis=1)
+    limits[forced] = -1.0, 1.0  # of starts on a circle
+    for name, bounds in by_name("box", given).items():
+        if name not in structure.states:
+            raise unknown_name("state", str(name), structure.states)
+        try:
+            low, high = map(float, bounds)
+        except (TypeError, ValueError):
+            raise InputError(f"box of {name}: {bounds!r} is no pair of numbers") from None
+        if not (np.isfinite([low, high]).all() and low < high):
+            raise InputError(f"box of {name}: {low!r} to {high!r} is no interval")
+        limits[structure.states.index(name)] = low, high
+    return limits
+
+
+def _balanced(fields: np.ndarray, known: np.ndarray) -> np.ndarray:
+    """Sizes (N,) of states: the known ones, and sizes that balance these for states of size 0.
+
+    In a time 1 / rate a state moves by no less than its own size under those that are known,
+    and moves those by no less than theirs. Fields (configurations, N, N + 1) are absolute.
+    """
+    couplings = fields.max(axis=0)
+    sizes = np.append(known, 1.0)  # the last one is the constant's
+    rate = _rate(fields, sizes)
+    coupled = couplings[:, :-1] > 0
+    while rate > 0:
+        moving = np.zeros(coupled.shape)
+        with np.errstate(over="ignore", invalid="ignore"):
+            moved = couplings @ sizes / rate
+            np.divide(rate * sizes[:-1, None], couplings[:, :-1], out=moving, where=coupled)
+            found = np.maximum(moved, moving.max(axis=0))
+        found[(sizes[:-1] > 0) | ~np.isfinite(found)] = 0.0
+        if not found.any():
+            break
+        sizes[:-1] += found
+    return np.where(sizes[:-1] > 0, sizes[:-1], 1.0)
+
+
+def _rate(fields: np.ndarray, sizes: np.ndarray) -> float:
+    """The geometric mean over the configurations of the rate of the fastest motion in each.
+
+    That is an eigenvalue, or the fall under a load through the size of a state.
+    """
+    rates = []
+    for field in fields:
+        with np.errstate(over="ignore", invalid="ignore"):
+            fall = field[:, :-1] @ field[:, -1] / np.where(sizes[:-1] > 0, sizes[:-1], np.inf)
+        around = np.abs(np.linalg.eigvals(field[:, :-1])).max()
+        rates.append(max(float(around), float(fall.max()) ** 0.5))
+    moving = [rate for rate in rates if 0 < rate < np.inf]
+    return float(np.exp(np.mean(np.log(moving)))) if moving else 0.0

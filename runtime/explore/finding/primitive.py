@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
+from nonsmooth.runtime.explore.finding.steady import responses
+from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import FORCING_PHASE, structure_of
@@ -19,7 +22,14 @@ from nonsmooth.runtime.shooting.newton import CONVERGED, SINGULAR
 from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
 from nonsmooth.runtime.shooting.symmetry import Symmetry
 from nonsmooth.runtime.shooting.translations import up_to_shift
-from nonsmooth.runtime.simulation.recurrence import Candidate, Itinerary, canonical, variation
+from nonsmooth.runtime.simulation.recurrence import (
+    Candidate,
+    Itinerary,
+    canonical,
+    itinerary_of,
+    variation,
+)
+from nonsmooth.runtime.simulation.simulate import simulate_one
 
 __all__ = [
     "add_orbit",
@@ -31,9 +41,11 @@ __all__ = [
     "primitive_orbit",
     "repeated_part",
     "same_orbit",
+    "settled_orbit",
 ]
 
 _SAME = 1e-7  # difference of two orbits, in units of the period and of the states' scales
+_TRANSITIONS = 600  # after which a motion has settled
 _TURNS, _MOST = 1e-9, 1e-4  # of the turns of one orbit: at least, or what its digits leave
 
 
@@ -48,6 +60,27 @@ def primitive_orbit(
     if part is not None:
         return primitive_orbit(kernels, point, part)
     return orbit if admissible(orbit) else None
+
+
+def settled_orbit(
+    kernels: SystemKernels,
+    parameters: Mapping[str, Any],
+    start: Sequence[float],
+    configuration: str | None = None,
+) -> Orbit | None:
+    """The periodic orbit on which a motion from a state (N,) settles, or None.
+
+    Raises `InputError` if there is no such motion, or it does not come back.
+    """
+    motion = simulate_one(kernels, parameters, start, configuration, transitions=_TRANSITIONS)
+    current = motion.structure.kernels or kernels
+    if motion.status == Status.QUIET:
+        return responses(current, motion.system)[int(motion.run.configurations[-1])]
+    if motion.status != Status.TRANSITIONS:
+        return None
+    cycle = itinerary_of(motion, since=motion.end / 2)
+    guess = Candidate(cycle.itinerary, cycle.dwell_times, cycle.start, 0.0)
+    return primitive_orbit(current, motion.system, guess)
 
 
 def in_a_family(kernels: SystemKernels, point: PiecewiseLinear, candidate: Candidate) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -272,38 +273,32 @@ def _at_entries(kernels: SystemKernels, diagram: Sweep, here: slice, threads: in
 def _at_phase(kernels: SystemKernels, diagram: Sweep, here: slice, threads: int | None) -> Looked:
     """Samples at a phase of the forcing, for one value, as a stroboscope shows the motion."""
     taken, first = diagram.samples.shape[1], diagram.start
-    illegal = np.array([int(Outcome.ILLEGAL)])
-    nothing = np.full((1, taken), np.nan), illegal, np.full(len(first), np.nan), False
+    states, possible = np.full((taken, len(first)), np.nan), False
+    outcomes, last = np.array([int(Outcome.ILLEGAL)]), states[-1]
     point = {**diagram.parameters, diagram.parameter: float(diagram.values[here][0])}
-    try:
+    with suppress(InputError):  # no such system, or no state at which a motion may start
         system = piecewise(kernels, point)
         start, chosen = _beginning(system, diagram.next_start, first)
-    except InputError:
-        return nothing
-    (cosine, sine), *_ = system.structure.forcing
-    speed = float(system.forcing_speeds[0])
-    angle = np.arctan2(start[sine], start[cosine])
-    wait = float((diagram.phase or 0.0) - angle) % (2 * np.pi)
-    times = (wait + 2 * np.pi * (diagram.transient + np.arange(taken))) / speed
-    run = follow_motion(system, start, chosen, float(times[-1] + 2 * np.pi / speed))
-    states = np.full((taken, len(start)), np.nan)
-    reached = times <= run.end if run.status != Status.QUIET else np.full(taken, True)
-    phases = np.searchsorted(run.times, times[reached], side="right") - 1
-    since = times[reached] - run.times[phases]
-    states[reached] = phase_states(system, run.configurations[phases], since, run.states[phases])
-    column = system.structure.states.index(diagram.state)
-    if not np.isfinite(states[-1]).all():
-        return states[None, :, column], illegal, states[-1], True
-    # what is at rest has moved by rounding, as no start may; the entry into its phase is exact
-    try:
-        last, _ = _beginning(system, states[-1], run.states[phases[-1]])
-    except InputError:
-        return states[None, :, column], illegal, states[-1], True
-    goes_on = simulate_many(
-        kernels, point, last[None], transitions=_KEPT, keep=_KEPT, threads=threads
-    )
-    outcomes = settled(kernels, point, goes_on, threads).outcomes
-    return states[None, :, column], outcomes, last, True
+        possible = True
+        (cosine, sine), *_ = system.structure.forcing
+        speed = float(system.forcing_speeds[0])
+        angle = np.arctan2(start[sine], start[cosine])
+        wait = float((diagram.phase or 0.0) - angle) % (2 * np.pi)
+        times = (wait + 2 * np.pi * (diagram.transient + np.arange(taken))) / speed
+        run = follow_motion(system, start, chosen, float(times[-1] + 2 * np.pi / speed))
+        reached = times <= run.end if run.status != Status.QUIET else np.full(taken, True)
+        phases = np.searchsorted(run.times, times[reached], side="right") - 1
+        since, passed = times[reached] - run.times[phases], run.configurations[phases]
+        states[reached] = phase_states(system, passed, since, run.states[phases])
+        if np.isfinite(last).all():
+            # what is at rest has moved by rounding, as no start may; the entry is exact
+            last, _ = _beginning(system, last, run.states[phases[-1]])
+            goes_on = simulate_many(
+                kernels, point, last[None], transitions=_KEPT, keep=_KEPT, threads=threads
+            )
+            outcomes = settled(kernels, point, goes_on, threads).outcomes
+    column = structure_of(kernels).states.index(diagram.state)
+    return states[None, :, column], outcomes, last, possible
 
 
 def _beginning(

@@ -11,33 +11,31 @@ spread of a column where these are not known.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from contextlib import suppress
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, NonsmoothError
-from nonsmooth.runtime.explore.finding.find import find_orbits
-from nonsmooth.runtime.explore.finding.primitive import add_orbit, primitive_orbit
-from nonsmooth.runtime.explore.finding.start_box import start_box
-from nonsmooth.runtime.explore.finding.steady import responses
-from nonsmooth.runtime.explore.fitting.fit_record import Fit
+from nonsmooth.runtime.explore.finding.find import find_orbits, start_box
+from nonsmooth.runtime.explore.finding.primitive import add_orbit, settled_orbit
 from nonsmooth.runtime.explore.fitting.measurements import Measured, usual_size
 from nonsmooth.runtime.explore.fitting.outputs import ResponseQuantity, response_quantity
 from nonsmooth.runtime.explore.fitting.prediction import Prediction
 from nonsmooth.runtime.explore.fitting.unknowns import Unknowns
-from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels, grown, known_system
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives, followed
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.simulation.recurrence import Candidate, Itinerary, canonical, itinerary_of
-from nonsmooth.runtime.simulation.simulate import simulate_one
+from nonsmooth.runtime.simulation.recurrence import Itinerary, canonical
 from nonsmooth.runtime.simulation.starting import on_circles
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.explore.fitting.fit import Fit
 
 __all__ = ["KnownResponses", "look", "points_under", "predict_steady", "response_curves"]
 
-_TRANSITIONS = 600  # after which a motion has settled
 _STARTS = 6  # at random, at each point
 _SEARCHED = 60  # starts of a search for an orbit that is told
 _SHORTEST = 0.25  # step of the way to other parameters: then a response is lost
@@ -246,25 +244,12 @@ def _settled_from(
     start: Sequence[float],
     configuration: str | None = None,
 ) -> list[Orbit]:
-    """The periodic response on which a motion from a state (N,) settles, in a list.
-
-    The list is empty where the motion does not settle on a periodic one.
-    """
+    """The stable response on which a motion from a state (N,) settles, in a list, if any."""
     try:
-        motion = simulate_one(kernels, parameters, start, configuration, transitions=_TRANSITIONS)
-        current = motion.structure.kernels or kernels
-        point = motion.system
-        if motion.status == Status.QUIET:
-            orbit = responses(current, point)[int(motion.run.configurations[-1])]
-        elif motion.status == Status.TRANSITIONS:
-            cycle = itinerary_of(motion, since=motion.end / 2)
-            guess = Candidate(cycle.itinerary, cycle.dwell_times, cycle.start, 0.0)
-            orbit = primitive_orbit(current, point, guess)
-        else:
-            return []
-        return [orbit] if orbit is not None and _counts(orbit, unstable=False) else []
+        orbit = settled_orbit(kernels, parameters, start, configuration)
     except _FAILURES:
         return []
+    return [orbit] if orbit is not None and _counts(orbit, unstable=False) else []
 
 
 def _survey(kernels: SystemKernels, points: Sequence[Point]) -> list[list[Orbit]]:
@@ -371,36 +356,29 @@ def response_curves(fit: Fit, experiment: int = 0) -> tuple[np.ndarray, dict[str
     kernels = known_system(fit.system)
     structure = structure_of(kernels)
     quantities = {s.name: response_quantity(s.expression, structure) for s in found.series}
-    if not found.along:
-        values = np.arange(float(len(found.responses)))
-        points = [dict(each.parameters) for each in found.responses]
-        rows = np.arange(len(points))
-    else:
-        measured = np.array([float(each.parameters[found.along]) for each in found.responses])
-        order = np.argsort(measured, kind="stable")
-        values = np.linspace(measured.min(), measured.max(), _VALUES)
-        rows = abs(values[:, None] - measured).argmin(axis=1)
-        columns = {
-            name: np.array([float(each.parameters[name]) for each in found.responses])[order]
-            for name in found.responses[0].parameters
-        }
-        between = {n: np.interp(values, measured[order], c) for n, c in columns.items()}
-        points = [{name: column[k] for name, column in between.items()} for k in range(_VALUES)]
-    by = [found.along or next(iter(found.responses[0].parameters))]
-    every = range(len(found.responses))
-    orbits = [fit.response(row, experiment).derivatives(by) for row in every]
+    rows = range(len(found.responses))
+    table = {
+        name: np.array([float(each.parameters[name]) for each in found.responses])
+        for name in found.responses[0].parameters
+    }
+    measured = table.get(found.along, np.arange(float(len(rows))))
+    order = np.argsort(measured, kind="stable")
+    values = np.linspace(measured.min(), measured.max(), _VALUES) if found.along else measured
+    nearest = abs(values[:, None] - measured).argmin(axis=1).tolist()
+    between = {n: np.interp(values, measured[order], c[order]) for n, c in table.items()}
+    by = [found.along or next(iter(table))]
+    orbits = [fit.response(row, experiment).derivatives(by) for row in rows]
     curves = {name: np.full(len(values), np.nan) for name in quantities}
     own = [each.orbit.itinerary for each in orbits]
-    for place, (row, point) in enumerate(zip(rows.tolist(), points, strict=True)):
-        if place and own[row] != own[rows[place - 1]]:
+    for place, row in enumerate(nearest):
+        if place and own[row] != own[nearest[place - 1]]:
             continue  # no line joins responses of different phases
+        point = {name: float(column[place]) for name, column in between.items()}
         there, _ = _responses_at(kernels, point, by, [orbits[row]], unstable=True)
         for each in there:
             for name, quantity in quantities.items():
-                try:
+                with suppress(NonsmoothError):
                     curves[name][place] = quantity.of(each)[0]
-                except NonsmoothError:
-                    continue
     for series in found.series:
         if quantities[series.name].periodic:  # next to what was measured
             order = np.argsort(series.times, kind="stable")

@@ -10,7 +10,7 @@ from typing import Any
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import check_target, unwritable, write_file
-from nonsmooth.runtime.explore.finding.found import Found
+from nonsmooth.runtime.explore.finding.find import Found
 from nonsmooth.runtime.model.loading.declared import declaration_in
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.files.named_entries import declared_table

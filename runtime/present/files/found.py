@@ -15,7 +15,7 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import Digits, FromOne, Integers, Row, Table, decode, encode
 from nonsmooth.runtime.core.result_files import FileFormat, naming
 from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.explore.finding.found import Found, FoundEquilibrium, FoundOrbit
+from nonsmooth.runtime.explore.finding.find import Found, FoundEquilibrium, FoundOrbit
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.explore.finding.steady import Equilibrium, equilibria, same_state
 from nonsmooth.runtime.model.kernels import SystemKernels, known_system

@@ -16,11 +16,10 @@ from nonsmooth.runtime.core.result_files import FileFormat
 from nonsmooth.runtime.model.saved_system import SAVED_VERSION
 
 if TYPE_CHECKING:
-    from nonsmooth.runtime.explore.continuation.branch import Branch
-    from nonsmooth.runtime.explore.continuation.continue_event import Locus
+    from nonsmooth.runtime.explore.continuation.branch import Branch, Locus
     from nonsmooth.runtime.explore.design.optimum import Design
     from nonsmooth.runtime.explore.finding.sweep import Sweep
-    from nonsmooth.runtime.explore.fitting.fit_record import Fit
+    from nonsmooth.runtime.explore.fitting.fit import Fit
     from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
     from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
     from nonsmooth.runtime.proof.events.event_certificate import (
@@ -152,7 +151,7 @@ KINDS: dict[str, KeptKind] = {
         "saved branch", ".explore.continuation.branch:Branch", 4, _check_branch
     ),
     "nonsmooth locus": KeptKind(
-        "saved curve of events", ".explore.continuation.continue_event:Locus", 3, _check_locus
+        "saved curve of events", ".explore.continuation.branch:Locus", 3, _check_locus
     ),
     "nonsmooth design": KeptKind(
         "saved design", ".explore.design.optimum:Design", 2, _check_design
@@ -161,7 +160,7 @@ KINDS: dict[str, KeptKind] = {
         "saved sweep", ".explore.finding.sweep:Sweep", 2 + SAVED_VERSION, _check_sweep
     ),
     "nonsmooth fit": KeptKind(
-        "saved fit", ".explore.fitting.fit_record:Fit", 1 + SAVED_VERSION, _check_fit
+        "saved fit", ".explore.fitting.fit:Fit", 1 + SAVED_VERSION, _check_fit
     ),
     "nonsmooth certificate": KeptKind("certificate", ".proof.certificate:Certificate", _PROOF),
     "nonsmooth box certificate": KeptKind(

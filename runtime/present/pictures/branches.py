@@ -24,8 +24,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from nonsmooth.runtime.explore.continuation.branch import Branch
-    from nonsmooth.runtime.explore.continuation.continue_event import Locus
+    from nonsmooth.runtime.explore.continuation.branch import Branch, Locus
     from nonsmooth.runtime.explore.continuation.event import Event
 
 __all__ = ["draw_branch", "draw_locus"]

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonsmooth.runtime.explore.design.design import along, along_branch
+from nonsmooth.runtime.explore.design.design import along
 from nonsmooth.runtime.model.naming import shown_name, units_of
 from nonsmooth.runtime.present.pictures.drawing import (
     LINES,
@@ -55,7 +55,7 @@ def _iterates(design: Design, axes: Any) -> None:
 
 
 def _along(design: Design, name: str, axes: Any) -> None:
-    values, found = along(design, name, _POINTS)
+    values, found = along(design, design.orbit, name, _POINTS)
     for place, quantity in enumerate(design.quantities):
         color, dashes = LINES[place % len(LINES)]
         axes.plot(values, found[:, place], color=color, linestyle=dashes, label=_word(quantity))
@@ -68,8 +68,9 @@ def _along(design: Design, name: str, axes: Any) -> None:
 
 def _along_branch(design: Design, axes: Any) -> None:
     """Draw the quantities along the branch before and after the design, with their worst places."""
-    values, before, after = along_branch(design, _POINTS)
     (name,) = design.worst_over
+    values, before = along(design, design.start, name, _POINTS)
+    _, after = along(design, design.orbit, name, _POINTS)
     for place, quantity in enumerate(design.quantities):
         color, dashes = LINES[place % len(LINES)]
         axes.plot(values, before[:, place], color=color, linestyle=dashes, alpha=0.4)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.explore.fitting.fit_record import Fit, FittedSeries
+from nonsmooth.runtime.explore.fitting.fit import Fit, FittedSeries
 from nonsmooth.runtime.explore.fitting.outputs import output_of
 from nonsmooth.runtime.explore.fitting.steady_responses import response_curves
 from nonsmooth.runtime.model.kernels import known_system

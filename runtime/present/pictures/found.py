@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.explore.finding.found import Found, FoundOrbit
+from nonsmooth.runtime.explore.finding.find import Found, FoundOrbit
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.present.pictures.drawing import check_picture
 from nonsmooth.runtime.present.pictures.plot import draw

@@ -18,7 +18,7 @@ from nonsmooth.runtime.core.parallel import check_workers, in_processes
 from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
-from nonsmooth.runtime.explore.finding.start_box import start_box
+from nonsmooth.runtime.explore.finding.find import start_box
 from nonsmooth.runtime.model.kernels import known_system
 from nonsmooth.runtime.model.saved_system import check_same_system
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
