@@ -25,8 +25,6 @@ from nonsmooth.runtime.core.workload import SECONDS, check_hours
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
 
-    from matplotlib.figure import Figure
-
     from nonsmooth.runtime.core.values import Value
     from nonsmooth.runtime.explore.continuation.branch import Branch
     from nonsmooth.runtime.explore.continuation.event import Event
@@ -159,18 +157,12 @@ def follow(
     if beyond and not stopped:
         beyond_events, stopped = worked(lambda: _beyond(branch, fixed))
 
-    def draw() -> Figure:
-        from nonsmooth.runtime.present.pictures.branches import draw_branch
-
-        drawn: Figure = draw_branch(branch, split(quantity), over=over)
-        return drawn
-
     return reply.give(
         branch,
         stopped,
         told=lambda: branch_json(branch, beyond_events),
         show=lambda: _show(branch, beyond_events),
-        figure=draw,
+        figure=lambda: branch.plot(split(quantity), over=over),
         done=f"{len(branch)} points are done",
         resumes=not switch,
     )

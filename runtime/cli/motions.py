@@ -91,7 +91,7 @@ def simulate(
         observables_json,
         proof_json,
     )
-    from nonsmooth.runtime.present.pictures.plot import trajectory_figure
+    from nonsmooth.runtime.present.pictures.plot import motion_figure
     from nonsmooth.runtime.simulation.derivatives import chosen_numbers
     from nonsmooth.runtime.simulation.simulate import simulate as follow
 
@@ -151,7 +151,7 @@ def simulate(
         motion,
         told=told,
         show=show,
-        figure=lambda: trajectory_figure(motion, "all"),
+        figure=lambda: motion_figure(motion),
         enough=decided and not overflown,
     )
     if overflown:
@@ -312,7 +312,6 @@ def sweep(
     from nonsmooth.runtime.cli.display import counted
     from nonsmooth.runtime.explore.finding.sweep import sweep as follow
     from nonsmooth.runtime.present.files.kept import format_named
-    from nonsmooth.runtime.present.pictures.maps import draw_sweep
 
     known = reply.known(format_named("nonsmooth sweep").load)
     asked, options = _question(
@@ -329,7 +328,6 @@ def sweep(
     return reply.give(
         diagram,
         stopped,
-        figure=lambda: draw_sweep(diagram),
         done=f"{diagram.done} of {count} values are done",
     )
 

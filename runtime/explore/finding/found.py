@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, one_line
-from nonsmooth.runtime.core.registry import Kept
+from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.explore.finding.steady import Equilibrium
@@ -140,6 +140,28 @@ class Found(Kept):
     box: np.ndarray
     transitions: int
     complete: bool = True
+
+    def plot(self, kind: str = "all", *, periods: int = 1) -> Any:
+        """Draw the found orbits with the largest basins, a row for each.
+
+        Parameters
+        ----------
+        kind : {"all", "time", "velocity", "phase"}
+            Histories of positions or of velocities, portraits of all masses in one, or portraits
+            beside positions.
+        periods : int
+            How many of them a history has.
+
+        Returns
+        -------
+        matplotlib Figure
+
+        Raises
+        ------
+        InputError
+            For another kind, or if no orbit was found.
+        """
+        return registered("found_figure")(self, kind, periods=periods)
 
     def share(self, outcome: Outcome) -> float:
         """Give the share of the starts that end in one way.
