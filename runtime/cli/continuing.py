@@ -170,7 +170,7 @@ def follow(
 
 def _show(branch: Branch, others: Others) -> None:
     """Show a branch, the itineraries beyond its events, and the options that go on from them."""
-    from nonsmooth.runtime.cli.tables import show_result
+    from nonsmooth.runtime.cli.display import show_result
 
     show_result(branch)
     for number, orbits in others.items():

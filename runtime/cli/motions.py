@@ -81,7 +81,7 @@ def simulate(
     reply: Reply,
 ) -> int:
     """Follow a motion from event to event, exactly: no event is missed."""
-    from nonsmooth.runtime.cli.tables import show_result
+    from nonsmooth.runtime.cli.display import show_result
     from nonsmooth.runtime.core.files import check_ending
     from nonsmooth.runtime.core.values import parse
     from nonsmooth.runtime.model.engine_run import Status
@@ -202,8 +202,7 @@ def find(
     reply: Reply,
 ) -> int:
     """Find the periodic orbits and equilibria of a system, and where random starts lead."""
-    from nonsmooth.runtime.cli.display import steps
-    from nonsmooth.runtime.cli.tables import show_result
+    from nonsmooth.runtime.cli.display import show_result, steps
     from nonsmooth.runtime.explore.finding.find import find_orbits
     from nonsmooth.runtime.present.files.declaring import check_declaration, write_itineraries
 

@@ -154,7 +154,7 @@ class Reply:
         required to be proved it says whether they are. The functions replace what the result
         itself does.
         """
-        from nonsmooth.runtime.cli.tables import show_result
+        from nonsmooth.runtime.cli.display import show_result
 
         self.settle(save or found.save)
         if self.plot is not None:

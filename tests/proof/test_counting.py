@@ -27,8 +27,8 @@ from nonsmooth.runtime.checker.counting.contraction import Linear, balls_of, con
 from nonsmooth.runtime.checker.counting.covering import CUTS, CoveringBox, Root, Walk
 from nonsmooth.runtime.checker.counting.dwell_equations import DwellEquations, _flow_over, _norm
 from nonsmooth.runtime.checker.stated.exact import Failure
+from nonsmooth.runtime.cli.display import show_result
 from nonsmooth.runtime.cli.program import app
-from nonsmooth.runtime.cli.tables import show_result
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.completion import complete
 from nonsmooth.runtime.model.kernels import kernels_of, load_orbit
