@@ -86,11 +86,7 @@ def simulate(
     from nonsmooth.runtime.core.values import parse
     from nonsmooth.runtime.model.engine_run import Status
     from nonsmooth.runtime.model.structure import structure_of
-    from nonsmooth.runtime.present.answers import (
-        motion_derivatives_json,
-        observables_json,
-        proof_json,
-    )
+    from nonsmooth.runtime.present.answers import result_json
     from nonsmooth.runtime.present.pictures.plot import motion_figure
     from nonsmooth.runtime.simulation.derivatives import chosen_numbers
     from nonsmooth.runtime.simulation.simulate import simulate as follow
@@ -129,14 +125,9 @@ def simulate(
         proof = validate(system, values, exact, begin, motion.transitions)
 
     def told() -> dict[str, Any]:
-        found = motion.to_json()
-        if observed is not None:
-            found["observables"] = observables_json(observed)
-        if changes is not None:
-            found["derivatives"] = motion_derivatives_json(changes)
-        if proof is not None:
-            found["proof"] = proof_json(proof)
-        return found
+        found: dict[str, Any] = motion.to_json()
+        parts = {"observables": observed, "derivatives": changes, "proof": proof}
+        return found | {name: result_json(part) for name, part in parts.items() if part is not None}
 
     def show() -> None:
         show_result(motion)
