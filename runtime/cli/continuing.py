@@ -49,6 +49,7 @@ __all__ = ["follow"]
     long=True,
     question="orbit parameters start admissible switch follow_event",
     anew="step points beyond",
+    kept="branch",
 )
 def follow(
     orbit: OrbitName,
@@ -105,12 +106,11 @@ def follow(
     """Follow an orbit over one parameter: folds, flips, grazing, phases that vanish."""
     from nonsmooth.runtime.orbits.solve import solve
     from nonsmooth.runtime.present.answers import branch_json
-    from nonsmooth.runtime.present.files.kept import format_named
 
     _check_picture(reply, quantity, over, follow_event)
     if reply.resume is not None and (switch or follow_event is not None):
         raise InputError("--resume is for a branch, and not for what --switch and --follow lead to")
-    known = reply.known(format_named("nonsmooth branch").load)
+    known = reply.known
     if follow_event is not None and beyond:
         raise InputError("--beyond is of a branch: leave it out with --follow")
     wanted = 1 if follow_event is None else 2

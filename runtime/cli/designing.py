@@ -39,6 +39,7 @@ __all__ = ["design"]
     plot=True,
     long=True,
     question="orbit parameters minimise maximise solve worst_over subject",
+    kept="design",
 )
 def design(
     orbit: OrbitName,
@@ -97,9 +98,8 @@ def design(
     """Find parameters at which an orbit is best, or has wanted values: stability, period, ...."""
     from nonsmooth.runtime.cli.display import counted
     from nonsmooth.runtime.explore.design.design import design as find_design
-    from nonsmooth.runtime.present.files.kept import format_named
 
-    known = reply.known(format_named("nonsmooth design").load)
+    known = reply.known
     fixed, ranged = values_and_ranges(parameters)
     if not ranged:
         raise InputError("no parameter varies: give its bounds, such as V=0.6:1.3")

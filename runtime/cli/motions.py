@@ -228,9 +228,9 @@ def find(
 
     def show() -> None:
         show_result(found)
-        if reply.kept and found.orbits:
+        if reply.saved and found.orbits:
             print(
-                f"nonsmooth solve, continue, certify, chart and plot take {reply.kept}:1 and so on"
+                f"nonsmooth solve, continue, certify, chart and plot take {reply.saved}:1 and so on"
             )
         for name in names:
             print(f"{write}:{name}")
@@ -255,6 +255,7 @@ def find(
     plot=True,
     long=True,
     question="system parameters quantity at start transient samples restart",
+    kept="sweep",
 )
 def sweep(
     system: SystemName,
@@ -301,9 +302,8 @@ def sweep(
     """Draw a bifurcation diagram by brute force: where motions settle over one parameter."""
     from nonsmooth.runtime.cli.display import counted
     from nonsmooth.runtime.explore.finding.sweep import sweep as follow
-    from nonsmooth.runtime.present.files.kept import format_named
 
-    known = reply.known(format_named("nonsmooth sweep").load)
+    known = reply.known
     asked, options = _question(
         system, parameters, quantity, at, start, transient, samples, not restart
     )
