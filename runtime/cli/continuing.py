@@ -16,6 +16,7 @@ from nonsmooth.runtime.cli.options import (
     Save,
     Yes,
     parameters_as,
+    solved_within,
 )
 from nonsmooth.runtime.cli.parsing import assignments, ends, split, values_and_ranges
 from nonsmooth.runtime.cli.reply import Reply
@@ -104,7 +105,6 @@ def follow(
     reply: Reply,
 ) -> int:
     """Follow an orbit over one parameter: folds, flips, grazing, phases that vanish."""
-    from nonsmooth.runtime.orbits.solve import solve
     from nonsmooth.runtime.present.answers import branch_json
 
     _check_picture(reply, quantity, over, follow_event)
@@ -125,16 +125,7 @@ def follow(
         raise InputError(f"--from is for parameters with a range, which {unknown[0]} has not")
     fixed |= entered
     check_hours(f"{points} points", 2 * points * SECONDS["point"], yes=yes)
-    begin = solve(orbit, fixed)
-    middles = {
-        each: sum(span) / 2
-        for each, span in spans.items()
-        if each in begin.given
-        and each not in entered
-        and not span[0] <= float(begin.given[each]) <= span[1]
-    }
-    if middles:
-        begin = solve(orbit, {**fixed, **middles})
+    begin = solved_within(orbit, fixed, spans)
     if not switch:  # beyond an event the unknowns may be others
         _check_quantities(begin, name, [*split(quantity), *([over] if over else [])])
     options = {"step": step, "points": points, "admissible": admissible}
