@@ -187,12 +187,12 @@ def counted(what: str, total: int | None = None) -> Iterator[Callable[..., None]
 
 
 @contextmanager
-def shared(what: str, counts: str = "tiles") -> Iterator[Callable[[float, int], None]]:
+def shared(what: str) -> Iterator[Callable[[float, int], None]]:
     """Give a function that shows progress on stderr; it takes a share in [0, 1] and a count.
 
     Nothing is shown unless stderr is a terminal. The text `what` stands before the bar, and
-    `counts` says what is counted. The remaining time is estimated from the share and the
-    time that it took.
+    tiles are counted. The remaining time is estimated from the share and the time that it
+    took.
     """
     if not sys.stderr.isatty():
         yield lambda share, count: None
@@ -201,7 +201,7 @@ def shared(what: str, counts: str = "tiles") -> Iterator[Callable[[float, int], 
     from rich.progress import TimeElapsedColumn as Elapsed
     from rich.progress import TimeRemainingColumn as Remaining
 
-    tiles = TextColumn("{task.fields[count]} " + counts)
+    tiles = TextColumn("{task.fields[count]} tiles")
     left = (TextColumn("left"), Remaining())
     columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), tiles)
     shown = Progress(
