@@ -22,8 +22,8 @@ from nonsmooth.runtime.explore.finding.outcomes import settled_texts
 from nonsmooth.runtime.explore.finding.sweep import Sweep
 from nonsmooth.runtime.explore.fitting.fit_record import Fit
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.present.report import orbit_json
-from nonsmooth.runtime.proof.motion.motion_proof import Proof
+from nonsmooth.runtime.present.report import multipliers_json, orbit_json
+from nonsmooth.runtime.proof.motion.motion_proof import Enclosure, Proof
 from nonsmooth.runtime.simulation.derivatives import MotionDerivatives
 from nonsmooth.runtime.simulation.lyapunov import Exponent, lyapunov
 from nonsmooth.runtime.simulation.observables import Observables
@@ -49,6 +49,8 @@ def _spelled(value: Any) -> Any:
     """Numbers, arrays and records, also inside of others, as JSON has them."""
     if isinstance(value, Value):
         return value.text
+    if isinstance(value, Enclosure):
+        return value.to_json()
     if isinstance(value, float):
         return repr(float(value))
     if isinstance(value, complex):
@@ -144,10 +146,9 @@ def largest_exponent(found: Observables) -> Exponent | str:
 def _proof_json(proof: Proof) -> dict[str, Any]:
     """What is proved of a motion, as JSON: its sequence, with enclosures of the times."""
     return {
-        **_attributes(proof, "decided", "transitions", "configurations", "reason", "bits"),
+        **_attributes(proof, "decided", "transitions", "configurations", "times"),
+        **_attributes(proof, "reason", "instant", "bits"),
         "boundaries": _spelled(proof.sets),
-        "times": [time.to_json() for time in proof.times],
-        "instant": proof.instant and proof.instant.to_json(),
     }
 
 
@@ -240,10 +241,7 @@ def _found_json(found: Found) -> dict[str, Any]:
                 }
                 for (configuration, boundary), duration, start in phases
             ],
-            "multipliers": [
-                {"re": repr(float(m.real)), "im": repr(float(m.imaginary)), "trivial": m.trivial}
-                for m in solved.stability.multipliers
-            ],
+            "multipliers": multipliers_json(solved.stability, lambda x: repr(float(x))),
             "trace": repr(float(solved.stability.trace)),
             "residual": repr(float(solved.residual)),
             "admissible": solved.admissibility.verdict,

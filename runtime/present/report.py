@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from decimal import Decimal
 from typing import Any
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.json_codec import encode
 from nonsmooth.runtime.core.values import Value, decimal_string, flint_precision
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
@@ -19,6 +20,7 @@ __all__ = [
     "admissibility_json",
     "admissibility_rows",
     "derivatives_json",
+    "multipliers_json",
     "orbit_json",
     "short",
     "tell_report",
@@ -65,12 +67,6 @@ def orbit_json(orbit: Orbit, digits: int | None = None) -> dict[str, Any]:
     def text(number: Any) -> str:
         return decimal_string(number, shown)
 
-    def multipliers(stability: Stability) -> list[dict[str, Any]]:
-        return [
-            {"re": text(m.real), "im": text(m.imaginary), "trivial": m.trivial}
-            for m in stability.multipliers
-        ]
-
     stability = orbit.stability
     shift = {name: text(orbit.shift[name]) for name in orbit.evaluation.free_states}
     found = {
@@ -83,7 +79,7 @@ def orbit_json(orbit: Orbit, digits: int | None = None) -> dict[str, Any]:
         **({"shift": shift} if shift else {}),
         "residual": short(orbit.residual),
         "digits": shown,
-        "multipliers": multipliers(stability),
+        "multipliers": multipliers_json(stability, text),
         "trace": text(stability.trace),
         "margin": text(stability.margin),
         "stability": stability.verdict,
@@ -91,13 +87,21 @@ def orbit_json(orbit: Orbit, digits: int | None = None) -> dict[str, Any]:
         **admissibility_json(orbit),
     }
     if orbit.symmetry is not None:
-        found["part_multipliers"] = multipliers(orbit.part_stability)
+        found["part_multipliers"] = multipliers_json(orbit.part_stability, text)
     phases = zip(orbit.itinerary, orbit.dwell_time_names, strict=True)
     found["phases"] = [
         {"configuration": configuration, "boundary": boundary, "dwell_time": name}
         for (configuration, boundary), name in phases
     ]
     return found
+
+
+def multipliers_json(stability: Stability, text: Callable[[Any], str]) -> list[dict[str, Any]]:
+    """Multipliers as JSON, whose parts are spelled by a function."""
+    return [
+        {"re": text(m.real), "im": text(m.imaginary), "trivial": m.trivial}
+        for m in stability.multipliers
+    ]
 
 
 def trace_proof_json(orbit: Orbit) -> dict[str, Any]:
@@ -180,29 +184,14 @@ def admissibility_json(orbit: Orbit) -> dict[str, Any]:
     Phases are counted from 1.
     """
     admissibility = orbit.admissibility
-    found: dict[str, Any] = {"admissible": admissibility.verdict}
-    if admissibility.verdict is False:
-        found["violations"] = [
-            {
-                "phase": v.phase + 1,
-                "configuration": v.configuration,
-                "boundary": v.boundary,
-                "time": repr(v.time),
-                "excess": repr(v.excess),
-            }
-            for v in admissibility.violations
-        ]
-    if admissibility.verdict == "conditional":
-        found["requires"] = [
-            {"parameter": r.parameter, "greater_than": repr(r.greater_than)}
-            for r in admissibility.requires
-        ]
-    if admissibility.coincidences:
-        found["coincidences"] = [
-            {"phase": c.phase + 1, "boundaries": list(c.boundaries), "time": repr(c.time)}
-            for c in admissibility.coincidences
-        ]
-    return found
+    verdict = admissibility.verdict
+    parts: dict[str, Sequence[Any]] = {
+        "violations": admissibility.violations if verdict is False else (),
+        "requires": admissibility.requires if verdict == "conditional" else (),
+        "coincidences": admissibility.coincidences,
+    }
+    told = {name: [encode(each) for each in found] for name, found in parts.items() if found}
+    return {"admissible": verdict, **told}
 
 
 def short(number: Any) -> str:
