@@ -300,46 +300,16 @@ def sweep(
     reply: Reply,
 ) -> int:
     """Draw a bifurcation diagram by brute force: where motions settle over one parameter."""
+    from numpy import linspace
+
     from nonsmooth.runtime.cli.display import counted
+    from nonsmooth.runtime.core.values import parse
+    from nonsmooth.runtime.explore.finding.sweep import check_sweep
     from nonsmooth.runtime.explore.finding.sweep import sweep as follow
 
     known = reply.known
-    asked, options = _question(
-        system, parameters, quantity, at, start, transient, samples, not restart
-    )
-    name, values = asked[2:4]
-    count, length = len(values), options["transient"] + options["samples"]
-    what = f"{count} values, followed over {length} transitions or periods each,"
-    check_hours(what, count * length * SECONDS["transition"], yes=yes)
-    with counted(f"sweeping {name}", count) as progress:
-        diagram, stopped = worked(
-            lambda: follow(*asked, **options, resume=known, progress=progress)
-        )
-    return reply.give(
-        diagram,
-        stopped,
-        done=f"{diagram.done} of {count} values are done",
-    )
-
-
-def _question(
-    system: str,
-    parameters: list[str] | None,
-    quantity: str | None,
-    at: str | None,
-    start: list[str] | None,
-    transient: int,
-    samples: int,
-    follow: bool,
-) -> tuple[tuple[Any, ...], dict[str, Any]]:
-    """Positional arguments and options of the sweep that a command line asks for."""
-    from numpy import linspace
-
-    from nonsmooth.runtime.core.values import parse
-    from nonsmooth.runtime.explore.finding.sweep import check_sweep
-
-    given = (("--quantity", quantity), ("--at", at))
-    missing = [option for option, value in given if not value]
+    wanted = (("--quantity", quantity), ("--at", at))
+    missing = [option for option, value in wanted if not value]
     if not start:
         raise missing_start(system, missing)
     if missing:
@@ -348,21 +318,37 @@ def _question(
     strobed = place.strip() == _FORCING
     if phased and not strobed:
         raise InputError(f"--at {at}: a phase is of {_FORCING} alone")
-    values, ranged = values_and_ranges(parameters, "A:B:N")
+    given, ranged = values_and_ranges(parameters, "A:B:N")
     if len(ranged) != 1:
         raise InputError(f"one parameter has to be a range A:B:N, not {len(ranged)}")
     ((name, (low, high, count)),) = grid(ranged).items()
     begin = assignments("state", split(start))
     check_sweep(count, samples)
-    options = {
-        "state": str(quantity),
-        "configuration": None if strobed else at,
-        "phase": float(parse(phase if phased else "0")) if strobed else None,
-        "transient": transient,
-        "samples": samples,
-        "follow": follow,
-    }
-    return (system, values, name, linspace(low, high, count), begin), options
+    what = f"{count} values, followed over {transient + samples} transitions or periods each,"
+    check_hours(what, count * (transient + samples) * SECONDS["transition"], yes=yes)
+    with counted(f"sweeping {name}", count) as progress:
+        diagram, stopped = worked(
+            lambda: follow(
+                system,
+                given,
+                name,
+                linspace(low, high, count),
+                begin,
+                state=str(quantity),
+                configuration=None if strobed else at,
+                phase=float(parse(phase if phased else "0")) if strobed else None,
+                transient=transient,
+                samples=samples,
+                follow=not restart,
+                resume=known,
+                progress=progress,
+            )
+        )
+    return reply.give(
+        diagram,
+        stopped,
+        done=f"{diagram.done} of {count} values are done",
+    )
 
 
 def _agreed(question: str) -> bool:
