@@ -36,7 +36,7 @@ _STYLES = {  # of verdicts
     "undecided": "yellow",
 }
 _PIPE = 1_000_000  # columns: as many as it takes
-_WORDS = 80  # columns of a cell, or of a line, of words in a pipe
+_WORDS = 80  # columns of a line, or of a cell of words in a pipe
 _LONG = 600.0  # seconds over which a rate of work is told: shares rise in jumps
 
 
@@ -58,8 +58,9 @@ def show_result(result: Any) -> None:
 def show_told(told: Told) -> None:
     """Show a title, and lines and tables by name.
 
-    Where a table is wider than the terminal its columns come in several blocks, each with the
-    first ones. In a pipe words are broken into lines, and numbers are not.
+    Several texts that are no line are lines of their own. Where a table is wider than the
+    terminal its columns come in several blocks, each with the first ones. In a pipe the words of
+    a cell are broken into lines, and numbers are not.
     """
     console = console_as_wide()
     title, rows = told
@@ -77,7 +78,10 @@ def show_told(told: Told) -> None:
         if not part:
             continue
         if not isinstance(part, Listing):
-            console.print(Text(broken(f"{name}: {'; '.join(part)}")))
+            line = f"{name}: {'; '.join(part)}"
+            if len(part) > 1 and len(line) > _WORDS:
+                line = "\n  ".join([f"{name}:", *part])
+            console.print(Text(line))
             continue
         cells = [
             [Text(broken(cell), style=_STYLES.get(cell.partition(" (")[0], "")) for cell in row]

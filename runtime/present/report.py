@@ -232,7 +232,7 @@ def tell_report(
 
 def admissibility_rows(found: Mapping[str, Any]) -> Rows:
     """Rows with a verdict, what it requires, and what violates it; `found` is as JSON."""
-    answer = {True: "yes", False: "no"}.get(found["admissible"], f"{found['admissible']}, it takes")
+    answer = {True: "yes", False: "no"}.get(found["admissible"], str(found["admissible"]))
     wanted = [
         f"{bound['parameter']} > {float(bound['greater_than']):.10g}"
         for bound in found.get("requires", ())
@@ -250,7 +250,8 @@ def admissibility_rows(found: Mapping[str, Any]) -> Rows:
     ]
     titles = ("phase", "configuration", "boundary", "crossed at", "excess")
     return [
-        ("admissible", [f"{answer} {', '.join(wanted)}".rstrip()]),
+        ("admissible", [answer]),
+        ("it takes", wanted),
         ("violations", Listing(titles, violations)),
         ("coincide", meetings),
     ]

@@ -415,7 +415,7 @@ def test_html_of_an_orbit(digits: int | None) -> None:
     assert table.tags == {"table", "caption", "tr", "th", "td", "br"}
     text = " ".join(table.texts)
     told = found.to_json()
-    for part in ("chi = 1/2", "us2 = 0.8", "stable", "conditional, it takes", "us1 > 0"):
+    for part in ("chi = 1/2", "us2 = 0.8", "stable", "conditional", "it takes", "us1 > 0"):
         assert part in text
     for number in (told["period"], told["trace"], *told["unknowns"].values()):
         assert number[:12] in text
