@@ -35,7 +35,7 @@ from nonsmooth.runtime.core.json_codec import by
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.present.checking.check_file import Check
+from nonsmooth.runtime.present.check_file import Check
 from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch

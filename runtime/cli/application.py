@@ -37,12 +37,14 @@ __all__ = [
 ]
 
 ANSWERED, UNANSWERED, WRONG_INPUT, NOT_MET = 0, 1, 2, 3
+_SHORTEST = 4  # of an option with its dashes: a shorter one is like any other
 _UNREAD = 141  # as of a program that the closed pipe's signal ends
 _WORDS = {int: "an integer", float: "a number"}
 # what has another place than in versions before
 _MOVED = {
     "--bits": "--digits",
     "--box": "a range, V=0.9:1.1",
+    "--n": "--starts",
     "--phase": "--at forcing-phase=pi/2",
     "--region": "a range, x2=2:13",
     "--simulate": "--from, with a system",
@@ -156,6 +158,8 @@ def _reason(problem: BaseException) -> tuple[int, str]:
             return WRONG_INPUT, one_line(str(problem))
         case _UsageError():
             path = problem.ctx.command_path if problem.ctx else "nonsmooth"
+            if len(getattr(problem, "option_name", "")) < _SHORTEST:
+                problem.possibilities = None
             told = _wrong_value(problem) or one_line(problem.format_message()).rstrip(".?")
             told = f"{told[:1].lower()}{told[1:]}{_elsewhere(problem)}"
             return WRONG_INPUT, f"{told}; {path} --help shows the usage"

@@ -163,21 +163,15 @@ def _show(told: dict[str, Any]) -> None:
     size = " x ".join(f"{name} {count}" for name, count in told["dimensions"].items())
     print(f"{shown_name(told['name'])}: {size}")
     for kind, count in (told["points"] or {}).items():
-        print(f"  {_KINDS.get(kind, kind):28} {count:>12,}")
+        print(f"  {_WORDS.get(kind, kind):28} {count:>12,}")
     repaired = f", {told['damaged']} of them damaged before" if told["damaged"] else ""
     print(f"{told['computed']} of {told['chunks']} chunks computed{repaired}")
     print(f"{told['file']} written; nonsmooth plot {told['file']} draws it")
 
 
-_KINDS = {
-    "stable": "stable",
-    "neutral": "neutral",
-    "unstable": "unstable",
-    "admissible": "admissible",
+_WORDS = {  # for points of charts that are not called by their kind
     "limit": "not admissible",
     "none": "none found",
     "missing": "not computed",
-    "periodic": "periodic",
-    "rest": "rest",
     "other": "not periodic",
 }

@@ -52,6 +52,7 @@ def command(
     several: bool = False,
     question: str = "",
     anew: str = "",
+    kept: str = "",
 ) -> Callable[[Callable[..., int]], Callable[..., int]]:
     """A decorator that makes a function, which returns an exit code, a command of a group.
 
@@ -62,7 +63,8 @@ def command(
     is `long`. JSON lists the files of a command that may write `several`, as with a picture.
 
     With a `question`, the names of the parameters that ask it, the command goes on with
-    --resume; those named in `anew`, which say how much is done, may change then.
+    --resume; those named in `anew`, which say how much is done, may change then. Its file is of
+    the kind `kept`.
     """
     kinds = {
         **({"plot": Plot} if plot else {}),
@@ -81,7 +83,7 @@ def command(
         def perform(context: typer.Context, options: dict[str, Any]) -> int:
             with asked.put(context, options) if asked else nullcontext():
                 own = {each: options.pop(each) for each in kinds if each in options}
-                reply = Reply(**own, resumes=asked is not None, lists=plot or several)
+                reply = Reply(**own, kept=kept, lists=plot or several)
                 if long and reply.overwrite and reply.save is None:
                     raise InputError("--overwrite is for the file of --save, which is missing")
                 reply.check()

@@ -16,6 +16,7 @@ from nonsmooth.runtime.cli.options import (
     Save,
     Yes,
     parameters_as,
+    solved_within,
 )
 from nonsmooth.runtime.cli.parsing import assignments, ends, split, values_and_ranges
 from nonsmooth.runtime.cli.reply import Reply
@@ -24,8 +25,6 @@ from nonsmooth.runtime.core.workload import SECONDS, check_hours
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
-
-    from matplotlib.figure import Figure
 
     from nonsmooth.runtime.core.values import Value
     from nonsmooth.runtime.explore.continuation.branch import Branch
@@ -51,6 +50,7 @@ __all__ = ["follow"]
     long=True,
     question="orbit parameters start admissible switch follow_event",
     anew="step points beyond",
+    kept="branch",
 )
 def follow(
     orbit: OrbitName,
@@ -105,14 +105,12 @@ def follow(
     reply: Reply,
 ) -> int:
     """Follow an orbit over one parameter: folds, flips, grazing, phases that vanish."""
-    from nonsmooth.runtime.orbits.solve import solve
     from nonsmooth.runtime.present.answers import branch_json
-    from nonsmooth.runtime.present.files.kept import format_named
 
     _check_picture(reply, quantity, over, follow_event)
     if reply.resume is not None and (switch or follow_event is not None):
         raise InputError("--resume is for a branch, and not for what --switch and --follow lead to")
-    known = reply.known(format_named("nonsmooth branch").load)
+    known = reply.known
     if follow_event is not None and beyond:
         raise InputError("--beyond is of a branch: leave it out with --follow")
     wanted = 1 if follow_event is None else 2
@@ -127,16 +125,7 @@ def follow(
         raise InputError(f"--from is for parameters with a range, which {unknown[0]} has not")
     fixed |= entered
     check_hours(f"{points} points", 2 * points * SECONDS["point"], yes=yes)
-    begin = solve(orbit, fixed)
-    middles = {
-        each: sum(span) / 2
-        for each, span in spans.items()
-        if each in begin.given
-        and each not in entered
-        and not span[0] <= float(begin.given[each]) <= span[1]
-    }
-    if middles:
-        begin = solve(orbit, {**fixed, **middles})
+    begin = solved_within(orbit, fixed, spans)
     if not switch:  # beyond an event the unknowns may be others
         _check_quantities(begin, name, [*split(quantity), *([over] if over else [])])
     options = {"step": step, "points": points, "admissible": admissible}
@@ -159,18 +148,12 @@ def follow(
     if beyond and not stopped:
         beyond_events, stopped = worked(lambda: _beyond(branch, fixed))
 
-    def draw() -> Figure:
-        from nonsmooth.runtime.present.pictures.branches import draw_branch
-
-        drawn: Figure = draw_branch(branch, split(quantity), over=over)
-        return drawn
-
     return reply.give(
         branch,
         stopped,
         told=lambda: branch_json(branch, beyond_events),
         show=lambda: _show(branch, beyond_events),
-        figure=draw,
+        figure=lambda: branch.plot(split(quantity), over=over),
         done=f"{len(branch)} points are done",
         resumes=not switch,
     )
@@ -178,7 +161,7 @@ def follow(
 
 def _show(branch: Branch, others: Others) -> None:
     """Show a branch, the itineraries beyond its events, and the options that go on from them."""
-    from nonsmooth.runtime.cli.tables import show_result
+    from nonsmooth.runtime.cli.display import show_result
 
     show_result(branch)
     for number, orbits in others.items():

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
-from dataclasses import dataclass
 from enum import StrEnum
 from functools import cache
 from pathlib import Path
@@ -12,7 +11,6 @@ from typing import Annotated, Any
 
 import typer
 
-from nonsmooth.runtime.cli.application import ANSWERED, print_json
 from nonsmooth.runtime.cli.command import command
 from nonsmooth.runtime.cli.completion import complete_orbits
 from nonsmooth.runtime.cli.keeping import say
@@ -130,31 +128,34 @@ def generate(
         raise InputError("--check writes nothing: leave out --compile")
     check_own_folder(out)
     with steps(f"reading {file}") as begin:
-        emission = emit_file(file, begin)
+        system, orbits, files = emitted(file, begin)
         told: dict[str, Any] = {
             "folder": str(out),
-            "system": emission.system,
+            "system": system,
             "orbits": [
                 {"name": name, "derived": reason is None} | ({"reason": reason} if reason else {})
-                for name, reason in emission.orbits.items()
+                for name, reason in orbits.items()
             ],
         }
         if check:
-            found = file_differences(out, emission)
+            from nonsmooth.derive.codegen.regenerate import differences
+
+            found = differences(out, files)
             return show_comparison(reply, told, found, f"{file}: generate it again")
         library = None
         if compiled:
             begin("compiling")
-            library = compile_files(emission.files)
-        paths = [str(path) for path in write_folder(out, emission.files, library)]
-    if reply.as_json:
-        print_json({**told, "files": sorted(emission.files), "written": paths})
-        return ANSWERED
-    for name, reason in emission.orbits.items():
-        if reason is not None:
-            print(f"{name}: composed numerically when it is asked for: {reason}", file=sys.stderr)
-    show_written([f"{path} written" for path in paths], f"{out}: nothing changed")
-    return ANSWERED
+            library = compile_files(files)
+        paths = [str(path) for path in write_folder(out, files, library)]
+
+    def show() -> None:
+        for name, reason in orbits.items():
+            if reason is not None:
+                told = f"{name}: composed numerically when it is asked for: {reason}"
+                print(told, file=sys.stderr)
+        show_written([f"{path} written" for path in paths], f"{out}: nothing changed")
+
+    return reply.show(lambda: {**told, "files": sorted(files), "written": paths}, show)
 
 
 @command("regenerate", "regenerate --check", "regenerate dry-friction --out kernels")
@@ -274,19 +275,13 @@ def _file_and_orbit(name: str) -> tuple[str, str | None]:
     return (place, label) if colon else (name, None)
 
 
-@dataclass(frozen=True)
-class Emission:
-    """The generated files of a declaration, and which of its orbits have kernels."""
+def emitted(
+    path: Path, progress: Callable[[str], None]
+) -> tuple[str, dict[str, str | None], dict[str, str]]:
+    """What a Python file declares: the system's name, its orbits, and all generated files.
 
-    system: str
-    orbits: dict[str, str | None]  # by orbit: None, or why it has no kernels
-    files: dict[str, str]  # text by file name
-
-
-def emit_file(path: Path, progress: Callable[[str], None] = lambda step: None) -> Emission:
-    """The generated files of what a Python file declares.
-
-    `progress` gets the name of each step when it begins. InputError refuses a file that
+    By the name of each orbit there is None, or why it has no kernels; by that of each file its
+    text. `progress` gets the name of each step when it begins. InputError refuses a file that
     cannot be read, fails, or declares no system; DeclarationError and DerivationError say
     that a declaration is inconsistent or cannot be derived.
     """
@@ -295,25 +290,13 @@ def emit_file(path: Path, progress: Callable[[str], None] = lambda step: None) -
 
     if not path.is_file():
         raise InputError(f"there is no file {path}")
-    declared = declaration_in(path)
+    declared: Any = declaration_in(path)
     from nonsmooth.derive.codegen.emit import emit_package, emit_system
 
-    system: Any = declared.system
-    orbits: Any = declared.orbits
     command = f"{COMMAND} {path.name} --out DIR"
-    emitted = emit_system(system, orbits, path.name, progress, command)
-    return Emission(
-        emitted.name,
-        {orbit.name: emitted.underived.get(orbit.name) for orbit in orbits},
-        emit_package([emitted], command),
-    )
-
-
-def file_differences(folder: Path, emission: Emission) -> tuple[str, ...]:
-    """Differences between a folder's files and those of an emission; empty if there are none."""
-    from nonsmooth.derive.codegen.regenerate import differences
-
-    return differences(folder, emission.files)
+    found = emit_system(declared.system, declared.orbits, path.name, progress, command)
+    orbits = {orbit.name: found.underived.get(orbit.name) for orbit in declared.orbits}
+    return found.name, orbits, emit_package([found], command)
 
 
 def section_formulas(name: str, section: str) -> tuple[tuple[str, str], ...]:

@@ -14,14 +14,13 @@ from nonsmooth.runtime.cli.options import (
     Require,
     Save,
     parameters_as,
+    solved_within,
 )
 from nonsmooth.runtime.cli.parsing import assignments, ends, ranges, values_and_ranges
 from nonsmooth.runtime.cli.reply import Reply, met
 from nonsmooth.runtime.core.errors import InputError
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     from nonsmooth.runtime.orbits.orbit import Orbit
 
 __all__ = ["design"]
@@ -39,6 +38,7 @@ __all__ = ["design"]
     plot=True,
     long=True,
     question="orbit parameters minimise maximise solve worst_over subject",
+    kept="design",
 )
 def design(
     orbit: OrbitName,
@@ -97,16 +97,15 @@ def design(
     """Find parameters at which an orbit is best, or has wanted values: stability, period, ...."""
     from nonsmooth.runtime.cli.display import counted
     from nonsmooth.runtime.explore.design.design import design as find_design
-    from nonsmooth.runtime.present.files.kept import format_named
 
-    known = reply.known(format_named("nonsmooth design").load)
+    known = reply.known
     fixed, ranged = values_and_ranges(parameters)
     if not ranged:
         raise InputError("no parameter varies: give its bounds, such as V=0.6:1.3")
     over = ends(ranged)
     wanted = assignments("quantity", solve or []) or None
     along = ranges("parameter", [worst_over] if worst_over else [])
-    begin = _beginning(orbit, fixed, {**along, **over})
+    begin = solved_within(orbit, fixed, {**along, **over})
     with counted("designing, iterates") as show:
         found, stopped = worked(
             lambda: find_design(
@@ -131,22 +130,3 @@ def design(
 
 def _verdicts(orbit: Orbit) -> dict[str, object]:
     return {"stable": orbit.stability.verdict, "admissible": orbit.admissibility.verdict}
-
-
-def _beginning(
-    name: str, fixed: Mapping[str, object], over: Mapping[str, tuple[float, float]]
-) -> Orbit:
-    """The orbit at which the design begins.
-
-    Parameters have the values of the reference point, or lie in the middle of their bounds
-    where the reference point is outside.
-    """
-    from nonsmooth.runtime.orbits.solve import solve
-
-    found: Orbit = solve(name, fixed)
-    middles = {
-        each: (low + high) / 2
-        for each, (low, high) in over.items()
-        if each in found.given and not low <= float(found.given[each]) <= high
-    }
-    return solve(name, {**fixed, **middles}) if middles else found

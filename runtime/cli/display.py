@@ -1,143 +1,127 @@
-"""What the command line shows to people: Rich tables on stdout, progress on stderr."""
+"""What the command line shows to people: what is told, on stdout; progress, on stderr.
+
+Nothing is cut, on a narrow terminal or in a pipe.
+"""
 
 from __future__ import annotations
 
+import io
 import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping
+import textwrap
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from decimal import Decimal
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from rich import box
 from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from nonsmooth.runtime.cli.tables import STYLES, console_as_wide, listing, show_table
-from nonsmooth.runtime.core.errors import one_line
-from nonsmooth.runtime.core.values import decimal_string
-from nonsmooth.runtime.model.naming import shown_name
-from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
-
-if TYPE_CHECKING:
-    from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.present.told import Listing, Told
 
 __all__ = [
+    "console_as_wide",
     "counted",
+    "shared",
     "show_differences",
-    "show_list",
-    "show_report",
+    "show_result",
+    "show_told",
     "show_written",
     "steps",
 ]
 
-_LONGEST_NUMBER = 64  # beside the labels
-_GROUP, _GROUPS_IN_LINE = 10, 5
-_RANKS = {1: "one", 2: "two", 3: "three"}
+_STYLES = {  # of verdicts
+    **dict.fromkeys(("proved", "stable", "conditionally stable"), "green"),
+    **dict.fromkeys(("refuted", "unstable", "refused"), "red"),
+    "undecided": "yellow",
+}
+_PIPE = 1_000_000  # columns: as many as it takes
+_WORDS = 80  # columns of a line, or of a cell of words in a pipe
 _LONG = 600.0  # seconds over which a rate of work is told: shares rise in jumps
 
 
-def show_report(
-    orbit: Orbit,
-    found: Mapping[str, Any],
-    assigned: Mapping[str, Value],
-    *,
-    absent: str,
-) -> None:
-    """Show an orbit: given parameters, unknowns, stability and admissibility.
+def console_as_wide() -> Console:
+    """A console of rich on stdout, as wide as the terminal and without limit in a pipe."""
+    console = Console(highlight=False)
+    if not console.is_terminal:
+        console.width = _PIPE
+    return console
 
-    `found` is the orbit as JSON, `assigned` has the parameters as the user gave them, and
-    `absent` says where the others come from, such as "default". Where something is proved of
-    the trace the criterion of stability comes before the orbit.
+
+def show_result(result: Any) -> None:
+    """Show what a result tells of itself."""
+    from nonsmooth.runtime.present.tell import tell
+
+    show_told(tell(result))
+
+
+def show_told(told: Told) -> None:
+    """Show a title, and lines and tables by name.
+
+    Several texts that are no line are lines of their own. Where a table is wider than the
+    terminal its columns come in several blocks, each with the first ones. In a pipe the words of
+    a cell are broken into lines, and numbers are not.
     """
     console = console_as_wide()
-    derived, rank = orbit.problem.derived, orbit.stability.rank
-    trivial = any(m["trivial"] for m in found["multipliers"])
-    rank_one = derived and rank == 1 and not trivial
-    console.print(Text(f"{shown_name(found['orbit'])}, {found['digits']} digits", style="bold"))
-    console.print(Text(" -> ".join([*_configurations(orbit), "..."])))
-    parameters = _table()
-    for name, text, source in _sources(orbit, found, assigned, absent):
-        parameters.add_row(name, text, Text(source, style="dim"))
-    unknowns = _table()
-    shown = {**_unknowns(orbit, found), "period": found["period"], "residual": found["residual"]}
-    shown |= {f"{name} moves by": text for name, text in found.get("shift", {}).items()}
-    for label, text in shown.items():
-        unknowns.add_row(label, _digits(text))
-    excess = decimal_string(-orbit.stability.margin, found["digits"])
-    zero = "0 exactly" if derived else "0 to these digits"
-    zero = f"{zero}: the Poincare map has rank {_RANKS.get(rank, rank)}"
-    criterion = _criterion(found, excess, (rank, zero), rank_one=rank_one)
-    tables = [("Given", parameters), ("Orbit", unknowns)]
-    tables.insert(
-        0 if "proof" in found else 2, ("Trace criterion" if rank_one else "Stability", criterion)
-    )
-    for title, table in tables:
-        console.print()
-        console.print(Text(title, style="bold"))
-        console.print(table)
-    if "derivatives" in found:
-        _print_derivatives(console, found["derivatives"])
-    console.print()
-    _print_admissibility(console, found)
+    title, rows = told
+    console.print(Text(title, style="bold"))
+
+    def broken(text: str) -> str:
+        if console.is_terminal:
+            return text
+        return "\n".join(
+            textwrap.fill(line, _WORDS, break_long_words=False, break_on_hyphens=False)
+            for line in text.split("\n")
+        )
+
+    for name, part in rows:
+        if not part:
+            continue
+        if not isinstance(part, Listing):
+            line = f"{name}: {'; '.join(part)}"
+            if len(part) > 1 and len(line) > _WORDS:
+                line = "\n  ".join([f"{name}:", *part])
+            console.print(Text(line))
+            continue
+        cells = [
+            [Text(broken(cell), style=_STYLES.get(cell.partition(" (")[0], "")) for cell in row]
+            for row in part.rows
+        ]
+        for columns in _blocks(part, cells, console.width):
+            console.print(_table(part, cells, columns))
 
 
-def _print_derivatives(console: Console, found: Mapping[str, Mapping[str, str]]) -> None:
-    """Show the derivatives, one row for each quantity and one column for each given number."""
-    names = [*next(iter(found.values()))]
-    table = listing("d", *(f"by {name}" for name in names))
-    for quantity, rates in found.items():
-        table.add_row(quantity, *(rates[name] for name in names))
-    console.print()
-    console.print(Text("Derivatives", style="bold"))
-    show_table(table, console)
+def _blocks(part: Listing, rows: Sequence[Sequence[Text]], width: int) -> list[Sequence[int]]:
+    """All columns in one block if they fit into the width, else some in each."""
+    count = len(part.titles)
+    if _width(part, rows, range(count)) <= width:
+        return [range(count)]
+    key = list(range(min(part.keys, count - 1)))
+    blocks: list[list[int]] = [[]]
+    for column in range(len(key), count):
+        if blocks[-1] and _width(part, rows, [*key, *blocks[-1], column]) > width:
+            blocks.append([])
+        blocks[-1].append(column)
+    return [[*key, *block] for block in blocks]
 
 
-def show_list(systems: Iterable[Mapping[str, Any]], *, whole: bool) -> None:
-    """Show systems, as `systems_json` gives them, and their orbits, parameters and unknowns.
-
-    With `whole` the states, parameters, configurations and transitions of the system too.
-    """
-    console = console_as_wide()
-    for system in systems:
-        console.print(Text.assemble((system["name"], "bold"), f": {system['description']}"))
-        if whole:
-            _show_system(system, console)
-        for orbit in system["orbits"]:
-            console.print()
-            console.print(Text(orbit["name"], style="bold"))
-            if "refused" in orbit:
-                console.print(Text(f"  refused: {one_line(orbit['refused'])}", style="red"))
-                continue
-            for phase in orbit["phases"]:
-                place = f"{phase['configuration']} until {phase['boundary']}"
-                console.print(Text(f"  {phase['dwell_time']:5} {place}"))
-            console.print(Text(f"  unknowns: {' '.join(orbit['unknowns'])}"))
-            if not orbit["derived"]:
-                console.print(Text(f"  composed from tables: {orbit['reason']}"))
-            table = listing("parameter", "default", "meaning")
-            for parameter in orbit["parameters"]:
-                default = parameter["default"] or ""
-                table.add_row(_domain(parameter), default, Text(parameter["description"]))
-            show_table(table, console, keys=2)
+def _width(part: Listing, rows: Sequence[Sequence[Text]], columns: Sequence[int]) -> int:
+    """Width in characters of a table of the given columns if nothing is folded."""
+    wide = Console(width=_PIPE, file=io.StringIO())
+    return wide.measure(_table(part, rows, columns, fold=False)).maximum
 
 
-def _show_system(system: Mapping[str, Any], console: Console) -> None:
-    console.print(Text(f"  states: {' '.join(system['states'])}"))
-    parameters = listing("parameter", "meaning")
-    for parameter in system["parameters"]:
-        parameters.add_row(_domain(parameter), Text(parameter["description"]))
-    following = {(t["source"], *t["boundaries"]): t["targets"] for t in system["transitions"]}
-    transitions = listing("configuration", "boundary", "acts when", "then")
-    for source, boundaries in system["boundaries"].items():
-        for boundary in boundaries or [{"name": "", "acts_when": ""}]:
-            targets = following.pop((source, boundary["name"]), [])
-            then = " or ".join(targets) if targets or not boundary["name"] else "not declared"
-            transitions.add_row(source, boundary["name"], boundary["acts_when"], then)
-    for (source, *together), targets in following.items():
-        transitions.add_row(source, " and ".join(together), "together", " or ".join(targets))
-    for table in (parameters, transitions):
-        console.print()
-        show_table(table, console, keys=2)
+def _table(
+    part: Listing, rows: Sequence[Sequence[Text]], columns: Sequence[int], *, fold: bool = True
+) -> Table:
+    """A table of the given columns; cells that do not fit are folded, never cut."""
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 2, 0, 0))
+    for title in (part.titles[place] for place in columns):
+        justify: Any = "right" if title in part.right else "left"
+        table.add_column(title, justify=justify, no_wrap=not fold, overflow="fold")
+    for row in rows:
+        table.add_row(*(row[place] for place in columns))
+    return table
 
 
 def show_written(paths: Iterable[str], nothing: str) -> None:
@@ -207,12 +191,12 @@ def counted(what: str, total: int | None = None) -> Iterator[Callable[..., None]
 
 
 @contextmanager
-def shared(what: str, counts: str = "tiles") -> Iterator[Callable[[float, int], None]]:
+def shared(what: str) -> Iterator[Callable[[float, int], None]]:
     """Give a function that shows progress on stderr; it takes a share in [0, 1] and a count.
 
     Nothing is shown unless stderr is a terminal. The text `what` stands before the bar, and
-    `counts` says what is counted. The remaining time is estimated from the share and the
-    time that it took.
+    tiles are counted. The remaining time is estimated from the share and the time that it
+    took.
     """
     if not sys.stderr.isatty():
         yield lambda share, count: None
@@ -221,7 +205,7 @@ def shared(what: str, counts: str = "tiles") -> Iterator[Callable[[float, int], 
     from rich.progress import TimeElapsedColumn as Elapsed
     from rich.progress import TimeRemainingColumn as Remaining
 
-    tiles = TextColumn("{task.fields[count]} " + counts)
+    tiles = TextColumn("{task.fields[count]} tiles")
     left = (TextColumn("left"), Remaining())
     columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), tiles)
     shown = Progress(
@@ -230,154 +214,3 @@ def shared(what: str, counts: str = "tiles") -> Iterator[Callable[[float, int], 
     with shown as progress:
         task = progress.add_task(what, total=None, count=0)  # until a share is known
         yield lambda share, count: progress.update(task, completed=share, total=1.0, count=count)
-
-
-def _unknowns(orbit: Orbit, found: Mapping[str, Any]) -> dict[str, str]:
-    """Text of each unknown of an orbit, and of the phase of each forcing at the start."""
-    entries = dict(found["unknowns"])
-    start = orbit.states[0]
-    for number, (cosine, sine) in enumerate(orbit.problem.forcing, 1):
-        context = orbit.arithmetic.mp
-        phase = context.atan2(start[sine], start[cosine])
-        label = "forcing phase" if number == 1 else f"forcing phase {number}"
-        entries[label] = decimal_string(phase, found["digits"])
-    return entries
-
-
-def _configurations(orbit: Orbit) -> list[str]:
-    """Name of the configuration of each phase."""
-    return [configuration for configuration, _ in orbit.itinerary]
-
-
-def _sources(
-    orbit: Orbit, found: Mapping[str, Any], assigned: Mapping[str, Value], absent: str
-) -> Iterator[tuple[str, str, str]]:
-    """Give name and text of each given parameter, and where its value comes from."""
-    for name, value in assigned.items():
-        yield name, str(value), ""
-    following = orbit.problem.followers(assigned)
-    for name, value in {**orbit.given, **orbit.opened}.items():
-        if name in assigned:
-            continue
-        if name in following:
-            yield name, found["parameters"][name], "follows"
-        elif name in orbit.problem.unknown_names:
-            yield name, str(value), "in place of an unknown"
-        else:
-            yield name, str(value), "given" if name == PERIOD else absent
-
-
-def _table() -> Table:
-    table = Table(box=None, show_header=False, pad_edge=False, padding=(0, 2, 0, 0))
-    table.add_column(no_wrap=True, min_width=12)
-    table.add_column(overflow="fold")
-    return table
-
-
-def _criterion(
-    found: Mapping[str, Any], excess: str, vanishing: tuple[int, str], *, rank_one: bool
-) -> Table:
-    """Give trace, multipliers and verdict; behind so many multipliers each is a given text."""
-    table = _table()
-    rank, zero = vanishing
-    verdict = found["stability"]
-    table.add_row("trace", _digits(found["trace"]))
-    if rank_one:
-        table.add_row("|trace| - 1", _digits(excess))
-    for number, multiplier in enumerate(found["multipliers"], 1):
-        label = f"multiplier {number}"
-        if number > rank:
-            table.add_row(label, zero)
-        elif not rank_one:
-            trivial = " (trivial)" if multiplier["trivial"] else ""
-            table.add_row(label, _digits(multiplier["re"]) + trivial)
-            if multiplier["im"].strip("-0."):
-                table.add_row(" + i times", _digits(multiplier["im"]))
-    if rank_one:
-        reason = {
-            "stable": "conditionally stable (|trace| < 1)",
-            "unstable": "unstable (|trace| > 1)",
-        }
-    else:
-        table.add_row("margin", _digits(found["margin"]))
-        reason = {
-            "stable": "conditionally stable (nontrivial multipliers inside the unit circle)",
-            "neutral": "neutral (nontrivial multipliers on the unit circle)",
-            "unstable": "unstable (a multiplier outside the unit circle)",
-        }
-    text = reason.get(verdict, f"{verdict}: the margin is zero to these digits, ask for more")
-    table.add_row("verdict", Text(text, style=f"bold {STYLES.get(verdict, 'yellow')}"))
-    if verdict == "stable":
-        table.add_row("", "under perturbations that keep the order of the switches")
-    if "proof" in found:
-        _add_proof(table, found)
-    if "one_sided" in found:
-        table.add_row("", f"one-sided: a border collision, on the side {found['one_sided']}")
-    return table
-
-
-def _add_proof(table: Table, found: Mapping[str, Any]) -> None:
-    """Add what is enclosed and proved of the trace, and how far two arithmetics differ."""
-    proof = found["proof"]
-    if "difference" in found:
-        compared = " and ".join(found["compared"])
-        table.add_row(
-            "difference", f"{found['difference']} between balls and mpmath, of {compared}"
-        )
-    if proof["trace"] is None:
-        table.add_row("enclosure", f"none: {proof['reason']}")
-        return
-    table.add_row("enclosure", _digits(format(Decimal(proof["trace"]["mid"]), "f")))
-    table.add_row("      +/-", proof["trace"]["rad"])
-    if proof["statement"] is not None:
-        table.add_row(proof["verdict"], proof["statement"])
-        table.add_row("", "for the one orbit in a box around it")
-    if "reason" in proof:
-        table.add_row("", proof["reason"])
-    if proof["one_sided"]:
-        table.add_row("", "on one side of a border collision")
-
-
-def _print_admissibility(console: Console, found: Mapping[str, Any]) -> None:
-    verdict = found["admissible"]
-    if verdict is True:
-        answer = Text("yes: no boundary is crossed inside a phase", style="green")
-    elif verdict is False:
-        answer = Text("no: boundaries are crossed inside phases", style="red")
-    else:
-        answer = Text(f"{verdict}, it takes", style="yellow")
-    console.print(Text.assemble(("Admissible: ", "bold"), answer))
-    for bound in found.get("requires", ()):
-        console.print(Text(f"  {bound['parameter']} > {float(bound['greater_than']):.10g}"))
-    for meeting in found.get("coincidences", ()):
-        together = " and ".join(meeting["boundaries"])
-        console.print(Text(f"  at t = {float(meeting['time']):.10g} {together} coincide"))
-    if verdict is False:
-        table = listing("phase", "configuration", "boundary", "time", "excess")
-        for violation in found["violations"]:
-            numbers = (f"{float(violation[name]):.6g}" for name in ("time", "excess"))
-            names = (str(violation[n]) for n in ("phase", "configuration", "boundary"))
-            table.add_row(*names, *numbers)
-        show_table(table, console)
-
-
-def _digits(number: str) -> str:
-    """Text of a number, in several lines of groups of digits if it is too long for one."""
-    if len(number) <= _LONGEST_NUMBER:
-        return number
-    mantissa, letter, exponent = number.partition("e")
-    whole, _, fraction = mantissa.partition(".")
-    groups = [fraction[i : i + _GROUP] for i in range(0, len(fraction), _GROUP)]
-    lines = [
-        " ".join(groups[i : i + _GROUPS_IN_LINE]) for i in range(0, len(groups), _GROUPS_IN_LINE)
-    ]
-    return "\n".join([f"{whole}.", *lines]) + letter + exponent
-
-
-def _domain(parameter: Mapping[str, Any]) -> str:
-    text: str = parameter["name"]
-    if parameter["lower"] is not None:
-        text = f"{parameter['lower']} {'<=' if parameter['closed'] else '<'} {text}"
-    if parameter["upper"] is None:
-        return text
-    return f"{text} {'<=' if parameter['upper_closed'] else '<'} {parameter['upper']}"

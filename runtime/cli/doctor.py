@@ -192,7 +192,7 @@ def doctor(*, reply: Reply) -> int:
 def _show(found: list[Diagnosis]) -> None:
     from rich.text import Text
 
-    from nonsmooth.runtime.cli.tables import console_as_wide
+    from nonsmooth.runtime.cli.display import console_as_wide
 
     out = partial(console_as_wide().print, soft_wrap=True)
     widest = max(len(diagnosis.name) for diagnosis in found)

@@ -81,17 +81,13 @@ def simulate(
     reply: Reply,
 ) -> int:
     """Follow a motion from event to event, exactly: no event is missed."""
-    from nonsmooth.runtime.cli.tables import show_result
+    from nonsmooth.runtime.cli.display import show_result
     from nonsmooth.runtime.core.files import check_ending
     from nonsmooth.runtime.core.values import parse
     from nonsmooth.runtime.model.engine_run import Status
     from nonsmooth.runtime.model.structure import structure_of
-    from nonsmooth.runtime.present.answers import (
-        motion_derivatives_json,
-        observables_json,
-        proof_json,
-    )
-    from nonsmooth.runtime.present.pictures.plot import trajectory_figure
+    from nonsmooth.runtime.present.answers import result_json
+    from nonsmooth.runtime.present.pictures.plot import motion_figure
     from nonsmooth.runtime.simulation.derivatives import chosen_numbers
     from nonsmooth.runtime.simulation.simulate import simulate as follow
 
@@ -129,14 +125,9 @@ def simulate(
         proof = validate(system, values, exact, begin, motion.transitions)
 
     def told() -> dict[str, Any]:
-        found = motion.to_json()
-        if observed is not None:
-            found["observables"] = observables_json(observed)
-        if changes is not None:
-            found["derivatives"] = motion_derivatives_json(changes)
-        if proof is not None:
-            found["proof"] = proof_json(proof)
-        return found
+        found: dict[str, Any] = motion.to_json()
+        parts = {"observables": observed, "derivatives": changes, "proof": proof}
+        return found | {name: result_json(part) for name, part in parts.items() if part is not None}
 
     def show() -> None:
         show_result(motion)
@@ -151,7 +142,7 @@ def simulate(
         motion,
         told=told,
         show=show,
-        figure=lambda: trajectory_figure(motion, "all"),
+        figure=lambda: motion_figure(motion),
         enough=decided and not overflown,
     )
     if overflown:
@@ -202,8 +193,7 @@ def find(
     reply: Reply,
 ) -> int:
     """Find the periodic orbits and equilibria of a system, and where random starts lead."""
-    from nonsmooth.runtime.cli.display import steps
-    from nonsmooth.runtime.cli.tables import show_result
+    from nonsmooth.runtime.cli.display import show_result, steps
     from nonsmooth.runtime.explore.finding.find import find_orbits
     from nonsmooth.runtime.present.files.declaring import check_declaration, write_itineraries
 
@@ -238,9 +228,9 @@ def find(
 
     def show() -> None:
         show_result(found)
-        if reply.kept and found.orbits:
+        if reply.saved and found.orbits:
             print(
-                f"nonsmooth solve, continue, certify, chart and plot take {reply.kept}:1 and so on"
+                f"nonsmooth solve, continue, certify, chart and plot take {reply.saved}:1 and so on"
             )
         for name in names:
             print(f"{write}:{name}")
@@ -265,6 +255,7 @@ def find(
     plot=True,
     long=True,
     question="system parameters quantity at start transient samples restart",
+    kept="sweep",
 )
 def sweep(
     system: SystemName,
@@ -309,49 +300,16 @@ def sweep(
     reply: Reply,
 ) -> int:
     """Draw a bifurcation diagram by brute force: where motions settle over one parameter."""
-    from nonsmooth.runtime.cli.display import counted
-    from nonsmooth.runtime.explore.finding.sweep import sweep as follow
-    from nonsmooth.runtime.present.files.kept import format_named
-    from nonsmooth.runtime.present.pictures.maps import draw_sweep
-
-    known = reply.known(format_named("nonsmooth sweep").load)
-    asked, options = _question(
-        system, parameters, quantity, at, start, transient, samples, not restart
-    )
-    name, values = asked[2:4]
-    count, length = len(values), options["transient"] + options["samples"]
-    what = f"{count} values, followed over {length} transitions or periods each,"
-    check_hours(what, count * length * SECONDS["transition"], yes=yes)
-    with counted(f"sweeping {name}", count) as progress:
-        diagram, stopped = worked(
-            lambda: follow(*asked, **options, resume=known, progress=progress)
-        )
-    return reply.give(
-        diagram,
-        stopped,
-        figure=lambda: draw_sweep(diagram),
-        done=f"{diagram.done} of {count} values are done",
-    )
-
-
-def _question(
-    system: str,
-    parameters: list[str] | None,
-    quantity: str | None,
-    at: str | None,
-    start: list[str] | None,
-    transient: int,
-    samples: int,
-    follow: bool,
-) -> tuple[tuple[Any, ...], dict[str, Any]]:
-    """Positional arguments and options of the sweep that a command line asks for."""
     from numpy import linspace
 
+    from nonsmooth.runtime.cli.display import counted
     from nonsmooth.runtime.core.values import parse
     from nonsmooth.runtime.explore.finding.sweep import check_sweep
+    from nonsmooth.runtime.explore.finding.sweep import sweep as follow
 
-    given = (("--quantity", quantity), ("--at", at))
-    missing = [option for option, value in given if not value]
+    known = reply.known
+    wanted = (("--quantity", quantity), ("--at", at))
+    missing = [option for option, value in wanted if not value]
     if not start:
         raise missing_start(system, missing)
     if missing:
@@ -360,21 +318,37 @@ def _question(
     strobed = place.strip() == _FORCING
     if phased and not strobed:
         raise InputError(f"--at {at}: a phase is of {_FORCING} alone")
-    values, ranged = values_and_ranges(parameters, "A:B:N")
+    given, ranged = values_and_ranges(parameters, "A:B:N")
     if len(ranged) != 1:
         raise InputError(f"one parameter has to be a range A:B:N, not {len(ranged)}")
     ((name, (low, high, count)),) = grid(ranged).items()
     begin = assignments("state", split(start))
     check_sweep(count, samples)
-    options = {
-        "state": str(quantity),
-        "configuration": None if strobed else at,
-        "phase": float(parse(phase if phased else "0")) if strobed else None,
-        "transient": transient,
-        "samples": samples,
-        "follow": follow,
-    }
-    return (system, values, name, linspace(low, high, count), begin), options
+    what = f"{count} values, followed over {transient + samples} transitions or periods each,"
+    check_hours(what, count * (transient + samples) * SECONDS["transition"], yes=yes)
+    with counted(f"sweeping {name}", count) as progress:
+        diagram, stopped = worked(
+            lambda: follow(
+                system,
+                given,
+                name,
+                linspace(low, high, count),
+                begin,
+                state=str(quantity),
+                configuration=None if strobed else at,
+                phase=float(parse(phase if phased else "0")) if strobed else None,
+                transient=transient,
+                samples=samples,
+                follow=not restart,
+                resume=known,
+                progress=progress,
+            )
+        )
+    return reply.give(
+        diagram,
+        stopped,
+        done=f"{diagram.done} of {count} values are done",
+    )
 
 
 def _agreed(question: str) -> bool:

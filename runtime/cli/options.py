@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from enum import StrEnum
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -17,6 +17,9 @@ from nonsmooth.runtime.cli.completion import (
 )
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.workload import HOURS
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.orbits.orbit import Orbit
 
 __all__ = [
     "KEPT",
@@ -46,6 +49,7 @@ __all__ = [
     "Yes",
     "missing_start",
     "parameters_as",
+    "solved_within",
 ]
 
 KEPT = "Keep and show"
@@ -227,3 +231,21 @@ def missing_start(system: str, others: Sequence[str] = ()) -> InputError:
     begin = ",".join(f"{name}=0" for name in free)
     missing = f"{', '.join(others)} and the start are" if others else "the start is"
     return InputError(f"{missing} missing, such as --from {begin}")
+
+
+def solved_within(
+    name: str, fixed: Mapping[str, object], ranges: Mapping[str, tuple[float, float]]
+) -> Orbit:
+    """An orbit whose parameters lie in ranges: at the reference point's values.
+
+    Those that are outside, and are not fixed, lie in the middle.
+    """
+    from nonsmooth.runtime.orbits.solve import solve
+
+    found: Orbit = solve(name, fixed)
+    middles = {
+        each: (low + high) / 2
+        for each, (low, high) in ranges.items()
+        if each in found.given and each not in fixed and not low <= float(found.given[each]) <= high
+    }
+    return solve(name, {**fixed, **middles}) if middles else found

@@ -22,11 +22,12 @@ from nonsmooth.runtime.cli import (  # noqa: F401 - their commands join the appl
     designing,
     doctor,
     fitting,
+    listing,
     motions,
 )
 from nonsmooth.runtime.cli.application import ANSWERED, UNANSWERED, app
 from nonsmooth.runtime.cli.command import command
-from nonsmooth.runtime.cli.completion import complete_files, complete_systems
+from nonsmooth.runtime.cli.completion import complete_files
 from nonsmooth.runtime.cli.options import (
     Derivatives,
     Digits,
@@ -104,28 +105,6 @@ def _open_streams() -> None:
             stream = open(os.devnull, mode, encoding="utf-8")  # noqa: SIM115 - as long as this runs
             os.set_inheritable(stream.fileno(), True)
             setattr(sys, name, stream)
-
-
-@command("list", "list", "list my_oscillator.py", "list dry-friction --json")
-def list_orbits(
-    systems: Annotated[
-        list[str] | None,
-        typer.Argument(
-            autocompletion=complete_systems,
-            metavar="SYSTEM",
-            help="Only these: built-in ones, FILE.py, FILE.json, or a folder of `generate`.",
-            show_default=False,
-        ),
-    ] = None,
-    *,
-    reply: Reply,
-) -> int:
-    """List systems and orbits, their parameters and unknowns."""
-    from nonsmooth.runtime.cli.display import show_list
-    from nonsmooth.runtime.present.report import systems_json
-
-    found = systems_json(systems or ())
-    return reply.show(lambda: found, lambda: show_list(found["systems"], whole=bool(systems)))
 
 
 @command(
@@ -328,10 +307,11 @@ def _report(
         told["derivatives"] = derivatives_json(orbit, split(derivatives), digits)
 
     def show() -> None:
-        from nonsmooth.runtime.cli.display import show_report
+        from nonsmooth.runtime.cli.display import show_told
+        from nonsmooth.runtime.present.report import tell_report
 
         absent = f"from {name}" if is_saved(name) else "default"
-        show_report(orbit, told, assigned, absent=absent)
+        show_told(tell_report(orbit, told, assigned, absent))
 
     code = reply.give(orbit, told=lambda: told, show=show)
     verdicts = {"stable": told["stability"], "admissible": told["admissible"]}

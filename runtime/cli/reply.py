@@ -38,7 +38,7 @@ class Reply:
     plot: Path | None = None  # file of the picture
     resume: Path | None = None  # file of an earlier answer
     overwrite: bool = True  # whether the file of the answer may be there already
-    resumes: bool = False  # whether the command can go on with its file
+    kept: str = ""  # kind of the file that the command can go on with
     lists: bool = False  # whether JSON has a list of files, or that of the answer alone
     _written: list[str] = field(default_factory=list)
     _unsaved: list[InputError] = field(default_factory=list)
@@ -60,15 +60,18 @@ class Reply:
         check_target(self.save)
         resumed = self.resume and os.path.realpath(self.save) == os.path.realpath(self.resume)
         if self.save.exists() and not (self.overwrite or resumed):
-            goes_on = f"--resume {self.save} goes on with it, " if self.resumes else ""
+            goes_on = f"--resume {self.save} goes on with it, " if self.kept else ""
             raise InputError(f"{self.save} is there already: {goes_on}--overwrite replaces it")
 
-    def known(self, load: Callable[[Path], Any]) -> Any:
-        """The earlier answer to go on from, read by `load`; None if there is none."""
-        return None if self.resume is None else load(self.resume)
+    @property
+    def known(self) -> Any:
+        """The earlier answer to go on from; None if there is none."""
+        from nonsmooth.runtime.present.files.kept import format_named
+
+        return self.resume and format_named(f"nonsmooth {self.kept}").load(self.resume)
 
     @property
-    def kept(self) -> Path | None:
+    def saved(self) -> Path | None:
         """The file of the answer if it was written, else None."""
         return self.save if str(self.save) in self._written else None
 
@@ -114,10 +117,10 @@ class Reply:
 
         `told` gives what JSON has, `show` shows the answer to people.
         """
-        alone = self.kept is not None and not self.lists
+        alone = self.saved is not None and not self.lists
         if self.as_json:
             files = {"files": self._written} if self.lists else {}
-            print_json({**told(), **files, **({"file": str(self.kept)} if alone else {})})
+            print_json({**told(), **files, **({"file": str(self.saved)} if alone else {})})
         else:
             show()
             for path in self._written:
@@ -140,7 +143,7 @@ class Reply:
         enough: bool = True,
         require: object = None,
         claims: Mapping[str, str] | None = None,
-        resumes: bool | None = None,
+        resumes: bool = True,
         told: Callable[[], Mapping[str, Any]] | None = None,
         show: Callable[[], object] | None = None,
         save: Callable[[Path], object] | None = None,
@@ -154,14 +157,14 @@ class Reply:
         required to be proved it says whether they are. The functions replace what the result
         itself does.
         """
-        from nonsmooth.runtime.cli.tables import show_result
+        from nonsmooth.runtime.cli.display import show_result
 
         self.settle(save or found.save)
         if self.plot is not None:
             self.draw(figure or found.plot)
         code = self.show(told or found.to_json, show or (lambda: show_result(found)))
         if stopped:
-            return kept_of(done, self.kept, resumes=self.resumes if resumes is None else resumes)
+            return kept_of(done, self.saved, resumes=resumes and bool(self.kept))
         code = code or (ANSWERED if enough else UNANSWERED)
         return proved(found.claims if claims is None else claims, code) if require else code
 

@@ -156,9 +156,12 @@ class Inconsistent(_Refused):
     """Entries that are refused together: each of them alone is in order."""
 
 
-def answer(record: Any) -> dict[str, Any]:
-    """The JSON object of a record in answers: all that it tells, and nothing that files need."""
-    return _encoded(record, IN_ANSWERS)
+def answer(record: Any, without: Collection[str] = ()) -> dict[str, Any]:
+    """The JSON object of a record in answers: all that it tells, and nothing that files need.
+
+    Fields named in `without` are left out.
+    """
+    return _encoded(record, IN_ANSWERS, without)
 
 
 def stated(record: Any) -> dict[str, Any]:
@@ -166,10 +169,10 @@ def stated(record: Any) -> dict[str, Any]:
     return _encoded(record, _PROOF)
 
 
-def _encoded(record: Any, what_for: str) -> dict[str, Any]:
+def _encoded(record: Any, what_for: str, without: Collection[str] = ()) -> dict[str, Any]:
     token = _FOR.set(what_for)
     try:
-        return encode(record)
+        return encode(record, without)
     finally:
         _FOR.reset(token)
 

@@ -50,6 +50,7 @@ _DENSE, _FEW = 16, 1 << 18  # bytes of text to a list or a mapping, where they a
 # what entries of the wrong shape raise where they are read
 WRONG_SHAPE = (KeyError, IndexError, TypeError, ValueError, AttributeError, ArithmeticError)
 _HEAD = ("format", "version", "package", "request", "sha256")
+_ASKED = "_asked"  # where a record that was read has the question of its file
 _REQUEST: ContextVar[Mapping[str, Any] | None] = ContextVar("what is asked", default=None)
 Entries = TypeVar("Entries")
 
@@ -93,7 +94,8 @@ class FileFormat(Generic[Entries]):
 
         An `InputError` says that it cannot be written.
         """
-        content = self.content(entries, request=_REQUEST.get())
+        request = _REQUEST.get() or vars(entries).get(_ASKED)
+        content = self.content(entries, request=request)
         text = json.dumps(content, indent=2, allow_nan=False) + "\n"
         write_file(path_of(path), text.encode())
 
@@ -111,11 +113,14 @@ class FileFormat(Generic[Entries]):
         return {**content, "sha256": checksum_of(content, *numbers)}
 
     def read(self, path: Path) -> Entries:
-        """The entries of a file.
+        """The entries of a file; `write` states again what was asked there.
 
         An `InputError` refuses a file that cannot be read, or is cut, edited or foreign.
         """
-        return self.check(parsed(read_file(path, self.most, self.what)))
+        content = parsed(read_file(path, self.most, self.what))
+        entries = self.check(content)
+        vars(entries)[_ASKED] = content.get("request")
+        return entries
 
     def load(self, path: str | os.PathLike[str]) -> Entries:
         """What `read` gives; its errors name the file."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from inspect import signature
 
 from nonsmooth.runtime.core.arguments import checked
-from nonsmooth.runtime.present.checking.check_file import check_certificate
+from nonsmooth.runtime.present.check_file import check_certificate
 from nonsmooth.runtime.proof.basin.certify_basin import certify_basin
 from nonsmooth.runtime.proof.boxes.certify_box import certify_box
 from nonsmooth.runtime.proof.branch.certify_branch import certify_branch

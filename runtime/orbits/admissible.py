@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.json_codec import AnyDigits, Ordinal
 from nonsmooth.runtime.events.crossings_and_maxima import maximum
 from nonsmooth.runtime.events.quasi_polynomials import (
     ModeFunctions,
@@ -72,11 +73,11 @@ class Violation:
         By which the boundary is crossed there; nondimensional.
     """
 
-    phase: int
+    phase: Ordinal
     configuration: str
     boundary: str
-    time: float
-    excess: float
+    time: AnyDigits
+    excess: AnyDigits
 
 
 @dataclass(frozen=True)
@@ -84,16 +85,16 @@ class Requirement:
     """The condition that an open parameter is greater than a bound."""
 
     parameter: str
-    greater_than: float
+    greater_than: AnyDigits
 
 
 @dataclass(frozen=True)
 class Coincidence:
     """Boundaries that are reached at one instant: a border collision."""
 
-    phase: int  # the one that takes no time, from 0
+    phase: Ordinal  # the one that takes no time, from 0
     boundaries: tuple[str, ...]
-    time: float  # since the start of the orbit, nondimensional
+    time: AnyDigits  # since the start of the orbit, nondimensional
 
 
 @dataclass(frozen=True)

@@ -418,14 +418,14 @@ class Orbit(Kept):
         axes : matplotlib Axes, optional
             Where to draw; a figure of its own when omitted.
         **options
-            As `nonsmooth.runtime.present.pictures.plot.plot_orbit` takes them.
+            As `nonsmooth.runtime.present.pictures.view.orbit_view` takes them.
 
         Returns
         -------
         matplotlib Axes, or array of them
             What was drawn on.
         """
-        return registered("plot_orbit")(self, kind, axes, **options)
+        return registered("plot_motion")(self, kind, axes, **options)
 
     def _repr_latex_(self) -> str:
         text: str = registered("orbit_latex")(self)

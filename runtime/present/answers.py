@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import fields, is_dataclass
 from functools import singledispatch
+from operator import attrgetter
 from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.json_codec import answer, encode, nan_as_null
+from nonsmooth.runtime.core.json_codec import answer, nan_as_null
+from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.explore.continuation.branch import Branch, Locus
 from nonsmooth.runtime.explore.design.optimum import Design
 from nonsmooth.runtime.explore.finding.find import Found, FoundEquilibrium, FoundOrbit
@@ -18,34 +21,58 @@ from nonsmooth.runtime.explore.finding.outcomes import settled_texts
 from nonsmooth.runtime.explore.finding.sweep import Sweep
 from nonsmooth.runtime.explore.fitting.fit import Fit
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.present.report import orbit_json
-from nonsmooth.runtime.proof.motion.motion_proof import Proof
+from nonsmooth.runtime.present.report import multipliers_json, orbit_json
+from nonsmooth.runtime.proof.motion.motion_proof import Enclosure, Proof
 from nonsmooth.runtime.simulation.derivatives import MotionDerivatives
 from nonsmooth.runtime.simulation.lyapunov import Exponent, lyapunov
 from nonsmooth.runtime.simulation.observables import Observables
-from nonsmooth.runtime.simulation.phase_functions import Extreme
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = [
-    "Others",
-    "branch_json",
-    "largest_exponent",
-    "motion_derivatives_json",
-    "observables_json",
-    "proof_json",
-    "result_json",
-]
+__all__ = ["Others", "branch_json", "largest_exponent", "result_json"]
 
 Others = Mapping[int, list[dict[str, Any]]]  # itineraries beyond events, by the events' numbers
 
 
-@singledispatch
 def result_json(result: Any) -> dict[str, Any]:
-    """A result as JSON: what its own function below writes, else what its record holds."""
+    """A result as JSON: what a function below says of its kind, else what its record holds."""
+    told: dict[str, Any] = nan_as_null(_json(result))
+    return told
+
+
+@singledispatch
+def _json(result: Any) -> dict[str, Any]:
     return answer(result)
 
 
-@result_json.register
+def _spelled(value: Any) -> Any:
+    """Numbers, arrays and records, also inside of others, as JSON has them."""
+    if isinstance(value, Value):
+        return value.text
+    if isinstance(value, Enclosure):
+        return value.to_json()
+    if isinstance(value, float):
+        return repr(float(value))
+    if isinstance(value, complex):
+        return {"re": repr(value.real), "im": repr(value.imag)}
+    if isinstance(value, np.ndarray):
+        return _spelled(value.tolist())
+    if isinstance(value, Mapping):
+        return {name: _spelled(each) for name, each in value.items()}
+    if hasattr(value, "_asdict"):
+        return _spelled(value._asdict())
+    if isinstance(value, list | tuple):
+        return [_spelled(each) for each in value]
+    if is_dataclass(value):
+        return _attributes(value, *(own.name for own in fields(value)))
+    return value
+
+
+def _attributes(record: Any, *names: str) -> dict[str, Any]:
+    """Attributes of a record by their names."""
+    return {name: _spelled(attrgetter(name)(record)) for name in names}
+
+
+@_json.register
 def _motion_json(motion: Trajectory) -> dict[str, Any]:
     """A motion as JSON: one entry for the start and one behind each transition.
 
@@ -54,62 +81,39 @@ def _motion_json(motion: Trajectory) -> dict[str, Any]:
     shapes = motion.structure.boundaries
     return {
         "system": motion.name,
-        "parameters": {name: value.text for name, value in motion.parameters.items()},
-        "names": list(motion.names),
-        "times": [repr(t) for t in motion.times.tolist()],
-        "configurations": list(motion.configurations),
-        "boundaries": [list(names) for names in motion.boundaries],
-        "states": [[repr(x) for x in row] for row in motion.states.tolist()],
-        "transitions": motion.transitions,
-        "end": repr(motion.end),
+        **_attributes(motion, "parameters", "names", "times", "configurations", "boundaries"),
+        **_attributes(motion, "states", "transitions", "end"),
         "status": motion.status.name.lower(),
-        "message": motion.message,
-        "options": list(motion.options),
-        "open_at": list(motion.open_at),
+        **_attributes(motion, "message", "options", "open_at"),
         "grazings": [
             {
-                "time": repr(g.time),
-                "configuration": motion.structure.configurations[g.configuration],
-                "boundary": shapes[g.configuration][g.boundary].name,
-                "depth": repr(g.depth),
+                **_attributes(grazing, "time", "depth"),
+                "configuration": motion.structure.configurations[grazing.configuration],
+                "boundary": shapes[grazing.configuration][grazing.boundary].name,
             }
-            for g in motion.grazings
+            for grazing in motion.grazings
         ],
     }
 
 
-def motion_derivatives_json(found: MotionDerivatives) -> dict[str, Any]:
+@_json.register
+def _derivatives_json(found: MotionDerivatives) -> dict[str, Any]:
     """Derivatives of a motion as JSON, in the shapes of the arrays of `found`.
 
     For each transition and state there is one number by each of `by`. The time of a
     transition that has no derivative gets nan.
     """
-
-    def texts(values: np.ndarray) -> Any:
-        return [texts(part) for part in values] if values.ndim else repr(float(values))
-
-    return {
-        "by": list(found.by),
-        "event_times": texts(found.event_times),
-        "before": texts(found.before),
-        "behind": texts(found.behind),
-        "condition": repr(found.condition),
-    }
+    return _attributes(found, "by", "event_times", "before", "behind", "condition")
 
 
-@result_json.register
+@_json.register
 def _sweep_json(diagram: Sweep) -> dict[str, Any]:
     """A bifurcation diagram as JSON: for each value of the parameter the sampled points."""
-    rows = zip(diagram.values.tolist(), diagram.samples.tolist(), strict=True)
     texts = settled_texts()
+    names = ("system", "parameter", "state", "configuration", "phase", "values")
     return {
-        "system": diagram.system,
-        "parameter": diagram.parameter,
-        "state": diagram.state,
-        "configuration": diagram.configuration,
-        "phase": None if diagram.phase is None else repr(diagram.phase),
-        "values": [repr(value) for value in diagram.values.tolist()],
-        "samples": [[repr(x) for x in row if x == x] for _, row in rows],
+        **_attributes(diagram, *names),
+        "samples": [_spelled(row[np.isfinite(row)]) for row in diagram.samples],
         "outcomes": [
             texts[number] if place < diagram.done else None  # an interrupted one has not looked
             for place, number in enumerate(diagram.outcomes.tolist())
@@ -117,32 +121,15 @@ def _sweep_json(diagram: Sweep) -> dict[str, Any]:
     }
 
 
-def observables_json(found: Observables) -> dict[str, Any]:
+@_json.register
+def _observables_json(found: Observables) -> dict[str, Any]:
     """Extremes, averages, shares of time, contacts and largest Lyapunov exponent as JSON."""
-
-    def numbers(values: Mapping[str, float]) -> dict[str, str]:
-        return {name: repr(float(value)) for name, value in values.items()}
-
+    exponent = largest_exponent(found)
+    value, error = (None, None) if isinstance(exponent, str) else exponent
     return {
-        "since": repr(found.since),
-        "duration": repr(found.duration),
-        "minima": {name: _extreme_json(e) for name, e in found.minima.items()},
-        "maxima": {name: _extreme_json(e) for name, e in found.maxima.items()},
-        "means": numbers(found.means),
-        "rms": numbers(found.rms),
-        "fractions": numbers(found.fractions),
-        "sticking": numbers(found.sticking),
-        "contacts": {
-            name: {
-                "minimum": _extreme_json(contact.minimum),
-                "maximum": _extreme_json(contact.maximum),
-                "mean": repr(contact.mean),
-                "work": repr(contact.work),
-                "dissipated": repr(contact.dissipated),
-            }
-            for name, contact in found.contacts.items()
-        },
-        **_exponent_json(largest_exponent(found)),
+        **_attributes(found, "since", "duration", "minima", "maxima", "means", "rms"),
+        **_attributes(found, "fractions", "sticking", "contacts"),
+        **_spelled({"lyapunov": value, "lyapunov_error": error}),
     }
 
 
@@ -154,32 +141,17 @@ def largest_exponent(found: Observables) -> Exponent | str:
         return str(problem)
 
 
-def _exponent_json(found: Exponent | str) -> dict[str, str | None]:
-    if isinstance(found, str):
-        return {"lyapunov": None, "lyapunov_error": None}
-    return {"lyapunov": repr(found.value), "lyapunov_error": repr(found.error)}
-
-
-def proof_json(proof: Proof) -> dict[str, Any]:
+@_json.register
+def _proof_json(proof: Proof) -> dict[str, Any]:
     """What is proved of a motion, as JSON: its sequence, with enclosures of the times."""
-    instant = proof.instant
     return {
-        "decided": proof.decided,
-        "transitions": proof.transitions,
-        "configurations": list(proof.configurations),
-        "boundaries": [list(names) for names in proof.sets],
-        "times": [time.to_json() for time in proof.times],
-        "reason": proof.reason,
-        "instant": instant and instant.to_json(),
-        "bits": proof.bits,
+        **_attributes(proof, "decided", "transitions", "configurations", "times"),
+        **_attributes(proof, "reason", "instant", "bits"),
+        "boundaries": _spelled(proof.sets),
     }
 
 
-def _extreme_json(extreme: Extreme) -> dict[str, str]:
-    return {"value": repr(extreme.value), "time": repr(extreme.time)}
-
-
-@result_json.register
+@_json.register
 def branch_json(branch: Branch, others: Others = MappingProxyType({})) -> dict[str, Any]:
     """A branch as JSON; `others` holds itineraries beyond events, by the events' indices."""
     return {
@@ -194,14 +166,8 @@ def branch_json(branch: Branch, others: Others = MappingProxyType({})) -> dict[s
         "ends": list(branch.ends),
         "events": [
             {
-                "kind": event.kind,
-                "value": event.value,
-                "phase": None if event.phase is None else event.phase + 1,
-                "configuration": event.configuration,
-                "boundary": event.boundary,
+                **{name: entry for name, entry in answer(event).items() if name in _EVENT},
                 "touching": event.touching,
-                "time": event.time,
-                "unknowns": dict(event.unknowns),
                 **({"beyond": others[number]} if number in others else {}),
             }
             for number, event in enumerate(branch.events)
@@ -209,20 +175,18 @@ def branch_json(branch: Branch, others: Others = MappingProxyType({})) -> dict[s
     }
 
 
-@result_json.register
+_EVENT = ("kind", "value", "phase", "configuration", "boundary", "time", "unknowns")
+
+
+@_json.register
 def _locus_json(locus: Locus) -> dict[str, Any]:
     """A curve of events as JSON."""
+    columns = zip(locus.unknown_names, locus.unknowns.T.tolist(), strict=True)
     return {
         "orbit": locus.name,
-        "kind": locus.kind,
-        "boundary": locus.boundary,
-        "parameters": list(locus.parameters),
         "values": locus.values.tolist(),
-        "unknowns": {
-            name: locus.unknowns[:, place].tolist()
-            for place, name in enumerate(locus.unknown_names)
-        },
-        "ends": list(locus.ends),
+        "unknowns": dict(columns),
+        **_attributes(locus, "kind", "boundary", "parameters", "ends"),
     }
 
 
@@ -230,34 +194,22 @@ def _finite(values: Any) -> list[float | None]:
     return [x if abs(x) < float("inf") else None for x in values.tolist()]
 
 
-@result_json.register
+@_json.register
 def _design_json(design: Design) -> dict[str, Any]:
-    """A design as JSON, without its orbits' files.
-
-    Numbers are decimal strings, and null if unknown.
-    """
-    found = {
-        **encode(design, without=("start", "orbit")),
+    """A design as JSON, without its orbits' files."""
+    return {
+        **answer(design, without=("start", "orbit")),
         "conditions": [each.text for each in design.conditions],
         "orbit": orbit_json(design.orbit),
     }
-    return {name: nan_as_null(entry) for name, entry in found.items()}
 
 
-@result_json.register
+@_json.register
 def _fit_json(fit: Fit) -> dict[str, Any]:
-    """A fit as JSON; numbers are decimal strings with every digit, and null if unknown."""
-    found = {"system": fit.system, **encode(fit, without=("system",))}
-    found["standard_errors"] = [repr(each) for each in fit.standard_errors.tolist()]
-    found["correlation"] = [[repr(each) for each in row] for row in fit.correlation.tolist()]
-    found["same_sequence"] = fit.same_sequence
-    for entries, experiment in zip(found["experiments"], fit.experiments, strict=True):
-        for written, series in zip(entries["series"], experiment.series, strict=True):
-            written["residuals"] = [repr(each) for each in np.asarray(series.residuals).tolist()]
-    return {name: nan_as_null(entry) for name, entry in found.items()}
+    return {"system": fit.system, **answer(fit, without=("system",))}
 
 
-@result_json.register
+@_json.register
 def _found_json(found: Found) -> dict[str, Any]:
     """Orbits, basins and shares as JSON; numbers are decimal strings of the exact doubles."""
 
@@ -265,35 +217,30 @@ def _found_json(found: Found) -> dict[str, Any]:
         mirror = entry.mirror
         return {
             "stability": verdict,
-            "starts": entry.starts,
-            "share": repr(entry.share),
+            **_attributes(entry, "starts", "share"),
             "mirror_of": None if mirror in (None, place) else mirror + before + 1,
             "symmetric": mirror == place,
         }
 
     def state(values: np.ndarray) -> dict[str, str]:
-        return {name: repr(x) for name, x in zip(found.names, values.tolist(), strict=True)}
+        return dict(zip(found.names, _spelled(values), strict=True))
 
     def orbit(entry: FoundOrbit, place: int) -> dict[str, Any]:
         solved = entry.orbit
-        phases = zip(entry.itinerary, solved.dwell_times.tolist(), solved.states, strict=True)
+        phases = zip(entry.itinerary, _spelled(solved.dwell_times), solved.states, strict=True)
         return {
-            "period": repr(entry.period),
-            "forcing_periods": list(entry.forcing_periods),
+            **_attributes(entry, "period", "forcing_periods"),
             **part(entry, entry.verdict, place, 0),
             "itinerary": [
                 {
                     "configuration": configuration,
                     "boundary": boundary,
-                    "dwell_time": repr(duration),
+                    "dwell_time": duration,
                     "start": state(start),
                 }
                 for (configuration, boundary), duration, start in phases
             ],
-            "multipliers": [
-                {"re": repr(float(m.real)), "im": repr(float(m.imaginary)), "trivial": m.trivial}
-                for m in solved.stability.multipliers
-            ],
+            "multipliers": multipliers_json(solved.stability, lambda x: repr(float(x))),
             "trace": repr(float(solved.stability.trace)),
             "residual": repr(float(solved.residual)),
             "admissible": solved.admissibility.verdict,
@@ -305,27 +252,18 @@ def _found_json(found: Found) -> dict[str, Any]:
             "configuration": solved.configuration,
             **part(entry, solved.verdict, place, len(found.orbits)),
             "state": state(solved.state),
-            "eigenvalues": [
-                {"re": repr(x.real), "im": repr(x.imag)} for x in solved.eigenvalues.tolist()
-            ],
+            "eigenvalues": _spelled(solved.eigenvalues),
         }
 
-    box = zip(found.names, found.box.tolist(), strict=True)
     return {
-        "system": found.system,
-        "parameters": {name: value.text for name, value in found.parameters.items()},
+        **_attributes(found, "system", "parameters", "transitions", "complete"),
         "starts": len(found.starts),
-        "transitions": found.transitions,
-        "complete": found.complete,
-        "box": {name: [repr(end) for end in ends] for name, ends in box},
+        "box": state(found.box),
         "orbits": [orbit(entry, place) for place, entry in enumerate(found.orbits)],
         "equilibria": [equilibrium(entry, place) for place, entry in enumerate(found.equilibria)],
         "outcomes": {o.name.lower(): repr(found.share(o)) for o in found.outcomes},
-        "resting": repr(found.resting),
-        "unclassified": repr(found.unclassified),
+        **_attributes(found, "resting", "unclassified"),
     }
 
 
-@result_json.register
-def _orbit_json(orbit: Orbit) -> dict[str, Any]:
-    return orbit_json(orbit)
+_json.register(Orbit, orbit_json)

@@ -1,40 +1,35 @@
-"""Results as JSON and as text: numbers with the digits they have."""
+"""Orbits as JSON and as what commands tell: numbers with the digits they have."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from decimal import Decimal
 from typing import Any
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.values import decimal_string, flint_precision
-from nonsmooth.runtime.model.completion import default_parameters
-from nonsmooth.runtime.model.kernels import (
-    OrbitKernels,
-    ParameterTable,
-    SystemKernels,
-    is_saved,
-    load_orbit,
-    load_system,
-    orbits_in,
-    system_names,
-)
+from nonsmooth.runtime.core.json_codec import encode
+from nonsmooth.runtime.core.values import Value, decimal_string, flint_precision
 from nonsmooth.runtime.model.naming import shown_name
-from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
 from nonsmooth.runtime.orbits.refine import enclosed_trace
-from nonsmooth.runtime.orbits.table_solve import unknowns_of
-from nonsmooth.runtime.present.files.named_entries import saved_listing
+from nonsmooth.runtime.present.told import Listing, Rows, Told
 from nonsmooth.runtime.shooting.multipliers import Stability
 
 __all__ = [
     "admissibility_json",
+    "admissibility_rows",
     "derivatives_json",
+    "multipliers_json",
     "orbit_json",
     "short",
-    "systems_json",
+    "tell_report",
     "trace_proof_json",
 ]
+
+_LONGEST_NUMBER = 64  # beside the labels
+_GROUP, _GROUPS_IN_LINE = 10, 5
+_RANKS = {1: "one", 2: "two", 3: "three"}
 
 
 def derivatives_json(
@@ -72,12 +67,6 @@ def orbit_json(orbit: Orbit, digits: int | None = None) -> dict[str, Any]:
     def text(number: Any) -> str:
         return decimal_string(number, shown)
 
-    def multipliers(stability: Stability) -> list[dict[str, Any]]:
-        return [
-            {"re": text(m.real), "im": text(m.imaginary), "trivial": m.trivial}
-            for m in stability.multipliers
-        ]
-
     stability = orbit.stability
     shift = {name: text(orbit.shift[name]) for name in orbit.evaluation.free_states}
     found = {
@@ -90,7 +79,7 @@ def orbit_json(orbit: Orbit, digits: int | None = None) -> dict[str, Any]:
         **({"shift": shift} if shift else {}),
         "residual": short(orbit.residual),
         "digits": shown,
-        "multipliers": multipliers(stability),
+        "multipliers": multipliers_json(stability, text),
         "trace": text(stability.trace),
         "margin": text(stability.margin),
         "stability": stability.verdict,
@@ -98,13 +87,21 @@ def orbit_json(orbit: Orbit, digits: int | None = None) -> dict[str, Any]:
         **admissibility_json(orbit),
     }
     if orbit.symmetry is not None:
-        found["part_multipliers"] = multipliers(orbit.part_stability)
+        found["part_multipliers"] = multipliers_json(orbit.part_stability, text)
     phases = zip(orbit.itinerary, orbit.dwell_time_names, strict=True)
     found["phases"] = [
         {"configuration": configuration, "boundary": boundary, "dwell_time": name}
         for (configuration, boundary), name in phases
     ]
     return found
+
+
+def multipliers_json(stability: Stability, text: Callable[[Any], str]) -> list[dict[str, Any]]:
+    """Multipliers as JSON, whose parts are spelled by a function."""
+    return [
+        {"re": text(m.real), "im": text(m.imaginary), "trivial": m.trivial}
+        for m in stability.multipliers
+    ]
 
 
 def trace_proof_json(orbit: Orbit) -> dict[str, Any]:
@@ -187,140 +184,14 @@ def admissibility_json(orbit: Orbit) -> dict[str, Any]:
     Phases are counted from 1.
     """
     admissibility = orbit.admissibility
-    found: dict[str, Any] = {"admissible": admissibility.verdict}
-    if admissibility.verdict is False:
-        found["violations"] = [
-            {
-                "phase": v.phase + 1,
-                "configuration": v.configuration,
-                "boundary": v.boundary,
-                "time": repr(v.time),
-                "excess": repr(v.excess),
-            }
-            for v in admissibility.violations
-        ]
-    if admissibility.verdict == "conditional":
-        found["requires"] = [
-            {"parameter": r.parameter, "greater_than": repr(r.greater_than)}
-            for r in admissibility.requires
-        ]
-    if admissibility.coincidences:
-        found["coincidences"] = [
-            {"phase": c.phase + 1, "boundaries": list(c.boundaries), "time": repr(c.time)}
-            for c in admissibility.coincidences
-        ]
-    return found
-
-
-def systems_json(names: Sequence[str] = ()) -> dict[str, Any]:
-    """Systems and their orbits as JSON, with what is given and what is solved for.
-
-    Without names all built-in systems are listed.
-    """
-    listings = {name: _listing(name) for name in names or system_names()}
-    return {
-        "systems": [
-            {
-                "name": shown_name(system.name) if is_saved(name) else system.name,
-                "description": system.table["description"],
-                "states": list(system.table["states"]),
-                "configurations": list(visited := _visited(system)),
-                "boundaries": {
-                    configuration: [dict(boundary) for boundary in boundaries]
-                    for configuration, boundaries in visited.items()
-                },
-                "transitions": _transitions_json(system),
-                "parameters": [_parameter_json(p) for p in system.parameters],
-                "orbits": [_listed(orbit, entry) for orbit, entry in orbits.items()],
-            }
-            for name, (system, orbits) in listings.items()
-        ]
+    verdict = admissibility.verdict
+    parts: dict[str, Sequence[Any]] = {
+        "violations": admissibility.violations if verdict is False else (),
+        "requires": admissibility.requires if verdict == "conditional" else (),
+        "coincidences": admissibility.coincidences,
     }
-
-
-def _visited(system: SystemKernels) -> dict[str, Any]:
-    """Configurations of a system with their boundaries, without those that are not visited."""
-    structure, every = structure_of(system), system.table["configurations"]
-    return {structure.configurations[c]: every[structure.configurations[c]]
-            for c in structure.visited}  # fmt: skip
-
-
-def _transitions_json(system: SystemKernels) -> list[dict[str, Any]]:
-    """Transitions that may follow when boundaries are reached; the state decides which one does."""
-    targets: dict[tuple[str, tuple[str, ...]], list[str]] = {}
-    for transition in system.table["transitions"]:
-        reached = (transition["source"], tuple(transition["boundaries"]))
-        known = targets.setdefault(reached, [])
-        if transition["target"] not in known:
-            known.append(transition["target"])
-    return [
-        {"source": source, "boundaries": list(boundaries), "targets": found}
-        for (source, boundaries), found in targets.items()
-    ]
-
-
-def _listing(name: str) -> tuple[SystemKernels, Mapping[str, OrbitKernels | str]]:
-    """A system with its orbits, or those of a file of results."""
-    if is_saved(name):
-        return saved_listing(name)
-    return load_system(name), {orbit: load_orbit(orbit) for orbit in orbits_in(name)}
-
-
-def _listed(name: str, entry: OrbitKernels | str) -> dict[str, Any]:
-    """An orbit as JSON, or the reason why an entry of a file is none."""
-    if isinstance(entry, str):
-        return {"name": name, "refused": entry}
-    return _declared_json(entry) if entry.derived else _composed_json(entry)
-
-
-def _declared_json(kernels: OrbitKernels) -> dict[str, Any]:
-    defaults = kernels.required | default_parameters(kernels)
-    tables = [*kernels.parameters, *kernels.open_parameters]
-    used = {*kernels.parameter_names, *kernels.solved_for}
-    combining = {n for name, terms in kernels.combined.items() if name in used for n in terms}
-    combining = (combining | set(kernels.required)) - {p.name for p in tables}
-    tables += [p for p in kernels.system.parameters if p.name in combining]
-    return {
-        "name": kernels.address,
-        "phases": [
-            {"configuration": configuration, "boundary": boundary, "dwell_time": dwell_time}
-            for configuration, boundary, dwell_time in kernels.table["phases"]
-        ],
-        "parameters": [_parameter_json(p) | {"default": defaults.get(p.name)} for p in tables],
-        "unknowns": list(kernels.unknowns),
-        "derived": True,
-    }
-
-
-def _composed_json(kernels: OrbitKernels) -> dict[str, Any]:
-    """An orbit without derived equations as JSON: parameters are given, the start is unknown."""
-    table, system = kernels.table, kernels.system
-    reference = table["reference"] or {"parameters": {}}
-    return {
-        "name": kernels.address,
-        "phases": [
-            {"configuration": configuration, "boundary": boundary, "dwell_time": dwell_time}
-            for configuration, boundary, dwell_time in table["phases"]
-        ],
-        "parameters": [
-            _parameter_json(p) | {"default": reference["parameters"].get(p.name)}
-            for p in system.parameters
-        ],
-        "unknowns": list(unknowns_of(kernels)),
-        "derived": False,
-        "reason": table["reason"],
-    }
-
-
-def _parameter_json(parameter: ParameterTable) -> dict[str, Any]:
-    return {
-        "name": parameter.name,
-        "description": parameter.description,
-        "lower": parameter.lower,
-        "upper": parameter.upper,
-        "closed": parameter.closed,
-        "upper_closed": parameter.upper_closed,
-    }
+    told = {name: [encode(each) for each in found] for name, found in parts.items() if found}
+    return {"admissible": verdict, **told}
 
 
 def short(number: Any) -> str:
@@ -328,3 +199,162 @@ def short(number: Any) -> str:
     from mpmath import mp
 
     return str(mp.nstr(mp.mpf(number), 3))
+
+
+def tell_report(
+    orbit: Orbit, found: Mapping[str, Any], assigned: Mapping[str, Value], absent: str
+) -> Told:
+    """An orbit as `solve` and `verify` tell it: what is given, unknowns, stability, admissibility.
+
+    `found` is the orbit as JSON, `assigned` has the parameters as the user gave them, and
+    `absent` says where the others come from, such as "default". Where something is proved of
+    the trace the criterion of stability comes before the orbit.
+    """
+    numbers = {**found["unknowns"], **_forcing_phases(orbit, found["digits"])}
+    numbers |= {"period": found["period"], "residual": found["residual"]}
+    numbers |= {f"{name} moves by": text for name, text in found.get("shift", {}).items()}
+    rates = found.get("derivatives", {})
+    by = list(next(iter(rates.values()), ()))
+    rows = [(quantity, *(own[name] for name in by)) for quantity, own in rates.items()]
+    parts: list[tuple[str, Sequence[str] | Listing]] = [
+        ("given", Listing(("Given", "", ""), [*_sources(orbit, found, assigned, absent)])),
+        ("orbit", Listing(("Orbit", ""), [(name, _digits(x)) for name, x in numbers.items()])),
+    ]
+    parts.insert(0 if "proof" in found else 2, ("stability", _criterion(orbit, found)))
+    way = [*(configuration for configuration, _ in orbit.itinerary), "..."]
+    return f"{shown_name(found['orbit'])}, {found['digits']} digits", [
+        ("itinerary", [" -> ".join(way)]),
+        *parts,
+        ("derivatives", Listing(("Derivatives", *(f"by {name}" for name in by)), rows)),
+        *admissibility_rows(found),
+    ]
+
+
+def admissibility_rows(found: Mapping[str, Any]) -> Rows:
+    """Rows with a verdict, what it requires, and what violates it; `found` is as JSON."""
+    answer = {True: "yes", False: "no"}.get(found["admissible"], str(found["admissible"]))
+    wanted = [
+        f"{bound['parameter']} > {float(bound['greater_than']):.10g}"
+        for bound in found.get("requires", ())
+    ]
+    violations = [
+        (
+            *(str(each[name]) for name in ("phase", "configuration", "boundary")),
+            *(f"{float(each[name]):.6g}" for name in ("time", "excess")),
+        )
+        for each in found.get("violations", ())
+    ]
+    meetings = [
+        f"{' and '.join(each['boundaries'])} at t = {float(each['time']):.10g}"
+        for each in found.get("coincidences", ())
+    ]
+    titles = ("phase", "configuration", "boundary", "crossed at", "excess")
+    return [
+        ("admissible", [answer]),
+        ("it takes", wanted),
+        ("violations", Listing(titles, violations)),
+        ("coincide", meetings),
+    ]
+
+
+def _forcing_phases(orbit: Orbit, digits: int) -> dict[str, str]:
+    """Text of the phase of each forcing at the start."""
+    start = orbit.states[0]
+    return {
+        "forcing phase" if number == 1 else f"forcing phase {number}": decimal_string(
+            orbit.arithmetic.mp.atan2(start[sine], start[cosine]), digits
+        )
+        for number, (cosine, sine) in enumerate(orbit.problem.forcing, 1)
+    }
+
+
+def _sources(
+    orbit: Orbit, found: Mapping[str, Any], assigned: Mapping[str, Value], absent: str
+) -> Iterator[tuple[str, str, str]]:
+    """Give name and text of each given parameter, and where its value comes from."""
+    for name, value in assigned.items():
+        yield name, str(value), ""
+    following = orbit.problem.followers(assigned)
+    for name, value in {**orbit.given, **orbit.opened}.items():
+        if name in assigned:
+            continue
+        if name in following:
+            yield name, found["parameters"][name], "follows"
+        elif name in orbit.problem.unknown_names:
+            yield name, str(value), "in place of an unknown"
+        else:
+            yield name, str(value), "given" if name == PERIOD else absent
+
+
+def _criterion(orbit: Orbit, found: Mapping[str, Any]) -> Listing:
+    """Trace, multipliers and verdict: the trace's alone where the map has rank one."""
+    derived, rank, verdict = orbit.problem.derived, orbit.stability.rank, found["stability"]
+    trivial = any(m["trivial"] for m in found["multipliers"])
+    rank_one = derived and rank == 1 and not trivial
+    exactly = "exactly" if derived else "to these digits"
+    zero = f"0 {exactly}: the Poincare map has rank {_RANKS.get(rank, rank)}"
+    rows = [("trace", found["trace"])]
+    if rank_one:
+        rows.append(("|trace| - 1", decimal_string(-orbit.stability.margin, found["digits"])))
+    for number, multiplier in enumerate(found["multipliers"], 1):
+        label = f"multiplier {number}"
+        if number > rank:
+            rows.append((label, zero))
+        elif not rank_one:
+            rows.append((label, multiplier["re"] + " (trivial)" * multiplier["trivial"]))
+            if multiplier["im"].strip("-0."):
+                rows.append((" + i times", multiplier["im"]))
+    if rank_one:
+        reasons = {"stable": "|trace| < 1", "unstable": "|trace| > 1"}
+    else:
+        rows.append(("margin", found["margin"]))
+        reasons = {
+            "stable": "nontrivial multipliers inside the unit circle",
+            "neutral": "nontrivial multipliers on the unit circle",
+            "unstable": "a multiplier outside the unit circle",
+        }
+    told = f"{verdict}: the margin is zero to these digits, ask for more"
+    if verdict in reasons:
+        told = f"{'conditionally ' * (verdict == 'stable')}{verdict} ({reasons[verdict]})"
+    rows.append(("verdict", told))
+    if verdict == "stable":
+        rows.append(("", "under perturbations that keep the order of the switches"))
+    if "proof" in found:
+        rows += _proved(found)
+    if "one_sided" in found:
+        rows.append(("", f"one-sided: a border collision, on the side {found['one_sided']}"))
+    title = "Trace criterion" if rank_one else "Stability"
+    return Listing((title, ""), [(name, _digits(text)) for name, text in rows])
+
+
+def _proved(found: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    """Give what is enclosed and proved of the trace, and how far two arithmetics differ."""
+    proof = found["proof"]
+    if "difference" in found:
+        compared = " and ".join(found["compared"])
+        yield "difference", f"{found['difference']} between balls and mpmath, of {compared}"
+    if proof["trace"] is None:
+        yield "enclosure", f"none: {proof['reason']}"
+        return
+    yield "enclosure", format(Decimal(proof["trace"]["mid"]), "f")
+    yield "      +/-", proof["trace"]["rad"]
+    if proof["statement"] is not None:
+        yield proof["verdict"], proof["statement"]
+        yield "", "for the one orbit in a box around it"
+    if "reason" in proof:
+        yield "", proof["reason"]
+    if proof["one_sided"]:
+        yield "", "on one side of a border collision"
+
+
+def _digits(text: str) -> str:
+    """A number in several lines of groups of digits if it is too long for one; words stay."""
+    if len(text) <= _LONGEST_NUMBER or " " in text:
+        return text
+    mantissa, letter, exponent = text.partition("e")
+    whole, _, fraction = mantissa.partition(".")
+    groups = [fraction[i : i + _GROUP] for i in range(0, len(fraction), _GROUP)]
+    lines = [
+        " ".join(groups[i : i + _GROUPS_IN_LINE]) for i in range(0, len(groups), _GROUPS_IN_LINE)
+    ]
+    return "\n".join([f"{whole}.", *lines]) + letter + exponent

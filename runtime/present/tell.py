@@ -112,9 +112,9 @@ def _orbit(orbit: Orbit) -> Told:
     return title, _orbit_rows(orbit, known)
 
 
-def _orbit_rows(orbit: Orbit, known: list[str]) -> Iterator[tuple[str, list[str]]]:
+def _orbit_rows(orbit: Orbit, known: list[str]) -> Iterator[tuple[str, Sequence[str] | Listing]]:
     """Rows for a converged orbit; whether it is admissible is found out only for the last."""
-    from nonsmooth.runtime.present.report import admissibility_json
+    from nonsmooth.runtime.present.report import admissibility_json, admissibility_rows
 
     digits = min(orbit.digits, 15)
     yield "period", [f"{decimal_string(orbit.period, digits)}, {orbit.stability.verdict}"]
@@ -128,18 +128,7 @@ def _orbit_rows(orbit: Orbit, known: list[str]) -> Iterator[tuple[str, list[str]
             for m in orbit.stability.multipliers
         ],
     )
-    found = admissibility_json(orbit)
-    admissible = [{True: "yes", False: "no"}.get(found["admissible"], "conditional, it takes")]
-    admissible += [
-        f"{bound['parameter']} > {float(bound['greater_than']):.10g}"
-        for bound in found.get("requires", ())
-    ]
-    admissible += [
-        f"{v['boundary']} is crossed in phase {v['phase']}, {v['configuration']},"
-        f" at t = {float(v['time']):.6g} by {float(v['excess']):.6g}"
-        for v in found.get("violations", ())
-    ]
-    yield "admissible", admissible
+    yield from admissibility_rows(admissibility_json(orbit))
 
 
 def _orbits(orbits: Orbits) -> Told:

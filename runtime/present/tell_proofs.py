@@ -12,7 +12,7 @@ from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.present.told import Listing, Rows, Told, first, given, many
 
 if TYPE_CHECKING:
-    from nonsmooth.runtime.present.checking.check_file import Check
+    from nonsmooth.runtime.present.check_file import Check
     from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
     from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
     from nonsmooth.runtime.proof.branch.certified_branch import BranchEvent, CertifiedBranch

@@ -24,6 +24,7 @@ class Listing:
     titles: tuple[str, ...]
     rows: Sequence[Sequence[str]]
     right: tuple[str, ...] = ()
+    keys: int = 1  # columns that say what a row is of, and are repeated beside others
 
     def __bool__(self) -> bool:
         return bool(self.rows)

@@ -271,7 +271,7 @@ class Trajectory(Kept):
         matplotlib Axes
             What was drawn on.
         """
-        return registered("plot_trajectory")(self, kind, axes, masses=masses, points=points)
+        return registered("plot_motion")(self, kind, axes, masses=masses, points=points)
 
     def recurrence(self, since: float = 0.0, period: float | None = None) -> Recurrence:
         """Find the cycle that the motion repeats at its end; see `nonsmooth.itinerary_of`.

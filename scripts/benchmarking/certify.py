@@ -10,7 +10,7 @@ from benchmarking.measuring import Row, timed
 
 from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit
 from nonsmooth.runtime.orbits.solve import solve
-from nonsmooth.runtime.present.checking.check_file import check_certificate
+from nonsmooth.runtime.present.check_file import check_certificate
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.boxes.certify_box import certify_box
 from nonsmooth.runtime.proof.certify_orbit import certify

@@ -13,7 +13,7 @@ from mpmath import mpf, workdps
 
 import nonsmooth as ns
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.present.checking.check_file import check_certificate
+from nonsmooth.runtime.present.check_file import check_certificate
 from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
 from nonsmooth.runtime.proof.certificate import Certificate
 

@@ -13,7 +13,7 @@ from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.state_sets.basin import _motions
 from nonsmooth.runtime.checker.stated.grids import stated_grid
 from nonsmooth.runtime.core.float_sets import ManySets
-from nonsmooth.runtime.present.checking.compare_declarations import compare
+from nonsmooth.runtime.present.compare_declarations import compare
 from tests.certified import flat, prove_basin, refused_file, runs, signed
 from tests.friction_sets import DATA
 from tests.places import GALLERY

@@ -26,7 +26,7 @@ from nonsmooth.derive import (
 from nonsmooth.runtime.checker import Failure, check_census
 from nonsmooth.runtime.checker.counting.census import Side
 from nonsmooth.runtime.cli.program import app
-from nonsmooth.runtime.present.checking.check_file import Check
+from nonsmooth.runtime.present.check_file import Check
 from nonsmooth.runtime.proof.counting.census import Census
 from tests.certified import (
     LOOP,

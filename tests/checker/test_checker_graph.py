@@ -56,6 +56,17 @@ def test_a_true_file_is_proved_again_and_loaded(found, path):
     assert pictures[0] == pictures[1]
 
 
+def test_a_region_without_an_attractor_is_compared_with_its_system_too(tmp_path):
+    system, data = str(GALLERY / "impact_oscillator.py"), {"r": "0.65", "sigma": "0", "w": "2.3"}
+    region = {"x": (-0.8, -0.6), "v": (0, 0.2)}
+    found = ns.certify.region(system, data, {"x": -0.7, "v": 0.1}, region=region, boxes=4)
+    assert found.claim == "undecided"
+    found.save(tmp_path / "region.json")
+    check = ns.certify.check(tmp_path / "region.json")
+    assert check.difference is None
+    assert check.compared
+
+
 @pytest.mark.slow
 def test_a_true_file_of_two_coordinates_is_proved_again(tmp_path):
     system = load_system(str(GALLERY / "impact_oscillator.py"))

@@ -24,7 +24,7 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth import InputError
-from nonsmooth.runtime.cli.tables import show_result
+from nonsmooth.runtime.cli.display import show_result
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.present.files.kept import save_result
 from nonsmooth.runtime.proof.counting.census import Census

@@ -369,7 +369,7 @@ def test_the_rank_of_an_orbit_by_tables_is_no_criterion() -> None:
     _, out, _ = run("solve", f"{GALLERY / 'impact_oscillator.py'}:one-period", "r=0")
     assert "Stability" in out
     assert "|trace| < 1" not in out
-    assert "multiplier 2  0 to these digits: the Poincare map has rank one" in out
+    assert re.search("multiplier 2 +0 to these digits: the Poincare map has rank one", out)
 
 
 def test_orbits_by_tables_are_enclosed_and_refined_by_mpmath() -> None:
@@ -388,7 +388,7 @@ def test_report_of_solve() -> None:
     code, out, _ = run("solve", ORBIT, "V=1", "us2=0.8", "ur2=1.2831", "us1=1/3")
     assert code == 0
     assert out.index("Orbit") < out.index("Trace criterion")
-    assert "Admissible: yes" in out
+    assert "admissible: yes" in out
     rows = {line.split()[0]: line.split()[1:] for line in out.splitlines() if line.split()}
     assert rows["V"] == ["1"]
     assert rows["us1"] == ["1/3"]
@@ -399,7 +399,7 @@ def test_report_of_solve() -> None:
 def test_report_of_violations() -> None:
     code, out, _ = run("solve", ORBIT, "us2=0.7")
     assert code == 0
-    assert "Admissible: no" in out
+    assert "admissible: no" in out
     (first, *_) = told("solve", ORBIT, "us2=0.7")["violations"]
     assert (first["phase"], first["boundary"]) == (1, "second-breaks-backward")
     assert re.search(r"1 +stick-stick +second-breaks-backward +0 +0\.0456", out)

@@ -345,8 +345,8 @@ def test_wrong_sweeps_are_2(change, part, tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     ("command", "drawer"),
     [
-        (f"{FRICTION} --plot", "plot.trajectory_figure"),
-        (f"{SWEEP} --plot", "maps.draw_sweep"),
+        (f"{FRICTION} --plot", "plot.motion_figure"),
+        (f"{SWEEP} --plot", "found.draw_sweep"),
     ],
 )
 def test_a_picture_that_fails_loses_nothing(command, drawer, tmp_path, monkeypatch):

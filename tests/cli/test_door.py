@@ -169,10 +169,13 @@ def test_options_that_mean_nothing_together_are_refused(
         (f"basin {ORBIT}", "nonsmooth certify basin"),
         ("graph dry-friction", "nonsmooth certify region"),
         ("certify graph dry-friction", "nonsmooth certify region"),
+        ("find two_stops.py --n 20", "--starts"),
     ],
 )
 def test_what_stands_elsewhere_is_told_with_its_place(command: str, place: str) -> None:
-    assert place in refused(*command.split()).partition("; ")[2]
+    told = refused(*command.split())
+    assert place in told.partition("; ")[2]
+    assert "--json" not in told  # a short option is like any other
 
 
 def test_a_name_that_is_none_is_wrong_input_of_a_check(tmp_path: Path) -> None:

@@ -9,7 +9,7 @@ import sympy as sp
 
 from nonsmooth import InputError, find_orbits, load, simulate, solve
 from nonsmooth.derive import RigidStop, oscillator
-from nonsmooth.runtime.explore.finding.find import label_names, start_box
+from nonsmooth.runtime.explore.finding.find import label_names
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.model.kernels import compiled_engine
 from nonsmooth.runtime.simulation.recurrence import canonical

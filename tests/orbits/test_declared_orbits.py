@@ -171,7 +171,7 @@ def test_the_shown_report() -> None:
     assert "zeta 1/20" in lines
     assert "Omega 1.7 default" in lines
     assert any(line.startswith("ta 1.8479956785822313") for line in lines)
-    assert "Admissible: yes" in out
+    assert "admissible: yes" in out
 
 
 def test_require_and_exit_codes() -> None:

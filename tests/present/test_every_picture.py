@@ -234,7 +234,7 @@ def fitted() -> Any:
 
 
 def faults(figure: Figure) -> Iterator[str]:
-    """What is wrong with the labels of a figure that is drawn as it is."""
+    """What is wrong with the labels and legends of a figure that is drawn as it is."""
     figure.draw_without_rendering()
     room = figure.bbox.padded(1)
     for axes in figure.axes:
@@ -258,6 +258,12 @@ def faults(figure: Figure) -> Iterator[str]:
         legend = axes.get_legend()
         if legend is None:
             continue
+        place = legend.get_window_extent()
+        if place.y0 < axes.get_window_extent().y1 - 1:
+            yield "the legend covers the picture"
+        for title in (axes.title, axes._left_title):
+            if title.get_text().strip() and place.overlaps(title.get_window_extent()):
+                yield f"the legend covers {title.get_text()!r}"
         texts = [text.get_text() for text in legend.get_texts()]
         looks = [_look(handle) for handle in legend.legend_handles]
         entries = list(zip(texts, looks, strict=True))

@@ -1,6 +1,5 @@
 """Pictures of simulated motions, and of bifurcations."""
 
-import sys
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache
@@ -9,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from nonsmooth import InputError, MissingExtra, observe, simulate, sweep
+from nonsmooth import InputError, observe, simulate, sweep
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 from tests.pictures import figure_of, figure_of_saved
 
@@ -310,9 +309,3 @@ def test_wrong_input(kind: str, options: dict, part: str) -> None:
     with pytest.raises(InputError, match=part):
         few().plot(kind, **options)
     assert not pyplot.get_fignums()
-
-
-def test_without_matplotlib(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(sys.modules, "matplotlib", None)
-    with pytest.raises(MissingExtra, match=r"nonsmooth\[plot\]"):
-        few().plot()

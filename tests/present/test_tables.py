@@ -51,6 +51,14 @@ def test_a_pipe_is_as_wide_as_it_takes() -> None:
     assert [float(x) for x in row[1:]] == pytest.approx(derivatives.quantity("trace")[1].tolist())
 
 
+def test_words_are_broken_into_lines_in_a_pipe() -> None:
+    """An orbit of eight phases has a long itinerary, all of which is there."""
+    command = "find dry-friction chi=0.4 eta=4 V=0.6773 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1"
+    out = run(*command.split(), "--starts", "20")[1]
+    assert "overshoot-stick, first-reaches-belt" in out
+    assert max(map(len, out.splitlines())) < 160
+
+
 @pytest.mark.parametrize(
     ("name", "shown"),
     [

@@ -24,8 +24,8 @@ from nonsmooth.runtime.checker.counting.census import Counting
 from nonsmooth.runtime.checker.counting.contraction import Linear, balls_of, contract, middles_of
 from nonsmooth.runtime.checker.counting.covering import CoveringBox, Root, Walk
 from nonsmooth.runtime.checker.counting.dwell_equations import DwellEquations
+from nonsmooth.runtime.cli.display import show_result
 from nonsmooth.runtime.cli.program import app
-from nonsmooth.runtime.cli.tables import show_result
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.completion import complete
 from nonsmooth.runtime.model.kernels import load_orbit

@@ -25,7 +25,7 @@ from nonsmooth.runtime.events.transition_choice import Decider
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.present.checking.compare_declarations import compare
+from nonsmooth.runtime.present.compare_declarations import compare
 from nonsmooth.runtime.proof.certificate import Certificate
 from tests.engines import with_both
 

@@ -208,9 +208,8 @@ def check(
 
     The work on a basin can be shared.
     """
-    from nonsmooth.runtime.cli.display import shared
-    from nonsmooth.runtime.cli.tables import show_result
-    from nonsmooth.runtime.present.checking.check_file import check_certificate
+    from nonsmooth.runtime.cli.display import shared, show_result
+    from nonsmooth.runtime.present.check_file import check_certificate
 
     with shared(f"proving {file} again") as progress:
         found = check_certificate(

@@ -44,6 +44,7 @@ _SOON = 60.0  # seconds: of what takes no longer nothing is said before
     long=True,
     question="orbit parameters guess side",
     anew="tiles",
+    kept="basin certificate",
 )
 def certify_basin(
     orbit: OrbitName,
@@ -74,10 +75,9 @@ def certify_basin(
     """
     from nonsmooth.runtime.cli.display import shared, steps
     from nonsmooth.runtime.orbits.solve import solve
-    from nonsmooth.runtime.present.files.kept import format_named
     from nonsmooth.runtime.proof.basin.certify_basin import certify_basin as prove
 
-    known = reply.known(format_named("nonsmooth basin certificate").load)
+    known = reply.known
     values, box = values_and_ranges(parameters)
     with steps(f"solving {orbit}"):
         solved = solve(orbit, values, guessed(guess))
@@ -176,6 +176,7 @@ def certify_chaos(
     long=True,
     question="system parameters start configuration boxes",
     anew="levels",
+    kept="region certificate",
 )
 def certify_region(
     system: SystemName,
@@ -219,12 +220,11 @@ def certify_region(
     on it is enclosed.
     """
     from nonsmooth.runtime.cli.display import counted
-    from nonsmooth.runtime.present.files.kept import format_named
     from nonsmooth.runtime.proof.graphs.certify_graph import certify_graph
 
     if not start:
         raise missing_start(system)
-    known = reply.known(format_named("nonsmooth region certificate").load)
+    known = reply.known
     values, region = values_and_ranges(parameters)
     state, shared_by = assignments("state", split(start)), workers or 1
 

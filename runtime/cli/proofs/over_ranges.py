@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -64,6 +64,7 @@ Seconds = Annotated[
     long=True,
     question="orbit parameters guess",
     anew="tiles",
+    kept="box certificate",
 )
 def certify_box(
     orbit: OrbitName,
@@ -89,11 +90,10 @@ def certify_box(
     The exit code is 1 while more than 1 % of the box is undecided.
     """
     from nonsmooth.runtime.cli.display import shared, steps
-    from nonsmooth.runtime.present.files.kept import format_named
     from nonsmooth.runtime.proof.boxes.certify_box import certify_box as prove
 
     check_hours(f"{tiles} tiles", tiles * SECONDS["tile"], yes=yes)
-    known = reply.known(format_named("nonsmooth box certificate").load)
+    known = reply.known
     fixed, box = values_and_ranges(parameters)
     if not box:
         raise InputError("no parameter has a range, such as V=0.99:1.01")
@@ -123,6 +123,7 @@ def certify_box(
     long=True,
     question="orbit parameters guess",
     anew="tiles beyond",
+    kept="certified branch",
 )
 def certify_branch(
     orbit: OrbitName,
@@ -140,26 +141,11 @@ def certify_branch(
 
     With --beyond also which itineraries begin at its borders, on which side, stable or not.
     """
-    from nonsmooth.runtime.cli.display import shared
-    from nonsmooth.runtime.present.files.kept import format_named
     from nonsmooth.runtime.proof.branch.certify_branch import certify_branch as prove
 
-    check_hours(f"{tiles} tiles", tiles * SECONDS["tile"], yes=yes)
-    known = reply.known(format_named("nonsmooth certified branch").load)
-    branch, interval = _followed(orbit, parameters, guess)
-    with shared(f"proving {orbit}") as progress:
-        found, stopped = worked(
-            lambda: prove(
-                branch,
-                interval=interval,
-                tiles=tiles,
-                beyond=beyond,
-                seconds=math.inf if seconds is None else seconds,
-                resume=known,
-                progress=progress,
-                keep=reply.keep,
-            )
-        )
+    found, stopped = _along(
+        prove, orbit, parameters, guess, tiles, seconds, yes, reply, beyond=beyond
+    )
     return reply.give(
         found,
         stopped,
@@ -178,6 +164,7 @@ def certify_branch(
     long=True,
     question="orbit parameters guess",
     anew="tiles",
+    kept="certified doubling",
 )
 def certify_doubling(
     orbit: OrbitName,
@@ -194,25 +181,9 @@ def certify_doubling(
 
     Their side and stability are told, and how they go on.
     """
-    from nonsmooth.runtime.cli.display import shared
-    from nonsmooth.runtime.present.files.kept import format_named
     from nonsmooth.runtime.proof.doubling.certify_doubling import certify_doubling as prove
 
-    check_hours(f"{tiles} tiles", tiles * SECONDS["tile"], yes=yes)
-    known = reply.known(format_named("nonsmooth certified doubling").load)
-    branch, interval = _followed(orbit, parameters, guess)
-    with shared(f"proving {orbit}") as progress:
-        found, stopped = worked(
-            lambda: prove(
-                branch,
-                interval=interval,
-                tiles=tiles,
-                seconds=math.inf if seconds is None else seconds,
-                resume=known,
-                progress=progress,
-                keep=reply.keep,
-            )
-        )
+    found, stopped = _along(prove, orbit, parameters, guess, tiles, seconds, yes, reply)
     branch_tiles = 0 if found.doubled is None else len(found.doubled.branch.tiles)
     return reply.give(
         found,
@@ -230,6 +201,7 @@ def certify_doubling(
     save=Save,
     long=True,
     question="orbit parameters guess digits",
+    kept="event certificate",
 )
 def certify_event(
     orbit: OrbitName,
@@ -242,11 +214,11 @@ def certify_event(
 ) -> int:
     """Enclose what happens on a branch over one parameter: bifurcations and collisions."""
     from nonsmooth.runtime.cli.display import counted
-    from nonsmooth.runtime.present.files.kept import load_events, save_result
+    from nonsmooth.runtime.present.files.kept import save_result
     from nonsmooth.runtime.proof.events.certify_event import certify_events as enclose
     from nonsmooth.runtime.proof.events.event_certificate import events_claim
 
-    known = reply.known(load_events) or ()
+    known = reply.known.events if reply.resume else ()
     branch, (lower, upper) = _followed(orbit, parameters, guess)
     with counted("enclosing events", len(branch.events)) as progress:
         found, stopped = worked(lambda: enclose(branch, bits_of(digits), known, progress))
@@ -269,6 +241,38 @@ def certify_event(
         require=require,
         claims=claims,
     )
+
+
+def _along(
+    prove: Callable[..., Any],
+    orbit: str,
+    parameters: list[str] | None,
+    guess: list[str] | None,
+    tiles: int,
+    seconds: float | None,
+    yes: bool,
+    reply: Reply,
+    **options: Any,
+) -> tuple[Any, bool]:
+    """What is proved along a branch, and whether Ctrl-C ended it early."""
+    from nonsmooth.runtime.cli.display import shared
+
+    check_hours(f"{tiles} tiles", tiles * SECONDS["tile"], yes=yes)
+    known = reply.known
+    branch, interval = _followed(orbit, parameters, guess)
+    with shared(f"proving {orbit}") as progress:
+        return worked(
+            lambda: prove(
+                branch,
+                interval=interval,
+                tiles=tiles,
+                seconds=math.inf if seconds is None else seconds,
+                resume=known,
+                progress=progress,
+                keep=reply.keep,
+                **options,
+            )
+        )
 
 
 def _followed(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Annotated, Any, Literal
 
@@ -239,18 +239,18 @@ class Branch(Kept):
 
     def plot(
         self,
-        quantity: str | None = None,
+        quantity: str | Sequence[str] | None = None,
         axes: Any = None,
         *,
         over: str | None = None,
         frequency: str = "angular",
     ) -> Any:
-        """Draw a quantity over the parameter, or over another quantity.
+        """Draw quantities over the parameter, or over another quantity.
 
         Parameters
         ----------
-        quantity : str, optional
-            What `quantity` takes; chosen for the branch when omitted.
+        quantity : str or several, optional
+            What `quantity` takes, one below the other; chosen for the branch when omitted.
         axes : matplotlib Axes, optional
             Where to draw; a figure of its own when omitted.
         over : str, optional
@@ -260,8 +260,8 @@ class Branch(Kept):
 
         Returns
         -------
-        matplotlib Axes
-            What was drawn on.
+        matplotlib Axes or Figure
+            The Axes that were given, with the first quantity, or the new figure.
         """
         return registered("draw_branch")(self, quantity, axes, over=over, frequency=frequency)
 

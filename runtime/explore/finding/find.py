@@ -17,7 +17,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted, one_line, unknown_name
-from nonsmooth.runtime.core.registry import Kept
+from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.core.values import Value, by_name, random_generator
 from nonsmooth.runtime.core.workload import check_memory
 from nonsmooth.runtime.explore.finding.outcomes import Attractors, Outcome, attractors_of
@@ -189,6 +189,28 @@ class Found(Kept):
     box: np.ndarray
     transitions: int
     complete: bool = True
+
+    def plot(self, kind: str = "all", *, periods: int = 1) -> Any:
+        """Draw the found orbits with the largest basins, a row for each.
+
+        Parameters
+        ----------
+        kind : {"all", "time", "velocity", "phase"}
+            Histories of positions or of velocities, portraits of all masses in one, or portraits
+            beside positions.
+        periods : int
+            How many of them a history has.
+
+        Returns
+        -------
+        matplotlib Figure
+
+        Raises
+        ------
+        InputError
+            For another kind, or if no orbit was found.
+        """
+        return registered("found_figure")(self, kind, periods=periods)
 
     def share(self, outcome: Outcome) -> float:
         """Give the share of the starts that end in one way.

@@ -11,7 +11,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
 from nonsmooth.runtime.core.json_codec import AnyTable, BlankDigits, BlankText, Integers, Row
-from nonsmooth.runtime.core.registry import Kept
+from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.core.workload import BYTES, check_memory
@@ -84,6 +84,21 @@ class Sweep(Kept):
         if self.configuration is not None:
             return f"at each entry of {self.configuration}"
         return f"at the phase {self.phase:g} of the forcing"
+
+    def plot(self, axes: Any = None) -> Any:
+        """Draw the bifurcation diagram.
+
+        Parameters
+        ----------
+        axes : matplotlib Axes, optional
+            Where to draw; a figure of its own when omitted.
+
+        Returns
+        -------
+        matplotlib Axes or Figure
+            The Axes that were given, or the new figure.
+        """
+        return registered("draw_sweep")(self, axes)
 
 
 def sweep(

@@ -11,7 +11,7 @@ from typing import Any, Literal, cast
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
-from nonsmooth.runtime.core.json_codec import AnyRow, AnyTable, Digits, Row, Table
+from nonsmooth.runtime.core.json_codec import AnyRow, AnyTable, Digits, Row, Table, Told
 from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.core.values import Value, as_value, random_generator
 from nonsmooth.runtime.explore.fitting.measurements import (
@@ -57,8 +57,8 @@ class FittedSeries(MeasuredSeries):
     fitted: Row  # (m,)
     sigma: Row  # (m,), standard deviations used as weights, given or estimated
 
-    @property
-    def residuals(self) -> np.ndarray:
+    @Told
+    def residuals(self) -> AnyRow:
         """Measured minus fitted (m,), in standard deviations."""
         return np.asarray((self.values - self.fitted) / self.sigma)
 
@@ -183,8 +183,8 @@ class Fit(Kept):
             raise KeyError(name)
         return float(self.estimates[self.names.index(name)])
 
-    @property
-    def standard_errors(self) -> np.ndarray:
+    @Told
+    def standard_errors(self) -> AnyRow:
         """Standard errors of the estimates, (q,)."""
         return np.sqrt(np.diag(self.covariance))
 
@@ -201,20 +201,20 @@ class Fit(Kept):
         }
         return lost | {name: "at its bound" for name in self.at_bound}
 
-    @property
-    def correlation(self) -> np.ndarray:
+    @Told
+    def correlation(self) -> AnyTable:
         """Correlations of the estimates, (q, q)."""
         errors = self.standard_errors
         with np.errstate(invalid="ignore"):
             return np.asarray(self.covariance / np.outer(errors, errors))
 
-    @property
-    def residuals(self) -> np.ndarray:
+    @Told
+    def residuals(self) -> AnyRow:
         """Measured minus fitted, in standard deviations, of all series in order, (m,)."""
         parts = [series.residuals for each in self.experiments for series in each.series]
         return np.concatenate(parts)
 
-    @property
+    @Told
     def same_sequence(self) -> bool | None:
         """Whether all recorded events follow each other as in the data; None without any."""
         found = [each.same_sequence for each in self.experiments]

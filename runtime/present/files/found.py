@@ -201,7 +201,6 @@ def _found(where: str | Path, entries: FoundEntries) -> Found:
         raise InputError("its starts and labels do not belong together")
     if tuple(entries.box) != names:
         raise InputError("'box' is not of the system's states")
-    known = {e.configuration: e for e in equilibria(piecewise(kernels, parameters))}
 
     def read(
         kind: Callable[..., Any], parts: Sequence[Any], make: Callable[[int], Any], before: int

@@ -164,10 +164,13 @@ KINDS: dict[str, KeptKind] = {
     ),
     "nonsmooth certificate": KeptKind("certificate", ".proof.certificate:Certificate", _PROOF),
     "nonsmooth box certificate": KeptKind(
-        "proven map", ".proof.boxes.box_certificate:BoxCertificate", _PROOF + 2, _check_box
+        "certificate of a box",
+        ".proof.boxes.box_certificate:BoxCertificate",
+        _PROOF + 2,
+        _check_box,
     ),
     "nonsmooth event certificate": KeptKind(
-        "file of certificates of events",
+        "set of certificates of events",
         ".proof.events.event_certificate:EventCertificates",
         _PROOF,
     ),

@@ -39,8 +39,8 @@ def load(path: str | os.PathLike[str]) -> Any:
     ----------
     path : str or path
         JSON of an orbit, found orbits, a branch, a curve of events, a design, a sweep, a fit, a
-        certificate, a proven map, a proven branch or doubling, certificates of events, a
-        certificate of chaos, a basin or a region, or a census; .npz or .csv of a motion;
+        certificate of an orbit, a box, a basin, chaos or a region, a certified branch or
+        doubling, certificates of events, or a census; .npz or .csv of a motion;
         the folder of a chart; ``FILE.json:N``, the N-th of found orbits.
 
     Returns

@@ -31,7 +31,7 @@ from nonsmooth.runtime.model.engine_run import Grazing, Run, Status
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
-from nonsmooth.runtime.model.saved_system import SAVED_VERSION, SavedSystem, named, system_in
+from nonsmooth.runtime.model.saved_system import SAVED_VERSION, KeptSystem
 from nonsmooth.runtime.model.structure import Structure
 from nonsmooth.runtime.simulation.starting import check_forcing
 from nonsmooth.runtime.simulation.trajectory import Trajectory
@@ -50,8 +50,7 @@ _SMALL = 1 << 16  # bytes that may be unpacked of any part
 class MotionHeader:
     """Header of a motion's file: all but the table of its entries."""
 
-    system: str
-    tables: SavedSystem | None
+    system: KeptSystem
     derivation: str
     parameters: Mapping[str, Value]
     states: tuple[str, ...]
@@ -93,7 +92,6 @@ def save_trajectory(trajectory: Trajectory, path: str | os.PathLike[str]) -> Non
     check_target(target)
     run, structure = trajectory.run, trajectory.structure
     kernels = structure.kernels or load_system(trajectory.name)
-    system, _, saved = named(kernels)
     table = _Table(
         run.times,
         np.array(trajectory.configurations),
@@ -102,8 +100,7 @@ def save_trajectory(trajectory: Trajectory, path: str | os.PathLike[str]) -> Non
         run.before,
     )
     entries = MotionHeader(
-        system=system,
-        tables=saved,
+        system=kernels,
         derivation=str(kernels.module.DERIVATION),
         parameters=trajectory.parameters,
         states=tuple(trajectory.names),
@@ -289,7 +286,7 @@ def _array(
 
 def _trajectory(header: MotionHeader, table: _Table) -> Trajectory:
     """The motion that a file describes, checked against the tables of its system."""
-    kernels = system_in(header.system, header.tables)
+    kernels = header.system
     system = piecewise(kernels, header.parameters)
     structure = system.structure
     if header.states != structure.states:

@@ -139,11 +139,11 @@ def _figures() -> dict[str, dict[str, Any]]:
 def _drawn(figure: Mapping[str, Any], orbits: Orbits) -> Figure:
     """A figure of `_figures`, drawn."""
     from nonsmooth.runtime.present.paper.schematics import schematic
-    from nonsmooth.runtime.present.pictures.plot import orbit_figure
+    from nonsmooth.runtime.present.pictures.plot import motion_figure
 
     if "shapes" in figure:
         return schematic(figure["height"], figure["shapes"])
-    return orbit_figure(orbits[figure["orbit"]], **figure["view"])
+    return motion_figure(orbits[figure["orbit"]], **figure["view"])
 
 
 # --- numbers and findings

@@ -7,13 +7,17 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.fitting.fit import Fit, FittedSeries
 from nonsmooth.runtime.explore.fitting.outputs import output_of
 from nonsmooth.runtime.explore.fitting.steady_responses import response_curves
 from nonsmooth.runtime.model.kernels import known_system
 from nonsmooth.runtime.model.naming import shown_name, units_of
-from nonsmooth.runtime.present.pictures.drawing import LINES, check_picture, finish
+from nonsmooth.runtime.present.pictures.drawing import (
+    LINES,
+    check_picture,
+    finish,
+    given_axes,
+)
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -36,11 +40,8 @@ def fit_figure(fit: Fit) -> Figure:
     from matplotlib.figure import Figure
 
     shown = fit.experiments[:_MOST]
-    figure = Figure(figsize=(_WIDTH * len(shown), _HEIGHT))
-    figure.set_layout_engine("constrained")
-    grid = figure.subplots(
-        2, len(shown), sharex="col", squeeze=False, gridspec_kw={"height_ratios": [2.4, 1]}
-    )
+    figure = Figure(figsize=(_WIDTH * len(shown), _HEIGHT), layout="constrained")
+    grid = _grid(figure, len(shown))
     if len(fit.experiments) > 1:
         figure.suptitle(_title(fit), x=0.01, ha="left", fontsize="medium")
     for number in range(len(shown)):
@@ -59,19 +60,15 @@ def plot_fit(fit: Fit, axes: Any = None, experiment: int = 0) -> Any:
     if axes is None:
         from matplotlib import pyplot
 
-        _, axes = pyplot.subplots(
-            2,
-            1,
-            sharex=True,
-            figsize=(_WIDTH, _HEIGHT),
-            layout="constrained",
-            gridspec_kw={"height_ratios": [2.4, 1]},
-        )
-    found = np.ravel(axes)
-    if len(found) != 2:
-        raise InputError(f"a fit is drawn into two Axes, not {len(found)}")
-    _draw(fit, experiment, found[0], found[1])
-    return found
+        axes = _grid(pyplot.figure(figsize=(_WIDTH, _HEIGHT), layout="constrained"), 1)
+    upper, lower = given_axes(axes, "fit", [2])
+    _draw(fit, experiment, upper, lower)
+    return np.array([upper, lower])
+
+
+def _grid(figure: Figure, count: int) -> Any:
+    """Axes (2, count): of motions, and of residuals below them."""
+    return figure.subplots(2, count, sharex="col", squeeze=False, height_ratios=[2.4, 1])
 
 
 def _draw(fit: Fit, number: int, upper: Axes, lower: Axes) -> None:

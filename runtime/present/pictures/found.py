@@ -1,23 +1,32 @@
-"""Pictures of orbits that were found: a row for each, its portrait beside its history."""
+"""Pictures of what was found: orbits, each with its portrait and its history, and sweeps."""
 
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.finding.find import Found, FoundOrbit
-from nonsmooth.runtime.model.naming import shown_name
-from nonsmooth.runtime.present.pictures.drawing import check_picture
+from nonsmooth.runtime.explore.finding.sweep import Sweep
+from nonsmooth.runtime.model.naming import shown_name, units_of
+from nonsmooth.runtime.present.pictures.drawing import (
+    check_picture,
+    drawn_alone,
+    finish,
+    mark_style,
+)
 from nonsmooth.runtime.present.pictures.plot import draw
 from nonsmooth.runtime.present.pictures.view import orbit_view
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["KINDS", "found_figure"]
+__all__ = ["draw_sweep", "found_figure"]
 
-KINDS = ("time", "velocity", "phase", "all")
+_KINDS = ("time", "velocity", "phase", "all")
 
 _MOST_ROWS = 12
 _ROW = 3.4  # inches
@@ -31,7 +40,7 @@ def found_figure(found: Found, kind: str = "all", *, periods: int = 1) -> Figure
     (portraits of all masses in one), or "all" (portraits and positions). `InputError` is
     raised for another kind, or if no orbit was found.
     """
-    check_picture(kind, KINDS)
+    check_picture(kind, _KINDS)
     known = [k for k, entry in enumerate(found.orbits) if not isinstance(entry.solved, str)]
     if not known:
         told = f", but {len(found.equilibria)} equilibria" if found.equilibria else ""
@@ -66,3 +75,29 @@ def _title(place: int, entry: FoundOrbit) -> str:
     if entry.mirror is not None and entry.mirror != place:
         mirror = f", mirror image of {entry.mirror + 1}"
     return f"{place + 1}: period {entry.period:.6g}{count}, {entry.verdict}, {share}{mirror}"
+
+
+def draw_sweep(diagram: Sweep, axes: Any = None) -> Any:
+    """Draw a bifurcation diagram; NaN is left out.
+
+    The result is the Axes that are given, or else a new figure.
+    """
+    return drawn_alone("sweep", (6.4, 4.4), lambda own: _draw_diagram(own, diagram), axes)
+
+
+def _draw_diagram(axes: Axes, diagram: Sweep) -> None:
+    values, taken = np.nonzero(np.isfinite(diagram.samples))
+    axes.plot(
+        diagram.values[values],
+        diagram.samples[values, taken],
+        # the more points there are, the smaller they are
+        markersize=float(np.clip(60.0 / np.sqrt(1 + len(values)), 1.1, 4.0)),
+        markeredgewidth=0,
+        alpha=0.7,
+        rasterized=len(values) > 20_000,
+        **mark_style(0),
+    )
+    units = units_of(diagram.system)
+    axes.margins(0.02, 0.05)
+    title = f"{shown_name(diagram.system)}: {diagram.state} {diagram.when}"
+    finish(axes, title, units.label(diagram.parameter), units.label(diagram.state))

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import io
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
@@ -30,11 +30,9 @@ __all__ = [
     "draw",
     "draw_all",
     "figure_bytes",
-    "orbit_figure",
-    "plot_orbit",
-    "plot_trajectory",
+    "motion_figure",
+    "plot_motion",
     "save_figure",
-    "trajectory_figure",
 ]
 
 _METADATA: dict[str, dict[str, Any]] = {  # without dates, by the ending of the file
@@ -44,87 +42,61 @@ _METADATA: dict[str, dict[str, Any]] = {  # without dates, by the ending of the 
 }
 
 
-def plot_orbit(
-    orbit: Orbit,
-    kind: str = "time",
-    axes: Any = None,
-    *,
-    periods: int = 1,
-    points_per_period: int = 600,
-    masses: Iterable[int] | None = None,
+def plot_motion(
+    motion: Orbit | Trajectory, kind: str = "time", axes: Any = None, **options: Any
 ) -> Any:
-    """Draw an orbit, and give the Axes: several for "all", or for several portraits.
+    """Draw an orbit or a motion, and give the Axes: several for "all", or for several portraits.
 
     The kinds are those of `kinds.KINDS`: "time" or "velocity" (positions or velocities of
     all masses over time), "phase" (portraits (x, x')), "strip" (configurations over time),
-    "multipliers" (in the unit circle) or "all". One Axes may be given; for "phase" also one
-    for each mass; for "all" those of time, velocity and strip, of portraits, and of
-    multipliers. An orbit with kernels then takes one Axes for all its portraits, one
-    without kernels takes one for each mass. Without Axes a new figure is made.
+    "multipliers" (of an orbit, in the unit circle) or "all". One Axes may be given; for "phase"
+    also one for each mass; for "all" those of time, velocity and strip, of portraits, and of an
+    orbit's multipliers. An orbit with kernels then takes one Axes for all its portraits, others
+    take one for each mass. Without Axes a new figure is made.
 
-    `points_per_period` is a lower bound. The masses count from 0, and None stands for all.
-    Positions and time are those of the orbit's equations. `InputError` is raised for an
-    unknown kind or mass, a wrong number of points or Axes, or an orbit that has not
-    converged.
+    The options of an orbit are those of `orbit_view`, those of a motion of `trajectory_view`.
+    Positions and time are those of the orbit's equations. The background has the colour of the
+    configuration. Dotted lines are boundaries that depend on the position or the velocity of one
+    mass alone; dashed ones are impacts. `InputError` is raised for an unknown kind or mass, a
+    wrong number of points or Axes, an orbit that has not converged, or a motion that is not
+    finite.
     """
-    places = _draw_into(_orbit_view(orbit, kind, periods, points_per_period, masses), kind, axes)
+    view = _view(motion, kind, options)
+    if axes is None:
+        from matplotlib import pyplot
+
+        places = _new_axes(pyplot.figure(figsize=_size(view, kind)), view, kind)
+    else:
+        several = {"all": [3 + _beside(view)], "phase": sorted({1, len(view.masses)})}
+        places = given_axes(axes, kind, several.get(kind, [1]))
+    draw(view, kind, places)
     one = hasattr(axes, "plot") or (axes is None and len(places) == 1)
     return places[0] if kind not in ("all", "phase") or one else tuple(places)
 
 
-def orbit_figure(
-    orbit: Orbit,
-    kind: str = "all",
-    *,
-    periods: int = 1,
-    points_per_period: int = 600,
-    masses: Iterable[int] | None = None,
-) -> Figure:
-    """Figure, outside pyplot, of a converged orbit; the arguments are those of `plot_orbit`."""
-    return _figure_of(_orbit_view(orbit, kind, periods, points_per_period, masses), kind)
+def motion_figure(motion: Orbit | Trajectory, kind: str = "all", **options: Any) -> Figure:
+    """Figure, outside pyplot, of an orbit or a motion; the arguments are those of `plot_motion`."""
+    view = _view(motion, kind, options)
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=_size(view, kind))
+    draw(view, kind, _new_axes(figure, view, kind))
+    return figure
 
 
-def plot_trajectory(
-    trajectory: Trajectory,
-    kind: str = "time",
-    axes: Any = None,
-    *,
-    masses: Iterable[int] | None = None,
-    points: int = 2000,
-) -> Any:
-    """Draw a motion, and give the Axes: several for "all", or for several portraits.
-
-    The kind is "time" or "velocity" (positions or velocities over time), "phase" (a
-    portrait (x, x') of each mass), "strip" (configurations over time), or "all". One Axes
-    may be given; for "phase" one for each mass, or one for all; for "all" those of time,
-    velocity and strip, then one for each mass. Without Axes a new figure is made.
-
-    The masses count from 0, and None stands for all. `points` is a lower bound; there are
-    more where the motion needs them. The background has the colour of the configuration.
-    Dotted lines are boundaries that depend on the position or the velocity of one mass
-    alone; dashed ones are impacts. `InputError` is raised for an unknown kind or mass, a
-    wrong number of points or Axes, or a motion that is not finite.
-    """
-    places = _draw_into(_trajectory_view(trajectory, kind, masses, points), kind, axes)
-    single = kind not in ("all", "phase") or hasattr(axes, "plot")
-    return places[0] if single else tuple(places)
-
-
-def trajectory_figure(
-    trajectory: Trajectory,
-    kind: str = "all",
-    *,
-    masses: Iterable[int] | None = None,
-    points: int = 2000,
-) -> Figure:
-    """Figure, outside pyplot, of a motion; the arguments are those of `plot_trajectory`."""
-    return _figure_of(_trajectory_view(trajectory, kind, masses, points), kind)
+def _view(motion: Orbit | Trajectory, kind: str, options: Mapping[str, Any]) -> View:
+    """What is drawn, after all checks that need no drawing."""
+    if isinstance(motion, Orbit):
+        check_picture(kind, tuple(KINDS))
+        return orbit_view(motion, **options)
+    check_picture(kind, [name for name, one in KINDS.items() if one.of_motions])
+    return trajectory_view(motion, **options)
 
 
 def draw(view: View, kind: str, places: Sequence[Axes]) -> None:
     """Draw one kind of picture into as many Axes as it takes.
 
-    The kinds are those of `plot_orbit`.
+    The kinds are those of `plot_motion`.
     """
     module, _, name = KINDS[kind].draw.rpartition(".")
     getattr(import_module(f"nonsmooth.runtime.present.pictures.{module}"), name)(view, places)
@@ -140,31 +112,6 @@ def draw_all(view: View, places: Sequence[Axes]) -> None:
     draw(part, "phase", places[3 : 3 + view.portraits])
     for place in places[3 + view.portraits :]:
         draw(part, "multipliers", [place])
-
-
-def _draw_into(view: View, kind: str, axes: Any) -> list[Axes]:
-    """Draw into the Axes that are given, or into a new figure of pyplot, and return the Axes.
-
-    The kinds are those of `plot_orbit`. `InputError` is raised for a wrong number of Axes.
-    """
-    if axes is None:
-        from matplotlib import pyplot
-
-        places = _new_axes(pyplot.figure(figsize=_size(view, kind)), view, kind)
-    else:
-        several = {"all": [3 + _beside(view)], "phase": sorted({1, len(view.masses)})}
-        places = given_axes(axes, kind, several.get(kind, [1]))
-    draw(view, kind, places)
-    return places
-
-
-def _figure_of(view: View, kind: str) -> Figure:
-    """Figure, outside pyplot, of one kind of picture; the kinds are those of `plot_orbit`."""
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=_size(view, kind))
-    draw(view, kind, _new_axes(figure, view, kind))
-    return figure
 
 
 def save_figure(figure: Figure, path: str | os.PathLike[str]) -> None:
@@ -188,26 +135,6 @@ def figure_bytes(figure: Figure, ending: str) -> bytes:
     with rc_context({"svg.hashsalt": "nonsmooth"}):
         figure.savefig(content, format=ending[1:], dpi=200, metadata=_METADATA[ending])
     return content.getvalue()
-
-
-def _orbit_view(
-    orbit: Orbit,
-    kind: str,
-    periods: int,
-    points_per_period: int,
-    masses: Iterable[int] | None,
-) -> View:
-    """The orbit as it is drawn, after all checks that need no drawing."""
-    check_picture(kind, tuple(KINDS))
-    return orbit_view(orbit, periods, points_per_period, masses)
-
-
-def _trajectory_view(
-    trajectory: Trajectory, kind: str, masses: Iterable[int] | None, points: int
-) -> View:
-    """The motion as it is drawn, after all checks that need no drawing."""
-    check_picture(kind, tuple(name for name, one in KINDS.items() if one.of_motions))
-    return trajectory_view(trajectory, masses, points)
 
 
 def _size(view: View, kind: str) -> tuple[float, float]:

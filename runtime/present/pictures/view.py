@@ -171,7 +171,10 @@ def coordinates_of(structure: Structure) -> tuple[tuple[int, int], ...]:
 
 
 def orbit_view(
-    orbit: Orbit, periods: int, points_per_period: int, masses: Iterable[int] | None
+    orbit: Orbit,
+    periods: int = 1,
+    points_per_period: int = 600,
+    masses: Iterable[int] | None = None,
 ) -> View:
     """The motion along a converged orbit, with at least about so many points in each period.
 
@@ -206,7 +209,10 @@ def orbit_view(
 
 
 def trajectory_view(
-    trajectory: Trajectory, masses: Iterable[int] | None, points: int, orbit: Orbit | None = None
+    trajectory: Trajectory,
+    masses: Iterable[int] | None = None,
+    points: int = 2000,
+    orbit: Orbit | None = None,
 ) -> View:
     """A motion with points as dense as a picture needs them, at least about `points`.
 

@@ -282,7 +282,7 @@ class BoxCertificate(StatedOrbits):
         raise KeyError(f"{dict(point)} is not in the box")
 
     def plot(self, axes: Any = None) -> Any:
-        """Draw the proven map of one or two parameters.
+        """Draw the box of one or two parameters.
 
         Parameters
         ----------

@@ -36,7 +36,7 @@ from nonsmooth.runtime.core.result_files import WRONG_SHAPE, parsed
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import SystemKernels, load_orbit, load_system
 from nonsmooth.runtime.model.saved_system import same_system
-from nonsmooth.runtime.present.checking.compare_declarations import check_domains, compare
+from nonsmooth.runtime.present.compare_declarations import check_domains, compare
 from nonsmooth.runtime.present.files.kept import format_named
 from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate

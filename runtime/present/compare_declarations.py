@@ -7,21 +7,31 @@ and raises `Failure` or `InputError` if they differ.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from fractions import Fraction
+from functools import partial
 from itertools import product
-from typing import Any
+from typing import Any, NamedTuple
 
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.stated.exact import exact
 from nonsmooth.runtime.core.errors import NoConvergence
 from nonsmooth.runtime.core.json_codec import decode, given_value
 from nonsmooth.runtime.core.values import Value, as_value, flint_precision
-from nonsmooth.runtime.model.completion import complete
-from nonsmooth.runtime.model.kernels import SystemKernels
+from nonsmooth.runtime.model.completion import complete, left_open
+from nonsmooth.runtime.model.kernels import (
+    OrbitKernels,
+    SystemKernels,
+    is_saved,
+    load_orbit,
+    load_system,
+)
+from nonsmooth.runtime.model.naming import cycle_label, dwell_names, start_names
 from nonsmooth.runtime.model.parameters import system_parameters, value_of
 from nonsmooth.runtime.model.saved_system import SavedSystem, system_in
-from nonsmooth.runtime.present.checking.named_orbits import NamedOrbit, named_in, phases_called
+from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.orbits.table_solve import whole_names
 from nonsmooth.runtime.proof.certificate import GUARD
 from nonsmooth.runtime.proof.exact_tables import exact_tables, irrational_texts
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
@@ -35,6 +45,8 @@ from nonsmooth.runtime.proof.sets.visited_declaration import (
     listed_declaration,
     visited_declaration,
 )
+from nonsmooth.runtime.proof.statement import kernels_with
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, itinerary_shape
 
 __all__ = ["check_domains", "compare"]
 
@@ -63,11 +75,14 @@ def check_domains(content: Content) -> None:
 
 
 def _certificate(content: Content) -> bool:
-    """Compare a certificate with its system, and the directions of its derivatives."""
+    """Compare a certificate with its system, and the directions of its derivatives.
+
+    Those of a census have its declaration.
+    """
     compared = _compare(content, _declared_at_point, "at its parameters")
     directions = content.get("directions", {})
     for name, direction in directions.items():
-        _check_direction(named_in(content), name, {n: Fraction(x) for n, x in direction.items()})
+        _check_direction(_named_in(content), name, {n: Fraction(x) for n, x in direction.items()})
     return compared
 
 
@@ -110,13 +125,8 @@ def _doubling(content: Content) -> bool:
         return compared
     if first["tables"] is not None:
         return False
-    named_in({**first, "orbit": content["orbit"]})
+    _named_in({**first, "orbit": content["orbit"]})
     return compared
-
-
-def _census(content: Content) -> bool:
-    """Compare a census with its system; the certificates have the same declaration."""
-    return _compare(content, _declared_at_point, "at its parameters")
 
 
 def _named_system(content: Content) -> SystemKernels:
@@ -125,14 +135,24 @@ def _named_system(content: Content) -> SystemKernels:
     return system_in(content["system"], None if tables is None else decode(SavedSystem, tables))
 
 
-def _system_of(content: Content) -> tuple[SystemKernels, EnclosedSystem]:
-    """The system that a file of sets names, with its enclosure at the file's parameters.
+def _sets(
+    content: Content,
+    declare: Callable[[SystemKernels, EnclosedSystem], Mapping[str, Any]] = listed_declaration,
+    undecided: bool = False,
+) -> bool:
+    """Compare the system of a file of sets, enclosed at its parameters, with its declaration.
 
-    The enclosure has the file's working precision.
+    The result is false if nothing is claimed, unless what is `undecided` is stated as well.
     """
     kernels = _named_system(content)
     given = system_parameters(kernels, _given_values(content["parameters"]))
-    return kernels, enclosed_system(kernels, given)(content["bits"])
+    with flint_precision(content["bits"]):
+        system = enclosed_system(kernels, given)(content["bits"])
+        if content["claim"] != "proved" and not undecided:
+            return False
+        if declare(kernels, system) != content["declaration"]:
+            raise Failure(f"the declaration is not that of {content['system']}")
+    return True
 
 
 def _basin(content: Content) -> bool:
@@ -141,13 +161,9 @@ def _basin(content: Content) -> bool:
     The core's orbit has to go through the phases of the declared orbit, if the system knows
     its name.
     """
-    with flint_precision(content["bits"]):
-        kernels, system = _system_of(content)
-        if content["claim"] != "proved":
-            return False
-        if listed_declaration(kernels, system) != content["declaration"]:
-            raise Failure(f"the declaration is not that of {content['system']}")
-    phases = phases_called(kernels, content)
+    if not _sets(content):
+        return False
+    phases = _phases_called(content)
     if phases is None:
         return False
     way = [(source, boundary) for source, boundary, _ in content["itinerary"]]
@@ -157,21 +173,10 @@ def _basin(content: Content) -> bool:
     return True
 
 
-def _graph(content: Content) -> bool:
-    """Compare the system of a graph of boxes with the file's declaration."""
-    with flint_precision(content["bits"]):
-        kernels, system = _system_of(content)
-        if listed_declaration(kernels, system) != content["declaration"]:
-            raise Failure(f"the declaration is not that of {content['system']}")
-    return True
-
-
 def _chaos(content: Content) -> bool:
     """Compare the system of a certificate of chaos with the file's declaration."""
-    with flint_precision(content["bits"]):
-        kernels, system = _system_of(content)
-        if content["claim"] != "proved":
-            return False
+
+    def declare(kernels: SystemKernels, system: EnclosedSystem) -> Mapping[str, Any]:
         structure = system.structure
 
         def passed(source: str, boundary: str, target: str) -> PassedTransition:
@@ -184,14 +189,14 @@ def _chaos(content: Content) -> bool:
         ]
         if not structure.forcing:
             ways.append(passed(content["source"], content["boundary"], content["configuration"]))
-        if visited_declaration(kernels, system, ways) != content["declaration"]:
-            raise Failure(f"the declaration is not that of {content['system']}")
-    return True
+        return visited_declaration(kernels, system, ways)
+
+    return _sets(content, declare)
 
 
 def _compare(
     content: Content,
-    declare: Callable[[NamedOrbit, Content], Mapping[str, Any]],
+    declare: Callable[[_NamedOrbit, Content], Mapping[str, Any]],
     where: str,
 ) -> bool:
     """Compare the file's declaration of one orbit with that of its system.
@@ -200,14 +205,14 @@ def _compare(
     """
     if not content["declaration"]:
         return False
-    named = named_in(content)
+    named = _named_in(content)
     named.check_chosen(content["chosen"])
     if declare(named, content) != content["declaration"]:
         raise Failure(f"the declaration is not that of {content['system']} {where}")
     return named.called
 
 
-def _check_direction(named: NamedOrbit, name: str, rates: Mapping[str, Fraction]) -> None:
+def _check_direction(named: _NamedOrbit, name: str, rates: Mapping[str, Fraction]) -> None:
     """Refuse a direction along which more than one of the numbers given for the orbit changes.
 
     Parameters that its equations do not contain may change: if they contain only e1 = ur1 -
@@ -232,7 +237,7 @@ def _check_direction(named: NamedOrbit, name: str, rates: Mapping[str, Fraction]
         raise Failure(f"the derivatives by {name} are along another direction")
 
 
-def _declared_at_point(named: NamedOrbit, content: Content) -> Mapping[str, Any]:
+def _declared_at_point(named: _NamedOrbit, content: Content) -> Mapping[str, Any]:
     """The declaration of system and cycle at the parameters of a certificate."""
     values = system_parameters(named.kernels, _given_values(content["parameters"]))
     work = content["bits"] + GUARD
@@ -247,7 +252,7 @@ def _declared_at_point(named: NamedOrbit, content: Content) -> Mapping[str, Any]
         )
 
 
-def _declared_over_box(named: NamedOrbit, content: Content) -> Mapping[str, Any]:
+def _declared_over_box(named: _NamedOrbit, content: Content) -> Mapping[str, Any]:
     """The declaration of system and cycle over a box; its corners have to be in the domain."""
     box = {name: tuple(map(Fraction, ends)) for name, ends in content["box"].items()}
     given = _given_values(content["parameters"])
@@ -263,7 +268,7 @@ def _declared_over_box(named: NamedOrbit, content: Content) -> Mapping[str, Any]
     )
 
 
-def _check_values(named: NamedOrbit, values: dict[str, Value]) -> None:
+def _check_values(named: _NamedOrbit, values: dict[str, Value]) -> None:
     """Refuse parameters that must not be given, and values outside of their domains."""
     if named.derived is None:
         own = {name: value for name, value in values.items() if name != named.period}
@@ -280,14 +285,109 @@ def _given_values(parameters: Mapping[str, str]) -> dict[str, Value]:
     return {name: given_value(name, text) for name, text in parameters.items()}
 
 
+# --- the orbit that a file names
+
+
+class _NamedOrbit(NamedTuple):
+    """The system and the orbit that a file names."""
+
+    kernels: SystemKernels
+    orbit: OrbitKernels | None  # None if the orbit is composed of phases that no declaration names
+    cycle: ItineraryShape
+    start: tuple[str, ...]  # names of the unknown coordinates of the start
+    dwell: tuple[str, ...]  # names of the dwell times
+    called: bool = True  # whether the system knows the orbit's name
+
+    @property
+    def derived(self) -> OrbitKernels | None:
+        """The orbit if its equations are derived, else None."""
+        return self.orbit if self.orbit is not None and self.orbit.derived else None
+
+    @property
+    def period(self) -> str:
+        """Name of the period among the given parameters."""
+        return PERIOD if self.derived is None else self.derived.period_name or PERIOD
+
+    def check_chosen(self, chosen: list[str]) -> None:
+        """Raise `Failure` for chosen parameters that the orbit does not leave open.
+
+        They have to stand in the order of those that it leaves open.
+        """
+        left = () if self.derived is None else left_open(self.derived)
+        if chosen != [name for name in left if name in chosen]:
+            raise Failure("the parameters that were chosen are none that the orbit leaves open")
+
+
+def _named_in(content: Content) -> _NamedOrbit:
+    """The system and the orbit that a file (read as JSON) names: built in, or held as data.
+
+    A system without such an orbit raises `Failure`. Phases that it does not have, or data
+    that are not in order, raise `InputError`.
+    """
+    system, label, tables = content["system"], content["orbit"], content["tables"]
+    kernels = _named_system(content)
+    orbits = {f"{system}{'/' if tables is None else ':'}{own}" for own in kernels.module.ORBITS}
+    itinerary = [(c, b) for c, b in content["itinerary"]]
+    kernels = kernels_with(kernels, content["declaration"])
+    cycle = itinerary_shape(structure_of(kernels), itinerary)
+    states, own = kernels.table["states"], {table.name for table in kernels.parameters}
+    if label == cycle_label(system, len(itinerary)):
+        dwell = dwell_names(len(itinerary), {*states, *own})
+        return _NamedOrbit(kernels, None, cycle, start_names(states, {*dwell, *own}), dwell)
+    if label not in orbits:
+        return _of_file(kernels, cycle, content)
+    orbit = load_orbit(label)
+    phases = [(c, b) for c, b, _ in orbit.table["phases"]]
+    known = orbit.system.name == kernels.name and itinerary[: len(phases)] == phases
+    if not known or len(itinerary) % len(phases):
+        raise Failure(f"{label} is not that orbit of {system}")
+    if orbit.derived:
+        dwell = orbit.dwell_times
+        return _NamedOrbit(kernels, orbit, cycle, start_names(states, {*dwell, *own}), dwell)
+    names = whole_names(orbit, len(itinerary))
+    return _NamedOrbit(kernels, orbit, cycle, names[len(itinerary) :], names[: len(itinerary)])
+
+
+def _phases_called(content: Content) -> list[tuple[str, str]] | None:
+    """The pairs (configuration, boundary) of a named orbit that its built-in system declares.
+
+    `content` is the file, read as JSON. The result is None if the system is a user's, or if
+    no declaration names the orbit. `Failure` is raised if a built-in system has no such
+    orbit, or if one of the orbit's phases lasts no time.
+    """
+    system, label = content["system"], content["orbit"]
+    if content["tables"] is not None or is_saved(label):
+        return None
+    if label in {f"{system}/{own}" for own in load_system(system).module.ORBITS}:
+        table = load_orbit(label).table
+        if table.get("vanishing"):
+            raise Failure(f"a phase of {label} lasts no time")
+        return [(c, b) for c, b, _ in table["phases"]]
+    if re.fullmatch(rf"{re.escape(system)}, \d+ phases?", label):
+        return None
+    raise Failure(f"{label} is no orbit of {system}")
+
+
+def _of_file(kernels: SystemKernels, cycle: ItineraryShape, content: Content) -> _NamedOrbit:
+    """An orbit that was taken from a file, with the names of unknowns that this file gives.
+
+    The checker sees to it that none of them is another name of the system.
+    """
+    declared = content["declaration"]
+    if not declared or not is_saved(content["orbit"]):
+        raise Failure(f"{content['orbit']} is no orbit of {content['system']}")
+    dwell = tuple(phase["dwell_time"] for phase in declared["phases"])
+    return _NamedOrbit(kernels, None, cycle, tuple(declared["start"]), dwell, called=False)
+
+
 _COMPARISONS: Mapping[str, Callable[[Content], bool]] = {
     "nonsmooth certificate": _certificate,
     "nonsmooth box certificate": _box,
     "nonsmooth event certificate": _events,
     "nonsmooth certified branch": _branch,
     "nonsmooth certified doubling": _doubling,
-    "nonsmooth census": _census,
+    "nonsmooth census": _certificate,
     "nonsmooth basin certificate": _basin,
     "nonsmooth chaos certificate": _chaos,
-    "nonsmooth region certificate": _graph,
+    "nonsmooth region certificate": partial(_sets, undecided=True),
 }

@@ -1,0 +1,288 @@
+"""Pictures of what is proved over parameters: maps of a box, branches and doublings."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.model.naming import shown_name, units_of
+from nonsmooth.runtime.present.pictures.drawing import drawn_alone, finish
+from nonsmooth.runtime.proof.boxes.box_certificate import VERDICTS, BoxCertificate, Tile
+from nonsmooth.runtime.proof.branch.certified_branch import BranchTile, CertifiedBranch
+from nonsmooth.runtime.proof.doubling.certified_doubling import CertifiedDoubling
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+__all__ = ["draw_box", "draw_certified_branch", "draw_doubling"]
+
+# the colours of charts: Tol's scheme "vibrant"; white is what is not known
+_COLORS = {
+    "stable": "#0077BB",
+    "neutral": "#33BBEE",
+    "unstable": "#EE7733",
+    "not admissible": "#BBBBBB",
+    "beyond a fold": "#EEEEEE",
+    "undecided": "#FFFFFF",
+}
+_PLANE = 2  # parameters
+_PARTS = 16  # of a curve in a tile
+_STYLES = ("-", "--", "-.", ":")
+_POINTS = 40  # of a tile
+_AWAY = 60  # points of the orbits beside a flip
+_MARKS = "osD^vP*X"
+
+
+def draw_box(found: BoxCertificate, axes: Any = None) -> Any:
+    """Draw the tiles of a map of two parameters, or the trace over one.
+
+    The result is the Axes that are given, or else a new figure. `InputError` is raised if
+    the box has more than two parameters.
+    """
+    return drawn_alone("map", (7.2, 5.6), lambda own: _draw(found, own), axes)
+
+
+def _draw(found: BoxCertificate, own: Axes) -> None:
+    names = list(found.box)
+    if len(names) > 2:
+        raise InputError("a box of more than two parameters has no picture")
+    (_draw_plane if len(names) == 2 else _draw_line)(own, found)
+    for name, share in _areas(found).items():
+        label = f"{name}, proved" if name != "undecided" else name
+        own.fill_between(
+            [], [], facecolor=_COLORS[name], edgecolor="0.4", label=f"{label} ({share:.4g} %)"
+        )
+    finish(own, shown_name(found.orbit), units_of(found.system).label(names[0]))
+
+
+def _areas(found: BoxCertificate) -> dict[str, float]:
+    """Percentages of the box by verdict; for a plane approximate, as curves divide tiles."""
+    areas: dict[str, float] = {}
+    if len(found.box) == _PLANE:
+        for region in found.regions:
+            areas[region.verdict] = areas.get(region.verdict, 0.0) + 100 * region.share
+        areas["undecided"] = float(100 * found.shares["undecided"])
+    else:
+        for verdict in VERDICTS:
+            name = found.stability if verdict == "proved" else verdict
+            areas[name] = float(100 * found.shares[verdict])
+    return {name: area for name, area in areas.items() if area}
+
+
+def _draw_curves(axes: Axes, found: BoxCertificate) -> None:
+    """Draw curves at which verdicts change, each kind of event in a style of its own."""
+    kinds = list(dict.fromkeys(curve.event.kind for curve in found.curves))
+    for curve in found.curves:
+        number = kinds.index(curve.event.kind)
+        first = curve is next(c for c in found.curves if c.event.kind == curve.event.kind)
+        axes.plot(
+            [x for x, _ in curve.points],
+            [y for _, y in curve.points],
+            color="black",
+            linewidth=1.4,
+            linestyle=_STYLES[number % len(_STYLES)],
+            label=curve.event.kind if first else None,
+        )
+
+
+def _side_of_tile(found: BoxCertificate, tile: Tile) -> list[tuple[float, float]]:
+    """Corners of the part of a divided tile below its curve."""
+    assert tile.event is not None
+    band = tile.event.band
+    ends = list(found.where(tile).values())
+    places = [Fraction(2 * k - _PARTS, _PARTS) for k in range(_PARTS + 1)]
+    along = [(place, min(max(float(band.at(place)), -1.0), 1.0)) for place in places]
+    corners = [(places[0], -1.0), *along, (places[-1], -1.0)]
+    found_corners = []
+    for other, at in corners:
+        point = (at, float(other)) if band.axis == 0 else (float(other), at)
+        x, y = (
+            float(low) + (e + 1) / 2 * float(high - low)
+            for e, (low, high) in zip(point, ends, strict=True)
+        )
+        found_corners.append((x, y))
+    return found_corners
+
+
+def _draw_plane(axes: Axes, found: BoxCertificate) -> None:
+    from matplotlib.collections import PatchCollection
+    from matplotlib.patches import Polygon, Rectangle
+
+    across, up = found.box
+    patches: list[Rectangle | Polygon] = []
+    colors = []
+
+    def color_of(verdict: str) -> str:
+        return _COLORS[found.stability if verdict == "proved" else verdict]
+
+    for tile, verdict in zip(found.tiles, found.verdicts, strict=True):
+        where = found.where(tile)
+        (left, right), (below, above) = where[across], where[up]
+        corner = (float(left), float(below))
+        patches.append(Rectangle(corner, float(right - left), float(above - below)))
+        colors.append(color_of(verdict if tile.event is None else tile.event.above))
+        if tile.event is not None:
+            patches.append(Polygon(_side_of_tile(found, tile)))
+            colors.append(color_of(tile.event.below))
+    width = 0.6 if len(patches) < 400 else 0.2
+    axes.add_collection(
+        PatchCollection(patches, facecolors=colors, edgecolors="0.3", linewidths=width)
+    )
+    _draw_curves(axes, found)
+    for number, box in enumerate(found.open):
+        across_it, up_it = (float(low + high) / 2 for low, high in box.where.values())
+        axes.plot(
+            across_it,
+            up_it,
+            marker="o",
+            markersize=9,
+            markerfacecolor="none",
+            markeredgecolor="#CC3311",
+            linestyle="none",
+            label=None if number else "undecided box",
+        )
+    axes.set_xlim(*map(float, found.box[across]))
+    axes.set_ylim(*map(float, found.box[up]))
+    axes.set_ylabel(units_of(found.system).label(up))
+
+
+def _draw_line(axes: Axes, found: BoxCertificate) -> None:
+    """Draw the trace's enclosures over the parameter."""
+    (name,) = found.box
+    for tile in found.tiles:
+        left, right = map(float, found.where(tile)[name])
+        color = _COLORS[found.stability if tile.verdict == "proved" else tile.verdict]
+        trace = tile.enclosures.get("trace")
+        if trace is None:
+            axes.axvspan(left, right, facecolor=color, edgecolor="0.3", hatch="//", linewidth=0)
+        else:
+            axes.fill_between(
+                [left, right], trace.lower, trace.upper, facecolor=color, edgecolor="0.3"
+            )
+    axes.set_xlim(*map(float, found.box[name]))
+    axes.set_ylabel("trace")
+
+
+def draw_certified_branch(
+    found: CertifiedBranch, quantity: str | None = None, axes: Any = None
+) -> Any:
+    """Draw an unknown over the parameter, by the polynomials of the tubes.
+
+    The default is the last dwell time. The result is the Axes that are given, or else a new
+    figure. An unknown name raises `InputError`.
+    """
+    return drawn_alone("branch", (7.2, 5.0), lambda own: _draw_branch(found, quantity, own), axes)
+
+
+def _draw_branch(found: CertifiedBranch, quantity: str | None, axes: Axes) -> None:
+    name = found.unknown_names[-1] if quantity is None and found.unknown_names else quantity or ""
+    _draw_tiles(found, name, axes, set())
+    _finish(found, [found], name, axes)
+
+
+def draw_doubling(found: CertifiedDoubling, quantity: str | None = None, axes: Any = None) -> Any:
+    """Draw an unknown of both branches over the parameter, by the polynomials of the tubes.
+
+    By default it is the one by which the halves of the doubled orbits are told apart, or else
+    the first one. The result is the Axes that are given, or else a new
+    figure. An unknown name raises `InputError`.
+    """
+    return drawn_alone(
+        "doubling", (7.2, 5.0), lambda own: _draw_doubling(found, quantity, own), axes
+    )
+
+
+def _draw_doubling(found: CertifiedDoubling, quantity: str | None, axes: Axes) -> None:
+    doubled, branches = found.doubled, [found.branch]
+    if doubled is not None:
+        branches.append(doubled.branch)
+    names = found.branch.unknown_names
+    common = [name for name in names if all(name in b.unknown_names for b in branches)]
+    name = quantity
+    if name is None:
+        apart = "" if doubled is None else doubled.scaled
+        name = apart if apart in common else common[0]
+    if name not in common:
+        raise unknown_name("unknown", name, common)
+    shown: set[str] = set()
+    for branch in branches:
+        _draw_tiles(branch, name, axes, shown)
+    if doubled is not None:
+        e = np.linspace(0, 1, _AWAY)
+        size = len(names)
+        rows = [np.polynomial.polynomial.polyval(e, row) for row in doubled.centre]
+        away = [*rows[size:-1]]
+        away.insert(names.index(doubled.scaled), np.ones(_AWAY))
+        place = names.index(name)
+        up = rows[place] + float(doubled.amplitude) * e * away[place]
+        color = "#CC3311" if doubled.verdict == "undecided" else _COLORS[doubled.verdict]
+        axes.plot(rows[-1], up, color=color, linewidth=2, linestyle=":")
+        axes.plot([], [], color="black", linestyle=":", label="twice the period, beside the flip")
+    _finish(found, branches, name, axes)
+
+
+def _draw_tiles(found: CertifiedBranch, name: str, axes: Axes, shown: set[str]) -> None:
+    """Draw the unknown `name` along the tiles of a branch, in the colours of their verdicts.
+
+    Verdicts in `shown` have a label already; those that get one are added. `InputError` is
+    raised if the branch has no such unknown.
+    """
+    if name not in found.unknown_names:
+        raise unknown_name("unknown", name, found.unknown_names)
+    for tile in found.tiles:
+        across, up = _points(found, tile, name)
+        parts = [(tile.before, slice(None))]
+        if tile.event is not None:
+            low = float(tile.lower)
+            share = (float(tile.event.lower) - low) / (float(tile.upper) - low)
+            cut = int(share * (_POINTS - 1)) + 1
+            first, second = slice(None, cut), slice(cut - 1, None)
+            halves = (first, second) if tile.forwards else (second, first)
+            parts = [(tile.before, halves[0]), (tile.after, halves[1])]
+        for verdict, part in parts:
+            told = "undecided" if verdict == "undecided" else f"{verdict}, proved"
+            color = _COLORS[verdict] if verdict != "undecided" else "#CC3311"
+            label = "" if verdict in shown else told
+            shown.add(verdict)
+            axes.plot(across[part], up[part], color=color, linewidth=2, label=label or None)
+
+
+def _finish(
+    found: CertifiedBranch | CertifiedDoubling,
+    branches: Sequence[CertifiedBranch],
+    name: str,
+    axes: Axes,
+) -> None:
+    """Mark the events of branches on the curves of the unknown `name`, and label the Axes."""
+    events = [event for branch in branches for event in branch.events]
+    kinds = list(dict.fromkeys(event.kind for event in events))
+    for place, kind in enumerate(kinds):
+        there = [event.enclosures for event in events if event.kind == kind]
+        axes.plot(
+            [float(x[branches[0].parameter]) for x in there],
+            [float(x[name]) for x in there],
+            linestyle="none",
+            marker=_MARKS[place % len(_MARKS)],
+            color="black",
+            label=f"{kind}, enclosed",
+        )
+    units = units_of(found.system)
+    finish(axes, shown_name(found.orbit), units.label(found.parameter), units.label(name))
+
+
+def _points(found: CertifiedBranch, tile: BranchTile, name: str) -> tuple[np.ndarray, np.ndarray]:
+    """Values of the parameter and of the unknown along a tile."""
+    e = np.linspace(-1, 1, _POINTS)
+    low, high = float(tile.lower), float(tile.upper)
+    own = (low + high) / 2 + (high - low) / 2 * e
+    names = [*found.unknown_names, None]
+    place = len(names) - 1
+    if tile.coordinate != found.parameter:
+        place = names.index(tile.coordinate)
+    others = [np.polynomial.polynomial.polyval(e, row) for row in tile.centre]
+    every = [*others[:place], own, *others[place:]]
+    return every[-1], every[names.index(name)]
