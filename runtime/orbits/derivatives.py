@@ -126,8 +126,7 @@ class OrbitDerivatives:
     @cached_property
     def along(self) -> OrbitMotionDerivatives:
         """The orbit by the tables of its system, as it moves."""
-        found, shares = self.orbit.evaluation.along(self)
-        return found if shares is None else found.turned(self.by, shares)
+        return self.orbit.evaluation.along(self)
 
     def states(self, times: Sequence[Any]) -> np.ndarray:
         """Of the states (m, N, q) at times since the start that stay what they are.

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from copy import copy
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -94,15 +93,6 @@ class OrbitMotionDerivatives:
     def __init__(self, orbit: Orbit, by: Sequence[str], directions: Directions) -> None:
         assert directions.cycles is not None
         self.orbit, self.by, self.cycles = orbit, tuple(by), directions.cycles
-
-    def turned(self, by: Sequence[str], shares: np.ndarray) -> OrbitMotionDerivatives:
-        """Return the orbit as it moves with numbers of which the present ones move by shares.
-
-        The shares (q, r) are the rates of the q present numbers by the r others.
-        """
-        found = copy(self)
-        found.by, found.cycles = tuple(by), self.cycles.turned(shares)
-        return found
 
     @property
     def structure(self) -> Structure:
