@@ -96,7 +96,8 @@ class MovedMotion:
 
     def __init__(self, system: System, motion: Trajectory, apart: np.ndarray | None = None) -> None:
         self.system, self.motion = system, motion
-        linearisation = MotionLinearisation(motion, np.empty(0), apart)
+        own = np.zeros(motion.transitions, dtype=bool) if apart is None else apart
+        linearisation = MotionLinearisation(motion, (), np.empty((0, 0)), np.empty(0), own)
         self.transitions, self.instants = linearisation.transitions, linearisation.instants
 
     def difference(

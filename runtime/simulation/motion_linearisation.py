@@ -8,6 +8,7 @@ F. Gantmakher, 1958). A transition without that jump of velocities is smooth.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -151,37 +152,42 @@ class MotionChanges(NamedTuple):
     beginnings: np.ndarray  # (n, N, q), where phases begin, at fixed times
 
 
+@dataclass(frozen=True, eq=False)
 class MotionLinearisation:
-    """A motion's phases, transitions and tables, linearised once for all directions.
+    """A motion's phases, transitions and tables, linearised once for all directions."""
 
-    Transitions marked in `apart` follow another one with no time between, but have a time
-    of their own in the moved motion. The columns of `directions` (numbers, q) are changes of the
-    numbers `by`, along which the motion moves.
-    """
+    trajectory: Trajectory
+    by: tuple[str, ...]
+    directions: np.ndarray  # (numbers, q), changes of the numbers `by` along which it moves
+    times: np.ndarray  # (m,), held fixed, at which states are asked for
+    # (n - 1,) bool: transitions that follow another one with no time between, but have a time of
+    # their own in the moved motion
+    apart: np.ndarray
 
-    def __init__(
-        self,
-        trajectory: Trajectory,
-        times: np.ndarray,
-        apart: np.ndarray | None = None,
-        by: tuple[str, ...] = (),
-        directions: np.ndarray | None = None,
-    ) -> None:
-        self.trajectory, self.times, self.apart = trajectory, times, apart
-        self.by, self.directions = by, np.empty((0, 0)) if directions is None else directions
-        run, count = trajectory.run, len(trajectory.times)
-        self.transitions: Transitions = transitions_behind(trajectory, together=True)
-        phases = np.searchsorted(run.times, times, side="right") - 1
-        # phases up to their transitions, then those of the times
-        self.phases = np.concatenate([np.arange(count - 1), phases])
-        durations = np.concatenate([np.diff(run.times), times - run.times[phases]])
-        self.flows = PhaseFlows(
-            trajectory.system,
-            run.configurations[self.phases].astype(int),
-            durations,
-            run.states[self.phases],
-        )
-        self.matrices = self.flows.matrices
+    @cached_property
+    def transitions(self) -> Transitions:
+        """The transitions, of which the first stands for all that come at once."""
+        return transitions_behind(self.trajectory, together=True)
+
+    @cached_property
+    def phases(self) -> np.ndarray:
+        """Phases that are followed up to their transitions, then those of the times."""
+        run = self.trajectory.run
+        own = np.searchsorted(run.times, self.times, side="right") - 1
+        return np.concatenate([np.arange(len(run.times) - 1), own])
+
+    @cached_property
+    def flows(self) -> PhaseFlows:
+        """The flows along these phases."""
+        run, phases = self.trajectory.run, self.phases
+        durations = np.concatenate([run.times[1:], self.times]) - run.times[phases]
+        configurations = run.configurations[phases].astype(int)
+        return PhaseFlows(self.trajectory.system, configurations, durations, run.states[phases])
+
+    @property
+    def matrices(self) -> np.ndarray:
+        """Linear parts of the flows, each (N, N)."""
+        return self.flows.matrices
 
     @cached_property
     def moves(self) -> tuple[Numbers, np.ndarray]:
@@ -252,9 +258,7 @@ class MotionLinearisation:
             axis=1
         )
         beyond[1:] = True
-        if self.apart is not None:
-            beyond &= ~self.apart
-        return np.asarray((dwell == 0) & beyond)
+        return np.asarray((dwell == 0) & beyond & ~self.apart)
 
     @cached_property
     def carried(self) -> np.ndarray:
