@@ -209,7 +209,8 @@ def assess(
     precise = maps[0].dtype == object
     trace = sum((matrix[k, k] for k in range(rank)), lib.zero if precise else 0.0)
     pair = family and reciprocal(matrix, rank, lib)
-    multiplied = _errors(parts, matrix, _slowness(cycle, numbers, now), error)
+    slowness = _slowness(cycle, numbers, now)
+    multiplied = _errors(parts, matrix, slowness, error)
     return stability_of(
         trace if precise else float(trace),
         rank,
@@ -220,7 +221,7 @@ def assess(
         area=not (family or len(translations)) and dimension == 2 and _keeps_area(cycle, numbers),
         errors=multiplied,
         defective=multiplied[1] if precise else math.sqrt(LEAST),
-        grazes=_grazes(cycle, numbers, now, error),
+        grazes=bool(slowness * error >= 1),
         lib=lib,
         shifts=len(translations),
     )
@@ -256,7 +257,11 @@ def _errors(maps: Sequence[Any], matrix: Any, slowness: float, error: Any) -> tu
 
 
 def _slowness(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> float:
-    """Largest ratio of the sum of absolute terms of a boundary's speed to the speed itself."""
+    """Largest ratio of the sum of absolute terms of a boundary's speed to the speed itself.
+
+    The error of the speed is that of the orbit times this ratio: beyond the speed itself the
+    boundary may be reached tangentially, and the map has no derivative.
+    """
     size = now.starts.shape[-1]
     terms = [
         (float(sum(abs(numbers.rows[row, :size] * field))), abs(float(speed)))
@@ -294,13 +299,3 @@ def reciprocal(matrix: Any, rank: int, lib: Any) -> bool:
     values = matrix.tolist()
     determinant = lib.det(lib.matrix(values)) if matrix.dtype == object else np.linalg.det(matrix)
     return bool(abs(determinant - 1) < math.sqrt(LEAST))
-
-
-def _grazes(cycle: ItineraryShape, numbers: Numbers, now: Shooting, error: Any) -> bool:
-    """Whether a boundary may be reached tangentially, so that the map has no derivative."""
-    size = now.starts.shape[-1]
-    for place, row in enumerate(cycle.rows):
-        terms = sum(abs(numbers.rows[row, :size] * now.velocities[place]))
-        if abs(now.speeds[place]) <= error * terms:
-            return True
-    return False

@@ -174,14 +174,8 @@ class MotionDerivatives:
         factors = real_array("direction", direction)
         if factors.shape != (len(self.by),):
             raise InputError(f"the direction has not {len(self.by)} entries: {', '.join(self.by)}")
-        plain = self.parts[0].trajectory is self.trajectory and len(self.parts) == 1
-        if plain:
-            every = self.parts[0].along(factors[:, None])
-        elif self.one_sided is None:
-            every = MotionChanges(*(part @ factors[:, None] for part in self._forward))
-        else:
-            along = self.by, factors[:, None], self.times, self.one_sided
-            every = gathered(directed_motions(self.trajectory, *along), 1)
+        along = self.by, factors[:, None], self.times, self.one_sided
+        every = gathered(directed_motions(self.trajectory, *along), 1)
         return {name: getattr(every, name)[..., 0] for name in MotionChanges._fields[:4]}
 
     def vjp(

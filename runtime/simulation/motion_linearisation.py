@@ -209,28 +209,6 @@ class MotionLinearisation:
         return tables, changes + _allowed_changes(system, configuration, start) @ starts
 
     @cached_property
-    def changes(self) -> MotionChanges:
-        """Derivatives of the motion along the directions."""
-        return self.forward(*self.moves)
-
-    def gradient(self, *factors: np.ndarray) -> np.ndarray:
-        """Derivatives (q,) along the directions of a combination of results, as for `reverse`."""
-        tables, starts = self.moves
-        fields, rows, resets, start = self.reverse(*factors)
-        return np.asarray(
-            np.tensordot(tables.fields, fields, axes=3)
-            + np.tensordot(tables.rows, rows, axes=2)
-            + np.tensordot(tables.resets, resets, axes=3)
-            + start @ starts
-        )
-
-    def along(self, shares: np.ndarray) -> MotionChanges:
-        """Derivatives in r directions, of which those in q have the shares (q, r)."""
-        tables, starts = self.moves
-        turned = tables.each(lambda part: np.tensordot(shares.T, part, axes=1))
-        return self.forward(turned, starts @ shares)
-
-    @cached_property
     def saltations(self) -> tuple[np.ndarray, np.ndarray]:
         """Derivatives of each transition by what comes before it, and by its boundary function.
 
@@ -271,9 +249,10 @@ class MotionLinearisation:
         found[:, :size, :size], found[:, size, size] = self.matrices[:count], 1.0
         return found
 
-    def forward(self, tables: Numbers, starts: np.ndarray) -> MotionChanges:
-        """Derivatives of the motion along changes of the tables and of the start (N, q)."""
-        trajectory, found = self.trajectory, self.transitions
+    @cached_property
+    def changes(self) -> MotionChanges:
+        """Derivatives of the motion along the directions."""
+        (tables, starts), trajectory, found = self.moves, self.trajectory, self.transitions
         count, (size, q) = len(trajectory.times), starts.shape
         added = self.flows.changes(tables.fields)
         saltations, late = self.saltations
@@ -301,14 +280,14 @@ class MotionLinearisation:
         states = self.matrices[count - 1 :] @ beginnings[own] + added[count - 1 :]
         return MotionChanges(states, events, before, after, beginnings)
 
-    def reverse(
+    def gradient(
         self, states: np.ndarray, event_times: np.ndarray, before: np.ndarray, behind: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-        """Gradients of a combination of results by fields, rows, resets and the start.
+    ) -> np.ndarray:
+        """Derivatives (q,) along the directions of a combination of results, in reverse mode.
 
-        The arguments are the factors of what `forward` gives, without the axis of directions.
+        The arguments are the factors of what `changes` has, without the axis of directions.
         """
-        trajectory, found = self.trajectory, self.transitions
+        (tables, starts), trajectory, found = self.moves, self.trajectory, self.transitions
         system, count, size = trajectory.system, *trajectory.states.shape
         saltations, late = self.saltations
         # factors of the states at fixed times, and of the times
@@ -331,7 +310,12 @@ class MotionLinearisation:
         rates = (factors[1:] * late).sum(axis=1)
         np.add.at(rows, found.rows, rates[:, None] * found.before)
         np.add.at(resets, found.resets, factors[1:, :size, None] * found.before[:, None])
-        return fields, rows, resets, factors[0, :size]
+        return np.asarray(
+            np.tensordot(tables.fields, fields, axes=3)
+            + np.tensordot(tables.rows, rows, axes=2)
+            + np.tensordot(tables.resets, resets, axes=3)
+            + factors[0, :size] @ starts
+        )
 
     def condition(self) -> float:
         """See `MotionDerivatives.condition`."""
