@@ -23,7 +23,7 @@ from nonsmooth.runtime.shooting.newton import LEAST
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, phases_in
 from nonsmooth.runtime.shooting.table_newton import sizes
 from nonsmooth.runtime.shooting.translations import projection_along
-from nonsmooth.runtime.shooting.variational import ARRAYS, Shooting, section_map
+from nonsmooth.runtime.shooting.variational import Shooting, applied, section_map
 
 __all__ = [
     "assess",
@@ -44,7 +44,7 @@ def local_maps(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> list[A
     Both are on sections, where phases start; `now` is of the orbit as it closes.
     """
     parts = zip(phases_in(cycle, numbers), now.flows, now.velocities[..., None], strict=True)
-    return [section_map(ARRAYS, *part) for part in parts]
+    return [section_map(*part) for part in parts]
 
 
 def saltations(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> Any:
@@ -65,9 +65,9 @@ def _timed(
     """Derivatives, at fixed times, of states behind transitions by those before the flows."""
     phases = phases_in(cycle, numbers)
     fields = [phase.field for phase in (*phases[1:], phases[0])]
-    behind = map(ARRAYS.apply, fields, now.starts[1:, ..., None])
+    behind = map(applied, fields, now.starts[1:, ..., None])
     parts = zip(phases, flows, now.velocities[..., None], behind, strict=True)
-    return [section_map(ARRAYS, *part) for part in parts]
+    return [section_map(*part) for part in parts]
 
 
 def mechanical_states(cycle: ItineraryShape) -> list[int] | None:

@@ -40,7 +40,6 @@ from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import FORCING_PHASE, Structure, TransitionShape
 from nonsmooth.runtime.model.time_functions import functions_at
 from nonsmooth.runtime.shooting.variational import (
-    ARRAYS,
     Phase,
     Shooting,
     shooting_map,
@@ -326,7 +325,7 @@ def shoot_along(
     unit = np.eye(size, size + 1, dtype=object if start.dtype == object else float)
     changes = np.broadcast_to(unit, (*start.shape[:-1], size, size + 1))
     phases = phases_in(cycle, numbers)
-    found = shooting_map(ARRAYS, phases, flows, start[..., None], changes)
+    found = shooting_map(phases, flows, start[..., None], changes)
     return Shooting(
         np.array(found.flows),
         np.array(found.starts)[..., 0],
@@ -456,7 +455,6 @@ def _in_python(
     unit = np.broadcast_to(np.eye(count + size), (points, count + size, count + size))
     with np.errstate(all="ignore"):
         found = shooting_map(
-            ARRAYS,
             phases_in(cycle, numbers),
             np.moveaxis(flows, 1, 0),
             start[..., None],

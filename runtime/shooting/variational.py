@@ -1,4 +1,4 @@
-"""The shooting map of a chain of phases and its variational, in any arithmetic.
+"""The shooting map of a chain of phases and its variational, in arrays.
 
 A chain of phases carries a start through a flow, up to a boundary, and through a reset, phase
 after phase. Its variational carries changes of the start and of the dwell times: behind a flow
@@ -6,122 +6,24 @@ a change of the dwell time moves the state by its velocity. A dwell time may be 
 own, or follow the start such that its switching condition stays solved; then the variational
 is the derivative of the map between sections.
 
-The same code serves arrays of floats, complex or mpmath numbers over many points, and matrices
-of balls and of Taylor models; what an arithmetic has to know is `Arithmetic`. How a flow is
-evaluated is not known here: flows are given.
+Arrays hold floats, complex or mpmath numbers over many points: maps (..., m, N + 1), states
+(..., N, 1) and changes (..., N, n). How a flow is evaluated is not known here: flows are given.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple
 
-from nonsmooth.runtime.core.taylor_models import matrix
-
-__all__ = [
-    "ARRAYS",
-    "MATRICES",
-    "Ahead",
-    "Arithmetic",
-    "Phase",
-    "Shooting",
-    "section_map",
-    "shooting_map",
-]
+__all__ = ["Phase", "Shooting", "applied", "section_map", "shooting_map"]
 
 
 class Phase(NamedTuple):
-    """Affine maps of one phase, in the form of their arithmetic."""
+    """Affine maps of one phase."""
 
-    field: Any  # the rate of the state
-    row: Any  # to one number, the boundary function that is zero where the phase ends
-    reset: Any  # the state behind the boundary
-
-
-class Ahead(NamedTuple):
-    """A boundary function at a phase's end, as a function of the state at its start."""
-
-    row: Any  # affine map to one number
-    rate: Any  # affine map to one number, its derivative by the dwell time
-
-
-class Arithmetic(Protocol):
-    """How affine maps act on states and their changes; a column times a row is an outer product."""
-
-    def apply(self, affine: Any, state: Any) -> Any:
-        """Apply an affine map to a state, a column, which gives a column."""
-
-    def carry(self, affine: Any, changes: Any) -> Any:
-        """Apply a map's linear part to changes of a state, one in each column."""
-
-    def linear(self, affine: Any) -> Any:
-        """Return a map's linear part, as columns of changes."""
-
-    def number(self, entry: Any) -> Any:
-        """Return the number in a row that has only one column."""
-
-    def turned(self, changes: Any, velocity: Any, rate: Any) -> Any:
-        """Add to columns of changes of the state what changes of the time add, velocity times rate.
-
-        `velocity` is a column; `rate` is a row of changes of the time.
-        """
-
-    def beside(self, row: Any, value: Any) -> Any:
-        """Add a value to the last entry of a row; the row may be changed in place."""
-
-
-class _Arrays:
-    """Arrays: maps (..., m, N + 1), states (..., N, 1) and changes (..., N, n)."""
-
-    def apply(self, affine: Any, state: Any) -> Any:
-        return affine[..., :-1] @ state + affine[..., -1:]
-
-    def carry(self, affine: Any, changes: Any) -> Any:
-        return affine[..., :-1] @ changes
-
-    def linear(self, affine: Any) -> Any:
-        return affine[..., :-1]
-
-    def number(self, entry: Any) -> Any:
-        return entry
-
-    def turned(self, changes: Any, velocity: Any, rate: Any) -> Any:
-        return changes + velocity * rate
-
-    def beside(self, row: Any, value: Any) -> Any:
-        row[..., -1:] += value
-        return row
-
-
-class _Matrices:
-    """Matrices of balls or Taylor models that act on (y, 1): maps (N + 1, N + 1).
-
-    The last entry of a change is zero. A state may have several columns: those of a matrix
-    that gives it from coordinates.
-    """
-
-    def apply(self, affine: Any, state: Any) -> Any:
-        return affine * state
-
-    def carry(self, affine: Any, changes: Any) -> Any:
-        return affine * changes
-
-    def linear(self, affine: Any) -> Any:
-        return affine
-
-    def number(self, entry: Any) -> Any:
-        return entry[0, 0]
-
-    def turned(self, changes: Any, velocity: Any, rate: Any) -> Any:
-        return changes + velocity * rate
-
-    def beside(self, row: Any, value: Any) -> Any:
-        entries = row.entries()
-        return matrix([[*entries[:-1], entries[-1] + value[0, 0]]])
-
-
-ARRAYS: Arithmetic = _Arrays()
-MATRICES: Arithmetic = _Matrices()
+    field: Any  # (..., N, N + 1), the rate of the state
+    row: Any  # (..., 1, N + 1), the boundary function that is zero where the phase ends
+    reset: Any  # (..., N, N + 1), the state behind the boundary
 
 
 class Shooting(NamedTuple):
@@ -144,14 +46,17 @@ class Shooting(NamedTuple):
     variational: Any  # (..., N, n), derivative of the state after the chain
 
 
+def applied(affine: Any, state: Any) -> Any:
+    """Value (..., m, 1) of an affine map at a state (..., N, 1)."""
+    return affine[..., :-1] @ state + affine[..., -1:]
+
+
 def shooting_map(
-    arithmetic: Arithmetic,
     phases: Sequence[Phase],
     flows: Iterable[Any],
     start: Any,
     changes: Any,
     rates: Sequence[Any] | None = None,
-    ahead: Sequence[Ahead | None] | None = None,
 ) -> Shooting:
     """Carry a start, and its changes by each unknown, through a chain of phases.
 
@@ -159,44 +64,35 @@ def shooting_map(
     units, and `changes` has one column for each unknown. `rates` has a row for each phase, the
     change of its dwell time by each unknown. Without them a dwell time changes such that its
     linearised switching condition is solved; the last unknown then stands for the 1 that
-    multiplies constants. `ahead` gives boundary functions as functions of the phases' starts,
-    where these are sharper than those at the ends.
+    multiplies constants.
     """
-    apply, carry = arithmetic.apply, arithmetic.carry
     state, starts = start, [start]
     found: list[tuple[Any, ...]] = []
     slopes, speeds = [], []
     for place, (phase, flow) in enumerate(zip(phases, flows, strict=True)):
-        end, moved = apply(flow, state), carry(flow, changes)
-        velocity = apply(phase.field, end)
-        seen = None if ahead is None else ahead[place]
-        value = apply(phase.row, end) if seen is None else apply(seen.row, state)
+        end, moved = applied(flow, state), flow[..., :-1] @ changes
+        velocity, value = applied(phase.field, end), applied(phase.row, end)
+        normal = phase.row[..., :-1]
         if rates is None:
-            speed = carry(phase.row, velocity)
-            speeds.append(speed)
-            missed = arithmetic.beside(carry(phase.row, moved), value)
-            rate = -missed / arithmetic.number(speed)
-            moved = arithmetic.turned(moved, velocity, rate)
+            speeds.append(normal @ velocity)
+            missed = normal @ moved
+            missed[..., -1:] += value
+            rate = -missed / speeds[-1]
         else:
             rate = rates[place]
-            moved = arithmetic.turned(moved, velocity, rate)
-            if seen is None:
-                slopes.append(carry(phase.row, moved))
-            else:
-                slope = carry(seen.row, changes)
-                slopes.append(arithmetic.turned(slope, apply(seen.rate, state), rate))
+        moved = moved + velocity * rate
+        if rates is not None:
+            slopes.append(normal @ moved)
         found.append((flow, end, velocity, value, rate))
-        state, changes = apply(phase.reset, end), carry(phase.reset, moved)
+        state, changes = applied(phase.reset, end), phase.reset[..., :-1] @ moved
         starts.append(state)
     parts = [list(part) for part in zip(*found, strict=True)]
     passed, ends, velocities, residual, taken = parts
     return Shooting(passed, starts, ends, velocities, residual, speeds, taken, slopes, changes)
 
 
-def section_map(
-    arithmetic: Arithmetic, phase: Phase, flow: Any, velocity: Any, behind: Any = None
-) -> Any:
-    """Derivative of the state behind a phase's reset by that at its start, as columns.
+def section_map(phase: Phase, flow: Any, velocity: Any, behind: Any = None) -> Any:
+    """Derivative (..., N, N) of the state behind a phase's reset by that at its start.
 
     With the flow's matrix Phi, the reset's R, the gradient n of the boundary, and the
     velocities f- in front and f+ behind it is R (Phi - f- n Phi / n f-) between sections, and
@@ -204,10 +100,8 @@ def section_map(
     and F. Gantmakher, 1958). `velocity` is f-, and `behind` is f+; without it the map is that
     between sections.
     """
-    linear = arithmetic.linear(flow)
-    ahead = arithmetic.carry(phase.row, linear)
-    speed = arithmetic.number(arithmetic.carry(phase.row, velocity))
+    linear, normal, reset = (part[..., :-1] for part in (flow, phase.row, phase.reset))
+    later = normal @ linear / (normal @ velocity)
     if behind is None:
-        return arithmetic.carry(phase.reset, linear - velocity * ahead / speed)
-    jump = behind - arithmetic.carry(phase.reset, velocity)
-    return arithmetic.carry(phase.reset, linear) + jump * ahead / speed
+        return reset @ (linear - velocity * later)
+    return reset @ linear + (behind - reset @ velocity) * later
