@@ -23,7 +23,6 @@ from nonsmooth.runtime.core.complex_steps import (
 )
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.exponentials.matrices import inverses
-from nonsmooth.runtime.model.table_derivatives import relative_rates, stepped_tables
 from nonsmooth.runtime.orbits.orbit import GUARD, PERIOD, Orbit
 from nonsmooth.runtime.shooting.closure_conditions import closed_cycle, closure_equations
 from nonsmooth.runtime.shooting.kernel_newton import natural_scales
@@ -34,7 +33,9 @@ from nonsmooth.runtime.shooting.shooting_map import (
     ItineraryShape,
     Numbers,
     flows_over,
+    relative_rates,
     shoot_along,
+    stepped_tables,
 )
 from nonsmooth.runtime.shooting.table_newton import sizes
 from nonsmooth.runtime.shooting.translations import projection_along
@@ -331,7 +332,7 @@ def table_directions(
     steps = np.array([rates.get(name, still) for name in names]).T
     number = float if lib is None else lib.number
     point = np.array([number(orbit.parameters[name]) for name in names])
-    numbers = Numbers(*stepped_tables(orbit.system, point[None], steps, lib))
+    numbers = stepped_tables(orbit.system, point[None], steps, lib)
     moved = moved_cycles(
         evaluation.cycle, numbers, dwell[None], start[None], lib, period, family=family
     )

@@ -4,18 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import reduce
+from itertools import chain
 from types import ModuleType
 from typing import NamedTuple
 
 import numpy as np
 
+from nonsmooth.runtime.core.arithmetic import FLOATS
 from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts, stepped
 from nonsmooth.runtime.core.errors import InputError, chosen_names
 from nonsmooth.runtime.core.parallel import in_parallel
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, compiled_engine
 from nonsmooth.runtime.model.piecewise import tables_at
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.model.table_derivatives import TableRates, stepped_tables, table_rates
 from nonsmooth.runtime.orbits.directions import moved_cycles, section_along, solve_linear
 from nonsmooth.runtime.orbits.orbit import Orbits
 from nonsmooth.runtime.shooting.closure_conditions import closed_cycle
@@ -29,16 +30,61 @@ from nonsmooth.runtime.shooting.shooting_map import (
     Numbers,
     cycle_maps,
     itinerary_shape,
+    stepped_tables,
 )
 from nonsmooth.runtime.shooting.translations import projection_along
 
-__all__ = ["ManyDirections", "derivatives_of_many", "table_directions_many"]
+__all__ = ["ManyDirections", "derivatives_of_many", "table_directions_many", "table_rates"]
 
 _POINTS, _COLUMNS = 1 << 9, 1 << 15  # that one thread takes at a time, by tables and kernels
 _ZERO = 1e-12  # of the largest multiplier: one that is zero but for rounding
 _OF_MAPS = ("determinant", "spectral_radius")  # where multipliers are asked for
 
 _Found = dict[str, dict[str, np.ndarray]]
+
+
+class TableRates(NamedTuple):
+    """The entries of the tables that some parameters change, at k points."""
+
+    directions: np.ndarray  # (m,) of int, index of the parameter
+    entries: np.ndarray  # (m,) of int, index of the entry, through fields, rows and resets
+    values: np.ndarray  # (k, m), derivative of the entry by the parameter
+
+
+def table_rates(kernels: SystemKernels, points: np.ndarray, places: Sequence[int]) -> TableRates:
+    """Nonzero derivatives of fields, rows and resets by some parameters, at points (k, p).
+
+    Points are in the system's order, and `places` are the parameters' indices there. One
+    parameter after the other becomes complex, and so do the entries that depend on it.
+
+    Examples
+    --------
+    >>> from nonsmooth.runtime.model.kernels import load_system
+    >>> kernels = load_system("rigid-stop")  # parameters m1, m2, k1, k2, r
+    >>> found = table_rates(kernels, np.array([[1.0, 2.0, 1.0, 5.0, 0.5]]), [4])
+    >>> found.values  # the restitution stands in one reset
+    array([[-1.]])
+    """
+    columns = list(np.array(points.T, dtype=float, order="C"))
+    directions, entries, values = [], [], [np.empty((0, len(points)))]
+    for direction, place in enumerate(places):
+        moved = [stepped(x, 1, None) if k == place else x
+                 for k, x in enumerate(columns)]  # fmt: skip
+        first = 0
+        for kernel in ("fields", "rows", "resets"):
+            with np.errstate(all="ignore"):  # who takes them looks whether they are finite
+                found = list(chain.from_iterable(kernels.source(kernel)(moved, lib=FLOATS)))
+            for entry, value in enumerate(found):
+                if np.iscomplexobj(value):
+                    directions.append(direction)
+                    entries.append(first + entry)
+                    values.append(imaginary_parts(value, None)[None])
+            first += len(found)
+    return TableRates(
+        np.array(directions, dtype=int),
+        np.array(entries, dtype=int),
+        np.ascontiguousarray(np.concatenate(values).T),
+    )
 
 
 class ManyDirections(NamedTuple):
@@ -123,7 +169,7 @@ def _closed(
 def _stepped(system: SystemKernels, points: np.ndarray, places: Sequence[int]) -> Numbers:
     """Return the numbers (k q, ...) of a system at k points, each with steps of q parameters."""
     steps = np.eye(points.shape[1])[list(places)]
-    return Numbers(*stepped_tables(system, points, steps, None))
+    return stepped_tables(system, points, steps, None)
 
 
 def _compiled(

@@ -34,9 +34,9 @@ from nonsmooth.runtime.model.factored_flows import (
     flows_size,
 )
 from nonsmooth.runtime.model.flows import exponential
-from nonsmooth.runtime.model.kernels import compiled_engine
+from nonsmooth.runtime.model.kernels import SystemKernels, compiled_engine
 from nonsmooth.runtime.model.modes.natural_units import balanced
-from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear, tables_at
 from nonsmooth.runtime.model.structure import FORCING_PHASE, Structure, TransitionShape
 from nonsmooth.runtime.model.time_functions import functions_at
 from nonsmooth.runtime.shooting.variational import (
@@ -59,10 +59,12 @@ __all__ = [
     "itinerary_shape",
     "numbers_in",
     "phases_in",
+    "relative_rates",
     "shoot",
     "shoot_along",
     "shoot_many",
     "shooting_derivatives",
+    "stepped_tables",
 ]
 
 
@@ -216,6 +218,58 @@ class Numbers(NamedTuple):
     def each(self, function: Callable[..., Any], *others: Numbers) -> Numbers:
         """What a function makes of fields, rows and resets, with those of other numbers beside."""
         return Numbers(*map(function, *(numbers[:3] for numbers in (self, *others))))
+
+
+def relative_rates(
+    numbers: Sequence[np.ndarray], changes: Sequence[np.ndarray], sizes: np.ndarray
+) -> np.ndarray:
+    """Largest relative change (q,) of functions of a state, such as boundaries, by q parameters.
+
+    So a parameter that is zero has a size too: the one that changes a function by that
+    function's size. `numbers` are functions (..., N + 1), such as fields and rows, `changes` their
+    derivatives (q, ..., N + 1), and `sizes` (N,) those of the states.
+    """
+    state = np.append(sizes, 1.0)
+    found = []
+    for number, change in zip(numbers, changes, strict=True):
+        size = (np.abs(number) @ state).ravel()
+        moved = (np.abs(change) @ state).reshape(len(change), -1)
+        found.append(moved[:, size > 0] / size[size > 0])
+    return np.asarray(np.concatenate(found, axis=1).max(axis=1, initial=0.0))
+
+
+def stepped_tables(
+    kernels: SystemKernels, points: np.ndarray, steps: np.ndarray, lib: Mpmath | None
+) -> Numbers:
+    """Fields, rows and resets (k q, ...) at points (k, p), each with q steps (q, p).
+
+    Points are in the system's order. `lib` is None in double precision; an `Mpmath` works with
+    twice the digits that derivatives need.
+
+    Examples
+    --------
+    >>> from nonsmooth.runtime.model.kernels import load_system
+    >>> kernels = load_system("rigid-stop")  # parameters m1, m2, k1, k2, r
+    >>> point = np.array([[1.0, 2.0, 1.0, 5.0, 0.5]])
+    >>> resets = stepped_tables(kernels, point, np.eye(5)[[4]], None).resets
+    >>> float(imaginary_parts(resets, None).min())  # by the restitution: v1 = -r v1 in front
+    -1.0
+    """
+    every = stepped(points[:, None], steps, lib).reshape(len(points) * len(steps), len(points.T))
+    if lib is None:
+        return Numbers(*tables_at(kernels, every))
+    parts: list[list[Any]] = [[], [], []]
+    size = len(kernels.table["states"])
+    for row in every:
+        for part, kernel in zip(parts, ("fields", "rows", "resets"), strict=True):
+            found = kernels.source(kernel)(row.tolist(), lib=lib)
+            part.append([[lib.mp.convert(x) for x in line] for line in found])
+    shapes = [(-1, size, size + 1), (-1, size + 1), (-1, size, size + 1)]
+    fields, rows, resets = (
+        np.array(part, dtype=object).reshape(len(every), *shape)
+        for part, shape in zip(parts, shapes, strict=True)
+    )
+    return Numbers(fields, rows, resets)
 
 
 def finite_at(cycle: ItineraryShape, flat: np.ndarray) -> np.ndarray:

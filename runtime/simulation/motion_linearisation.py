@@ -20,8 +20,7 @@ from nonsmooth.runtime.model.boundary_sets import members_of
 from nonsmooth.runtime.model.flows import extended
 from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
-from nonsmooth.runtime.model.table_derivatives import stepped_tables
-from nonsmooth.runtime.shooting.shooting_map import Numbers
+from nonsmooth.runtime.shooting.shooting_map import Numbers, stepped_tables
 from nonsmooth.runtime.simulation.moved_phases import PhaseFlows
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
@@ -202,7 +201,7 @@ class MotionLinearisation:
             for names in input_names(self.trajectory)
         )
         point = np.array([[float(value) for value in system.parameters.values()]])
-        moved = Numbers(*stepped_tables(kernels, point, parameters.T, None))
+        moved = stepped_tables(kernels, point, parameters.T, None)
         tables = moved.each(lambda part: imaginary_parts(part, None))
         configuration, start = int(run.configurations[0]), run.states[0]
         changes = _following_changes(system, configuration, start, tables.rows)

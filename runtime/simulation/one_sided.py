@@ -25,7 +25,7 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.flows import extended, flow_states
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
-from nonsmooth.runtime.model.table_derivatives import relative_rates
+from nonsmooth.runtime.shooting.shooting_map import relative_rates
 from nonsmooth.runtime.simulation.motion_linearisation import (
     MotionChanges,
     MotionLinearisation,

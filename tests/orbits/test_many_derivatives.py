@@ -15,12 +15,11 @@ from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.core.complex_steps import imaginary_parts
 from nonsmooth.runtime.model.kernels import compiled_engine, uncompiled
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.model.table_derivatives import stepped_tables, table_rates
 from nonsmooth.runtime.orbits import many_derivatives as many
 from nonsmooth.runtime.orbits.kernel_problem import kernel_problem
 from nonsmooth.runtime.orbits.many_derivatives import derivatives_of_many
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
+from nonsmooth.runtime.shooting.shooting_map import itinerary_shape, stepped_tables
 from tests.places import GALLERY
 from tests.shifting_systems import CAPSULE, GEARED, SHAKEN, TURNED, settled_orbit
 
@@ -232,8 +231,8 @@ def test_table_rates_are_the_derivatives_of_the_tables() -> None:
     kernels = by_tables("dry-friction/global-stick").system
     point = np.array([0.4, 1.2, 0.7, 0.1, 0.2, 0.3, 0.5])
     stepped = stepped_tables(kernels, point[None], np.eye(7), None)
-    whole = imaginary_parts(np.concatenate([part.reshape(7, -1) for part in stepped], 1), None)
-    found = table_rates(kernels, np.tile(point, (2, 1)), range(7))
+    whole = imaginary_parts(np.concatenate([part.reshape(7, -1) for part in stepped[:3]], 1), None)
+    found = many.table_rates(kernels, np.tile(point, (2, 1)), range(7))
     filled = np.zeros_like(whole)
     filled[found.directions, found.entries] = found.values[1]
     assert_allclose(filled, whole, rtol=1e-14)
