@@ -32,6 +32,7 @@ from nonsmooth.runtime.shooting.section_map import mechanical_states, timed_maps
 from nonsmooth.runtime.shooting.shooting_map import (
     ItineraryShape,
     Numbers,
+    Shooting,
     flows_over,
     relative_rates,
     shoot_along,
@@ -39,7 +40,6 @@ from nonsmooth.runtime.shooting.shooting_map import (
 )
 from nonsmooth.runtime.shooting.table_newton import sizes
 from nonsmooth.runtime.shooting.translations import projection_along
-from nonsmooth.runtime.shooting.variational import Shooting
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.problem import Evaluation

@@ -43,6 +43,7 @@ from nonsmooth.runtime.shooting.section_map import assess, saltations
 from nonsmooth.runtime.shooting.shooting_map import (
     ItineraryShape,
     Numbers,
+    Shooting,
     itinerary_shape,
     numbers_in,
     shoot,
@@ -54,7 +55,6 @@ from nonsmooth.runtime.shooting.translations import (
     translations_of,
     up_to_shift,
 )
-from nonsmooth.runtime.shooting.variational import Shooting
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 if TYPE_CHECKING:

@@ -20,10 +20,16 @@ from nonsmooth.runtime.shooting.multipliers import (
     stability_of,
 )
 from nonsmooth.runtime.shooting.newton import LEAST
-from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, phases_in
+from nonsmooth.runtime.shooting.shooting_map import (
+    ItineraryShape,
+    Numbers,
+    Phase,
+    Shooting,
+    applied,
+    phases_in,
+)
 from nonsmooth.runtime.shooting.table_newton import sizes
 from nonsmooth.runtime.shooting.translations import projection_along
-from nonsmooth.runtime.shooting.variational import Shooting, applied, section_map
 
 __all__ = [
     "assess",
@@ -32,10 +38,27 @@ __all__ = [
     "reciprocal",
     "saltations",
     "section_dimension",
+    "section_map",
     "smallest_section",
     "stroboscopic_maps",
     "timed_maps",
 ]
+
+
+def section_map(phase: Phase, flow: Any, velocity: Any, behind: Any = None) -> Any:
+    """Derivative (..., N, N) of the state behind a phase's reset by that at its start.
+
+    With the flow's matrix Phi, the reset's R, the gradient n of the boundary, and the
+    velocities f- in front and f+ behind it is R (Phi - f- n Phi / n f-) between sections, and
+    R Phi + (f+ - R f-) n Phi / n f- at fixed times: the saltation matrix times Phi (M. Aizerman
+    and F. Gantmakher, 1958). `velocity` is f-, and `behind` is f+; without it the map is that
+    between sections.
+    """
+    linear, normal, reset = (part[..., :-1] for part in (flow, phase.row, phase.reset))
+    later = normal @ linear / (normal @ velocity)
+    if behind is None:
+        return reset @ (linear - velocity * later)
+    return reset @ linear + (behind - reset @ velocity) * later
 
 
 def local_maps(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> list[Any]:

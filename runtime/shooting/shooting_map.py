@@ -4,7 +4,7 @@ An itinerary is a cyclic sequence of phases. Given the start and the dwell times
 map gives each phase's end, what closure and the switching conditions miss, and the derivatives
 of all that, in which the change of each dwell time is eliminated: its switching condition,
 linearised, makes it an affine function of the change of the start. Arrays may have leading
-axes, one point each.
+axes, one point each, and hold floats, complex or mpmath numbers.
 
 Its derivatives by dwell times, start and a parameter ask for no modes: flows are exponentials of
 the fields, by the compiled engine where it is built. The same on NumPy serves elsewhere, with a
@@ -39,16 +39,14 @@ from nonsmooth.runtime.model.modes.natural_units import balanced
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, tables_at
 from nonsmooth.runtime.model.structure import FORCING_PHASE, Structure, TransitionShape
 from nonsmooth.runtime.model.time_functions import functions_at
-from nonsmooth.runtime.shooting.variational import (
-    Phase,
-    Shooting,
-    shooting_map,
-)
 
 __all__ = [
     "ItineraryShape",
     "Numbers",
+    "Phase",
+    "Shooting",
     "ShootingDerivatives",
+    "applied",
     "cycle_maps",
     "dependent",
     "finite_at",
@@ -64,6 +62,7 @@ __all__ = [
     "shoot_along",
     "shoot_many",
     "shooting_derivatives",
+    "shooting_map",
     "stepped_tables",
 ]
 
@@ -337,6 +336,79 @@ def flow_at(structure: Structure, numbers: Numbers, configuration: int, time: An
         np.asarray(function)[..., None, None] * parts[..., place, :, :]
         for place, function in enumerate(functions)
     )
+
+
+class Phase(NamedTuple):
+    """Affine maps of one phase."""
+
+    field: Any  # (..., N, N + 1), the rate of the state
+    row: Any  # (..., 1, N + 1), the boundary function that is zero where the phase ends
+    reset: Any  # (..., N, N + 1), the state behind the boundary
+
+
+class Shooting(NamedTuple):
+    """The shooting map of p phases at a start, and its derivatives by n unknowns.
+
+    `shooting_map` gives sequences of columns, `shoot` arrays of the shapes below. Dwell times are
+    unknowns or follow the start.
+    """
+
+    flows: Any  # (p, ..., N, N + 1)
+    starts: Any  # (p + 1, ..., N), state at each phase's start; last the state after the chain
+    ends: Any  # (p, ..., N), state at each phase's end
+    velocities: Any  # (p, ..., N), velocity at each phase's end
+    residual: Any  # (p, ...), boundary function at each phase's end
+    speeds: Any  # (p, ...), rate of the boundary function; empty if dwell times are unknowns
+    # (p, ..., n), derivative of each dwell time by the unknowns; if dwell times follow, by the
+    # start, and last their change at a fixed start
+    rates: Any
+    slopes: Any  # (p, ..., n), derivative of the boundary functions; empty if dwell times follow
+    variational: Any  # (..., N, n), derivative of the state after the chain
+
+
+def applied(affine: Any, state: Any) -> Any:
+    """Value (..., m, 1) of an affine map at a state (..., N, 1)."""
+    return affine[..., :-1] @ state + affine[..., -1:]
+
+
+def shooting_map(
+    phases: Sequence[Phase],
+    flows: Iterable[Any],
+    start: Any,
+    changes: Any,
+    rates: Sequence[Any] | None = None,
+) -> Shooting:
+    """Carry a start, and its changes by each unknown, through a chain of phases.
+
+    Behind a flow a change of the dwell time moves the state by its velocity. `flows` are those of
+    the phases over their dwell times; `start` is a column in the system's units, and `changes` has
+    one column for each unknown. `rates` has a row for each phase, the change of its dwell time by
+    each unknown. Without them a dwell time changes such that its linearised switching condition is
+    solved; the last unknown then stands for the 1 that multiplies constants.
+    """
+    state, starts = start, [start]
+    found: list[tuple[Any, ...]] = []
+    slopes, speeds = [], []
+    for place, (phase, flow) in enumerate(zip(phases, flows, strict=True)):
+        end, moved = applied(flow, state), flow[..., :-1] @ changes
+        velocity, value = applied(phase.field, end), applied(phase.row, end)
+        normal = phase.row[..., :-1]
+        if rates is None:
+            speeds.append(normal @ velocity)
+            missed = normal @ moved
+            missed[..., -1:] += value
+            rate = -missed / speeds[-1]
+        else:
+            rate = rates[place]
+        moved = moved + velocity * rate
+        if rates is not None:
+            slopes.append(normal @ moved)
+        found.append((flow, end, velocity, value, rate))
+        state, changes = applied(phase.reset, end), phase.reset[..., :-1] @ moved
+        starts.append(state)
+    parts = [list(part) for part in zip(*found, strict=True)]
+    passed, ends, velocities, residual, taken = parts
+    return Shooting(passed, starts, ends, velocities, residual, speeds, taken, slopes, changes)
 
 
 def phases_in(cycle: ItineraryShape, numbers: Numbers) -> list[Phase]:

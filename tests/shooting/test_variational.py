@@ -12,7 +12,8 @@ from numpy.testing import assert_allclose
 from scipy.linalg import expm
 
 from nonsmooth.runtime.core.exponentials.matrices import exponentials
-from nonsmooth.runtime.shooting.variational import Phase, applied, section_map, shooting_map
+from nonsmooth.runtime.shooting.section_map import section_map
+from nonsmooth.runtime.shooting.shooting_map import Phase, applied, shooting_map
 
 COUNT, SIZE = 3, 3  # phases, states
 
