@@ -331,7 +331,7 @@ class KernelEvaluation(Evaluation):
             else:
                 raise InputError(f"{orbit.name}: how its motion changes with {name} is left open")
         directions = table_directions(tables.evaluation, found.by, moving)
-        return OrbitMotionDerivatives(tables, found.by, directions)
+        return OrbitMotionDerivatives(tables, directions)
 
     def directions(self, by: Sequence[str]) -> Directions:
         """See `Evaluation`."""

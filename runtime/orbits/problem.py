@@ -338,7 +338,7 @@ class Evaluation:
 
     def along(self, found: OrbitDerivatives) -> OrbitMotionDerivatives:
         """Return the orbit by tables as it moves with what its derivatives are by."""
-        return OrbitMotionDerivatives(self.orbit, found.by, found.directions)
+        return OrbitMotionDerivatives(self.orbit, found.directions)
 
     @property
     def moved(self) -> np.ndarray:

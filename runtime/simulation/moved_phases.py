@@ -58,8 +58,6 @@ class _DenseFlows:
         starts: np.ndarray,
     ) -> None:
         flows = matrices_of(system.flows[configuration])[:, :, :-1]
-        # (n, N, N), derivatives of the end states by the start states
-        self.matrices = flow_matrices(system, configuration, durations)
         # (functions, N, N) as one matrix (N, functions N) that adds up
         self._size = flows.shape[1]
         self._flows = flows.transpose(1, 0, 2).reshape(self._size, -1)
@@ -99,7 +97,6 @@ class _FactoredFlows:
     ) -> None:
         flows = system.flows[configuration]
         assert isinstance(flows, FactoredFlows)
-        self.matrices = flow_matrices(system, configuration, durations)
         places, self._columns, rows = flows.terms()
         self._rows = rows[:, :-1]
         weights = starts @ rows[:, :-1].T + rows[:, -1]
@@ -109,7 +106,7 @@ class _FactoredFlows:
 
     def changes(self, fields: np.ndarray) -> np.ndarray:
         """See `_DenseFlows`."""
-        found = np.empty((*self.matrices.shape[:2], len(fields)))
+        found = np.empty((len(self._products), self._columns.shape[1], len(fields)))
         for place, field in enumerate(fields):
             turned = self._rows @ field[:, :-1] @ self._columns.T
             factors = np.einsum("nfg,fg->nf", self._products, turned)
@@ -163,7 +160,7 @@ class PhaseFlows:
             for low in range(0, len(here), step):
                 part = here[low : low + step]
                 flows = make(system, configuration, durations[part], starts[part])
-                self.matrices[part] = flows.matrices
+                self.matrices[part] = flow_matrices(system, configuration, durations[part])
                 self._parts.append((configuration, part, flows))
 
     def changes(self, fields: np.ndarray) -> np.ndarray:
