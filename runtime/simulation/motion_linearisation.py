@@ -238,14 +238,15 @@ class MotionLinearisation:
         return np.asarray((dwell == 0) & beyond & ~self.apart)
 
     @cached_property
-    def carried(self) -> np.ndarray:
-        """Matrices (n - 1, N + 1, N + 1) of the flows, which leave the last coordinate as it is.
+    def steps(self) -> np.ndarray:
+        """Derivatives (n - 1, N + 1, N + 1) of what is behind a transition by that at the last one.
 
-        That coordinate is the time of the transition before.
+        The flows leave the last coordinate, the time of the transition before, as it is.
         """
-        count, size = len(self.trajectory.times) - 1, len(self.trajectory.names)
-        found = np.zeros((count, size + 1, size + 1))
-        found[:, :size, :size], found[:, size, size] = self.matrices[:count], 1.0
+        saltations, _ = self.saltations
+        size = len(self.trajectory.names)
+        found = saltations.copy()
+        found[..., :size] = saltations[..., :size] @ self.matrices[: len(saltations)]
         return found
 
     @cached_property
@@ -262,12 +263,8 @@ class MotionLinearisation:
         # at the fixed times of the transitions, and last the changes of these
         changes = np.zeros((count, size + 1, q))
         changes[0, :size] = starts
-        steps = saltations @ self.carried if q > size else None
-        for k in range(count - 1):
-            if steps is None:
-                changes[k + 1] = saltations[k] @ (self.carried[k] @ changes[k])
-            else:
-                np.matmul(steps[k], changes[k], out=changes[k + 1])
+        for k, step in enumerate(self.steps):
+            np.matmul(step, changes[k], out=changes[k + 1])
             changes[k + 1] += offsets[k]
         beginnings, events = changes[:, :size], changes[1:, size].copy()
         ends = self.matrices[inside] @ beginnings[:-1] + added[inside]
@@ -302,7 +299,7 @@ class MotionLinearisation:
         pulled = (states[:, None] @ self.matrices[count - 1 :])[:, 0]
         np.add.at(factors[:, :size], self.phases[count - 1 :], pulled)
         for k in range(count - 2, -1, -1):
-            factors[k] += factors[k + 1] @ saltations[k] @ self.carried[k]
+            factors[k] += factors[k + 1] @ self.steps[k]
         ends = before[1:] + (factors[1:, None] @ saltations)[:, 0, :size]
         fields = self.flows.gradients(np.concatenate([ends, states]))
         rows, resets = np.zeros_like(system.rows), np.zeros_like(system.resets)
@@ -329,8 +326,7 @@ class MotionLinearisation:
         fragile = np.ones(len(turning))
         fragile[sudden] += turning[sudden] / np.abs(found.speeds[sudden])
         size = len(sizes)
-        steps = self.saltations[0][:, :size, :size] @ self.matrices[: len(turning)]
-        steps = steps * sizes / sizes[:, None]
+        steps = self.steps[:, :size, :size] * sizes / sizes[:, None]
         errors, largest = np.eye(len(sizes)), 1.0
         for step, factor in zip(steps, fragile.tolist(), strict=True):
             errors = step @ errors @ step.T + np.eye(len(sizes))
