@@ -96,7 +96,8 @@ class MovedMotion:
 
     def __init__(self, system: System, motion: Trajectory, apart: np.ndarray | None = None) -> None:
         self.system, self.motion = system, motion
-        linearisation = MotionLinearisation(motion, np.empty(0), apart)
+        own = np.zeros(motion.transitions, dtype=bool) if apart is None else apart
+        linearisation = MotionLinearisation(motion, (), np.empty((0, 0)), np.empty(0), own)
         self.transitions, self.instants = linearisation.transitions, linearisation.instants
 
     def difference(
@@ -199,37 +200,54 @@ class MovedMotion:
         raise AssertionError
 
 
-def compared_with_digits(rng: np.random.Generator, name: str, transitions: int) -> float | None:
-    """Largest error of a random motion's derivatives, in units of its condition and of the largest.
+def compared_with_digits(
+    system: System, motion: Trajectory, rng: np.random.Generator, count: int
+) -> float | None:
+    """Largest error of a motion's derivatives, in units of its condition and of the largest.
+
+    States at random times and times of events are compared along a random direction, and the
+    reverse pass with the forward one.
 
     Parameters
     ----------
+    system : System
+    motion : Trajectory
     rng : Generator
-    name : str
-        Of the system.
-    transitions : int
+    count : int
+        Of times.
 
     Returns
     -------
     float or None
         None where the motion has no derivative.
     """
-    system, data, start = random_oscillator(rng, name)
-    motion = ns.simulate(system, data, start, transitions=transitions)
-    times = np.sort(rng.uniform(0, motion.end, 3))
+    times = np.sort(rng.uniform(0, motion.end, count))
     try:
         found = motion.derivatives(times=times)
     except ns.InputError:
         return None
     along = dict(zip(found.by, rng.normal(size=len(found.by)).tolist(), strict=True))
-    moved = np.array([along.get(f"{state}0", 0.0) for state in motion.names])
-    parameters = {key: along[key] for key in data}
-    events, states = MovedMotion(system, motion).difference(parameters, moved, times)
     forward = found.jvp(along)
-    errors = forward["event_times"] - events, forward["states"].ravel() - states
+    # a start that its configuration holds moves as its constraints let it
+    parameters = {name: along[name] for name in motion.parameters}
+    events, states = MovedMotion(system, motion).difference(parameters, forward["before"][0], times)
+    factors = rng.normal(size=forward["states"].shape)
+    pulled = found.vjp(states=factors) @ list(along.values())
+    errors = (
+        forward["event_times"] - events,
+        forward["states"].ravel() - states,
+        pulled - (factors * forward["states"]).sum(),
+    )
     largest = max(float(np.abs(part).max()) for part in (events, states))
     missed = max(float(np.nanmax(np.abs(error))) for error in errors)
     return missed / max(largest, 1.0) / found.condition
+
+
+def compared_at_random(rng: np.random.Generator, name: str, transitions: int) -> float | None:
+    """What `compared_with_digits` gives for a motion of a random oscillator of some name."""
+    system, data, start = random_oscillator(rng, name)
+    motion = ns.simulate(system, data, start, transitions=transitions)
+    return compared_with_digits(system, motion, rng, 3)
 
 
 def _exact(value: Fraction) -> arb:

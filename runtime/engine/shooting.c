@@ -1,4 +1,4 @@
-/* The shooting map of a chain of phases; see nonsmooth.runtime.shooting.variational. */
+/* The shooting map of a chain of phases; see nonsmooth.runtime.shooting.shooting_map. */
 #include "shooting.h"
 
 #include <string.h>

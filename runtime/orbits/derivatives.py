@@ -126,8 +126,7 @@ class OrbitDerivatives:
     @cached_property
     def along(self) -> OrbitMotionDerivatives:
         """The orbit by the tables of its system, as it moves."""
-        found, shares = self.orbit.evaluation.along(self)
-        return found if shares is None else found.turned(self.by, shares)
+        return self.orbit.evaluation.along(self)
 
     def states(self, times: Sequence[Any]) -> np.ndarray:
         """Of the states (m, N, q) at times since the start that stay what they are.
@@ -299,7 +298,7 @@ def orbit_function(
         if not isinstance(name, str):
             raise InputError(f"{name!r} is no name of a quantity")
         first.quantity(name)
-    reference = np.array([float(orbit.given[name]) for name in inputs])
+    reference = _floats(orbit.given, inputs)
     known: OrderedDict[bytes, OrbitDerivatives | None] = OrderedDict()
     known[reference.tobytes()] = first
 
@@ -345,7 +344,7 @@ def followed(
     if not np.isfinite(point).all():
         raise InputError("a point that is not finite")
     here, by = reference, reference.by
-    begin = np.array([float(reference.orbit.given[name]) for name in by])
+    begin = _floats(reference.orbit.given, by)
     done, step = 0.0, 1.0
     while done < 1:
         ahead = min(1.0, done + step)
@@ -364,9 +363,8 @@ def followed(
 def _stepped(here: OrbitDerivatives, aim: np.ndarray) -> OrbitDerivatives:
     """Return the derivatives one step ahead; `NoConvergence` if the orbit is not as predicted."""
     orbit, by = here.orbit, here.by
-    now = np.array([float(orbit.given[name]) for name in by])
     names = tuple(orbit.unknowns)
-    values = np.array([float(orbit.unknowns[name]) for name in names])
+    now, values = _floats(orbit.given, by), _floats(orbit.unknowns, names)
     rates = np.array([here.unknowns[name].astype(float) for name in names])
     guess = values + rates @ (aim - now)
     given = {**orbit.given, **{n: as_value(float(x)) for n, x in zip(by, aim, strict=True)}}
@@ -375,11 +373,15 @@ def _stepped(here: OrbitDerivatives, aim: np.ndarray) -> OrbitDerivatives:
         raise NoConvergence(f"{orbit.name}: {found.message}")
     if (found.dwell_times < 0).any():
         raise NoConvergence(f"{orbit.name}: a dwell time is negative")
-    solved = np.array([float(found.unknowns[name]) for name in names])
+    solved = _floats(found.unknowns, names)
     size = np.maximum(abs(values), abs(values).max(initial=0.0) * _FAR)
     if (abs(solved - guess) > _FAR * np.where(size > 0, size, 1.0)).any():
         raise NoConvergence(f"{orbit.name}: Newton's method leaves the orbit that was predicted")
     return found.derivatives(by, one_sided=bool(here.one_sided) or None)
+
+
+def _floats(values: Mapping[str, Any], names: Iterable[str]) -> np.ndarray:
+    return np.array([float(values[name]) for name in names])
 
 
 def _solved(orbit: Orbit, given: Mapping[str, Value], guess: Mapping[str, float]) -> Orbit:

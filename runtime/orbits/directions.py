@@ -7,7 +7,7 @@ has tiny imaginary parts, and so have the equations of its closure and all that 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property, reduce
 from typing import TYPE_CHECKING, Any
 
@@ -23,7 +23,6 @@ from nonsmooth.runtime.core.complex_steps import (
 )
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.exponentials.matrices import inverses
-from nonsmooth.runtime.model.table_derivatives import relative_rates, stepped_tables
 from nonsmooth.runtime.orbits.orbit import GUARD, PERIOD, Orbit
 from nonsmooth.runtime.shooting.closure_conditions import closed_cycle, closure_equations
 from nonsmooth.runtime.shooting.kernel_newton import natural_scales
@@ -33,12 +32,14 @@ from nonsmooth.runtime.shooting.section_map import mechanical_states, timed_maps
 from nonsmooth.runtime.shooting.shooting_map import (
     ItineraryShape,
     Numbers,
+    Shooting,
     flows_over,
+    relative_rates,
     shoot_along,
+    stepped_tables,
 )
 from nonsmooth.runtime.shooting.table_newton import sizes
 from nonsmooth.runtime.shooting.translations import projection_along
-from nonsmooth.runtime.shooting.variational import Shooting
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.problem import Evaluation
@@ -247,16 +248,6 @@ class MovedCycles:
         """Changes (k q, N) of the start."""
         return imaginary_parts(self.start, self.lib)
 
-    def turned(self, shares: np.ndarray) -> MovedCycles:
-        """Return one cycle as it moves in r directions, of which the q ones have shares (q, r)."""
-
-        def turn(part: np.ndarray) -> np.ndarray:
-            moved = np.tensordot(shares.T, imaginary_parts(part, self.lib), axes=1)
-            return stepped(real_parts(part[0]), moved, self.lib)
-
-        numbers = self.numbers.each(turn)
-        return replace(self, numbers=numbers, dwell=turn(self.dwell), start=turn(self.start))
-
 
 def moved_cycles(
     cycle: ItineraryShape,
@@ -313,16 +304,19 @@ def moved_cycles(
     return MovedCycles(cycle, size_of, closed, directions, waits, start, reasons, lib)
 
 
-def table_directions(evaluation: Evaluation, by: Sequence[str]) -> Directions:
-    """Return how dwell times and states move with each of some given numbers.
+def table_directions(
+    evaluation: Evaluation, by: Sequence[str], rates: Mapping[str, np.ndarray]
+) -> Directions:
+    """Return how dwell times and states move with each of q numbers.
 
-    The equations of the whole orbit are linearised, not those of the part that a symmetry
-    closes: a parameter may break the symmetry. The period may be one of the numbers where
-    it was given. `InputError` says why where there is no derivative.
+    Parameters of the system, and the period where it was given, have `rates` (q,) by them; what
+    has none stays. The equations of the whole orbit are linearised, not those of the part that a
+    symmetry closes: a parameter may break the symmetry. `InputError` says why where there is no
+    derivative.
     """
     orbit, lib = evaluation.orbit, _working(evaluation.orbit)
     family = evaluation.family
-    if PERIOD in by and not family:
+    if PERIOD in rates and not family:
         raise InputError("the period follows from the forcing: nothing is differentiated by it")
     if family and orbit.given_period is None:
         raise InputError(
@@ -332,13 +326,13 @@ def table_directions(evaluation: Evaluation, by: Sequence[str]) -> Directions:
     dwell, start = orbit.dwell_times, evaluation.states_up_to_shift[0]
     if lib is not None:
         dwell, start = (np.array([lib.mp.mpf(x) for x in part]) for part in (dwell, start))
-    asked = np.array([int(name == PERIOD) for name in by])
-    period = stepped(dwell.sum(), asked, lib) if family else None
+    still = np.zeros(len(by), dtype=int)
+    period = stepped(dwell.sum(), rates.get(PERIOD, still), lib) if family else None
     names = [table.name for table in orbit.system.parameters]
-    steps = np.array([[int(name == other) for name in names] for other in by])
+    steps = np.array([rates.get(name, still) for name in names]).T
     number = float if lib is None else lib.number
     point = np.array([number(orbit.parameters[name]) for name in names])
-    numbers = Numbers(*stepped_tables(orbit.system, point[None], steps, lib))
+    numbers = stepped_tables(orbit.system, point[None], steps, lib)
     moved = moved_cycles(
         evaluation.cycle, numbers, dwell[None], start[None], lib, period, family=family
     )
@@ -352,8 +346,8 @@ def table_directions(evaluation: Evaluation, by: Sequence[str]) -> Directions:
     def section() -> MapDerivatives:
         return _section(evaluation, moved)
 
-    rates = dict(zip(orbit.problem.unknown_names, unknowns, strict=True))
-    return Directions(rates, waits, states, section, cycles=moved)
+    found = dict(zip(orbit.problem.unknown_names, unknowns, strict=True))
+    return Directions(found, waits, states, section, cycles=moved)
 
 
 def relative_changes(

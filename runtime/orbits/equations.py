@@ -44,6 +44,7 @@ from nonsmooth.runtime.shooting.section_map import mechanical_states, stroboscop
 from nonsmooth.runtime.shooting.shooting_map import (
     ItineraryShape,
     Numbers,
+    Shooting,
     ShootingDerivatives,
     dependent,
     itinerary_shape,
@@ -52,7 +53,6 @@ from nonsmooth.runtime.shooting.shooting_map import (
     shooting_derivatives,
 )
 from nonsmooth.runtime.shooting.table_newton import sizes as sizes_along
-from nonsmooth.runtime.shooting.variational import Shooting
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["KernelEquations", "OrbitEquations", "equations_of", "phase_waves"]

@@ -29,7 +29,7 @@ from nonsmooth.runtime.orbits.admissible import (
     kernel_limits,
     trigonometric_rows,
 )
-from nonsmooth.runtime.orbits.directions import Directions, kernel_directions
+from nonsmooth.runtime.orbits.directions import Directions, kernel_directions, table_directions
 from nonsmooth.runtime.orbits.motion_derivatives import OrbitMotionDerivatives
 from nonsmooth.runtime.orbits.orbit import DOUBLE, GUARD, PERIOD, Orbit
 from nonsmooth.runtime.orbits.problem import Evaluation, OrbitProblem
@@ -270,7 +270,7 @@ class KernelEvaluation(Evaluation):
         side = self.stability.one_sided
         return side, "a border collision, a phase takes no time" if side else ""
 
-    def along(self, found: OrbitDerivatives) -> tuple[OrbitMotionDerivatives, np.ndarray]:
+    def along(self, found: OrbitDerivatives) -> OrbitMotionDerivatives:
         """See `Evaluation`.
 
         A sum such as e1 = ur1 - us1 is changed by the one of
@@ -303,10 +303,8 @@ class KernelEvaluation(Evaluation):
                 moving[PERIOD] = rate
             else:
                 raise InputError(f"{orbit.name}: how its motion changes with {name} is left open")
-        by = tuple(moving)
-        directions = tables.evaluation.directions(by)
-        rates = np.array([moving[name] for name in by]).reshape(len(by), len(found.by))
-        return OrbitMotionDerivatives(tables, by, directions), rates
+        directions = table_directions(tables.evaluation, found.by, moving)
+        return OrbitMotionDerivatives(tables, directions)
 
     def directions(self, by: Sequence[str]) -> Directions:
         """See `Evaluation`."""

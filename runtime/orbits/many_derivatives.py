@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import reduce
-from types import ModuleType
+from itertools import accumulate, chain
 from typing import NamedTuple
 
 import numpy as np
 
+from nonsmooth.runtime.core.arithmetic import FLOATS
 from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts, stepped
 from nonsmooth.runtime.core.errors import InputError, chosen_names
 from nonsmooth.runtime.core.parallel import in_parallel
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, compiled_engine
 from nonsmooth.runtime.model.piecewise import tables_at
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.model.table_derivatives import TableRates, stepped_tables, table_rates
 from nonsmooth.runtime.orbits.directions import moved_cycles, section_along, solve_linear
 from nonsmooth.runtime.orbits.orbit import Orbits
 from nonsmooth.runtime.shooting.closure_conditions import closed_cycle
@@ -29,16 +29,71 @@ from nonsmooth.runtime.shooting.shooting_map import (
     Numbers,
     cycle_maps,
     itinerary_shape,
+    stepped_tables,
 )
 from nonsmooth.runtime.shooting.translations import projection_along
 
-__all__ = ["ManyDirections", "derivatives_of_many", "table_directions_many"]
+__all__ = ["ManyDirections", "derivatives_of_many", "table_directions_many", "table_rates"]
 
 _POINTS, _COLUMNS = 1 << 9, 1 << 15  # that one thread takes at a time, by tables and kernels
 _ZERO = 1e-12  # of the largest multiplier: one that is zero but for rounding
 _OF_MAPS = ("determinant", "spectral_radius")  # where multipliers are asked for
 
 _Found = dict[str, dict[str, np.ndarray]]
+
+
+class TableRates(NamedTuple):
+    """The entries of the tables that some parameters change, at k points."""
+
+    directions: np.ndarray  # (m,) of int, index of the parameter
+    entries: np.ndarray  # (m,) of int, index of the entry, through fields, rows and resets
+    values: np.ndarray  # (k, m), derivative of the entry by the parameter
+
+    def beside(self, added: np.ndarray, numbers: Numbers) -> TableRates:
+        """Return these and those (k, q, size) of the last reset, which was added to the numbers."""
+        points, parameters, size = added.shape
+        last = sum(part[0].size for part in numbers[:3]) - size + np.arange(size)
+        return TableRates(
+            np.concatenate([self.directions, np.repeat(np.arange(parameters), size)]),
+            np.concatenate([self.entries, np.tile(last, parameters)]),
+            np.concatenate([self.values, added.reshape(points, -1)], axis=1),
+        )
+
+
+def table_rates(kernels: SystemKernels, points: np.ndarray, places: Sequence[int]) -> TableRates:
+    """Nonzero derivatives of fields, rows and resets by some parameters, at points (k, p).
+
+    Points are in the system's order, and `places` are the parameters' indices there. One
+    parameter after the other becomes complex, and so do the entries that depend on it.
+
+    Examples
+    --------
+    >>> from nonsmooth.runtime.model.kernels import load_system
+    >>> kernels = load_system("rigid-stop")  # parameters m1, m2, k1, k2, r
+    >>> found = table_rates(kernels, np.array([[1.0, 2.0, 1.0, 5.0, 0.5]]), [4])
+    >>> found.values  # the restitution stands in one reset
+    array([[-1.]])
+    """
+    columns = list(np.array(points.T, dtype=float, order="C"))
+    directions, entries, values = [], [], [np.empty((0, len(points)))]
+    for direction, place in enumerate(places):
+        moved = [stepped(x, 1, None) if k == place else x
+                 for k, x in enumerate(columns)]  # fmt: skip
+        first = 0
+        for kernel in ("fields", "rows", "resets"):
+            with np.errstate(all="ignore"):  # who takes them looks whether they are finite
+                found = list(chain.from_iterable(kernels.source(kernel)(moved, lib=FLOATS)))
+            for entry, value in enumerate(found):
+                if np.iscomplexobj(value):
+                    directions.append(direction)
+                    entries.append(first + entry)
+                    values.append(imaginary_parts(value, None)[None])
+            first += len(found)
+    return TableRates(
+        np.array(directions, dtype=int),
+        np.array(entries, dtype=int),
+        np.ascontiguousarray(np.concatenate(values).T),
+    )
 
 
 class ManyDirections(NamedTuple):
@@ -69,100 +124,54 @@ def table_directions_many(
     and units. With `timed` the period was given, and that of one of a family stays what
     it is. With `maps` the maps are given, too.
     """
-    engine = compiled_engine()
-    numbers = Numbers(*tables_at(system, points))
-    if engine is not None and len(cycle.structure.forcing) < 2:
-        closed = _closed(system, cycle, points, numbers, places)
-        return _compiled(engine, closed, dwell, start, len(places), timed, maps)
-    return _in_python(system, cycle, points, dwell, start, places, timed=timed, maps=maps)
-
-
-class _Closed(NamedTuple):
-    """A cycle that closes up to translations, with its numbers, their rates, and projections."""
-
-    cycle: ItineraryShape
-    numbers: Numbers
-    rates: TableRates
-    shifts: int = 0
-    projections: np.ndarray | None = None  # (k, q, m, m), with steps
-
-
-def _closed(
-    system: SystemKernels,
-    cycle: ItineraryShape,
-    points: np.ndarray,
-    numbers: Numbers,
-    places: Sequence[int],
-) -> _Closed:
-    """Return a cycle closed up to translations, at k points; their directions may turn."""
+    (k, size), q, count = start.shape, len(places), len(cycle)
+    engine, steps = compiled_engine(), np.eye(points.shape[1])[list(places)]
+    if engine is None or len(cycle.structure.forcing) > 1:
+        numbers = stepped_tables(system, points, steps, None)
+        period = np.repeat(dwell.sum(axis=-1), q) + 0j if timed else None
+        moved = moved_cycles(cycle, numbers, dwell, start, None, period)
+        with np.errstate(all="ignore"):
+            whole = section_along(moved)
+        whole = whole.reshape(k, q, *whole.shape[1:])
+        changed = imaginary_parts(whole, None)
+        return ManyDirections(
+            moved.waits.reshape(k, q, -1),
+            moved.starts.reshape(k, q, size),
+            np.trace(changed, axis1=-2, axis2=-1),
+            real_parts(whole[: k if maps else 0, 0]),
+            changed[: k if maps else 0],
+            moved.directions.shape[1],
+        )
     rates = table_rates(system, points, places)
-    closed, moved, along = closed_cycle(cycle, numbers)
-    if not along.shape[1]:
-        return _Closed(cycle, numbers, rates)
-    (k, *_, size, width), q = numbers.resets.shape, len(places)
-    _, steps, along = closed_cycle(cycle, _stepped(system, points, places))
-    added = imaginary_parts(steps.resets[:, -1], None).reshape(k, -1)
-    entries = sum(part[0].size for part in numbers[:3]) + np.arange(size * width)
-    projections = np.array([projection_along(each) for each in along]).reshape(k, q, size, size)
-    driven = mechanical_states(cycle)
-    if driven is not None:
-        projections = projections[..., driven, :][..., driven]
-    return _Closed(
-        closed,
-        moved,
-        TableRates(
-            np.concatenate([rates.directions, np.repeat(np.arange(q), size * width)]),
-            np.concatenate([rates.entries, np.tile(entries, q)]),
-            np.concatenate([rates.values, added], axis=1),
-        ),
-        along.shape[1],
-        projections,
-    )
-
-
-def _stepped(system: SystemKernels, points: np.ndarray, places: Sequence[int]) -> Numbers:
-    """Return the numbers (k q, ...) of a system at k points, each with steps of q parameters."""
-    steps = np.eye(points.shape[1])[list(places)]
-    return Numbers(*stepped_tables(system, points, steps, None))
-
-
-def _compiled(
-    engine: ModuleType,
-    closed: _Closed,
-    dwell: np.ndarray,
-    start: np.ndarray,
-    directions: int,
-    timed: bool,
-    maps: bool,
-) -> ManyDirections:
-    cycle, numbers, rates, shifts, projections = closed
-    (points, size), count = start.shape, len(cycle)
-    shape = (points if maps else 0, size, size)
+    closed, numbers, along = closed_cycle(cycle, Numbers(*tables_at(system, points)))
+    if along.shape[1]:  # the directions of translations may turn, and with them the last reset
+        _, turned, along = closed_cycle(cycle, stepped_tables(system, points, steps, None))
+        rates = rates.beside(imaginary_parts(turned.resets[:, -1], None).reshape(k, q, -1), numbers)
+    shape = (k if maps else 0, size, size)
     found = ManyDirections(
-        np.empty((points, directions, count)),
-        np.empty((points, directions, size)),
-        np.empty((points, directions)),
+        np.empty((k, q, count)),
+        np.empty((k, q, size)),
+        np.empty((k, q)),
         np.empty(shape),
-        np.empty((shape[0], directions, size, size)),
-        shifts,
+        np.empty((shape[0], q, size, size)),
+        along.shape[1],
     )
     engine.move(
-        points, count, size, directions, rates.values.shape[1], timed,
-        *_moving(cycle, numbers, rates, directions),
-        cycle.packed[3 * count :],
-        np.ascontiguousarray(dwell), np.ascontiguousarray(start), *cycle_maps(cycle, numbers),
+        k, count, size, q, rates.values.shape[1], timed,
+        *_moving(closed, numbers, rates, q), closed.packed[3 * count :],
+        np.ascontiguousarray(dwell), np.ascontiguousarray(start), *cycle_maps(closed, numbers),
         rates.values, *found[:5],
     )  # fmt: skip
-    if not maps:
-        return found
-    moved = found.maps, found.rates
     driven = mechanical_states(cycle)
-    if driven is not None:
-        moved = moved[0][..., driven, :][..., driven], moved[1][..., driven, :][..., driven]
-    if projections is not None:
-        whole = projections @ stepped(moved[0][:, None], moved[1], None)
-        moved = real_parts(whole[:, 0]), imaginary_parts(whole, None)
-    return found._replace(maps=moved[0], rates=moved[1])
+    if driven is None or not maps:
+        return found
+    own, changed = (part[..., driven, :][..., driven] for part in found[3:5])
+    if along.shape[1]:
+        projections = np.array([projection_along(each) for each in along])
+        projections = projections.reshape(k, q, size, size)[..., driven, :][..., driven]
+        whole = projections @ stepped(own[:, None], changed, None)
+        own, changed = real_parts(whole[:, 0]), imaginary_parts(whole, None)
+    return found._replace(maps=own, rates=changed)
 
 
 def _moving(
@@ -174,53 +183,19 @@ def _moving(
     their places in the maps of the phase, and in the rates of a point.
     """
     count = len(cycle)
-    sizes_of = [part[0, 0].size for part in numbers[:3]]
-    befores = np.cumsum([0, *(part[0].size for part in numbers[:3])])
-    phases, entries, which = [], [], []
-    for phase, maps in enumerate(cycle.packed[: 3 * count].reshape(3, count).T):
-        inside = 0
-        for place, size, before in zip(maps, sizes_of, befores, strict=False):
-            begin = before + place * size
-            there = np.flatnonzero((rates.entries >= begin) & (rates.entries < begin + size))
-            phases.append(np.full(len(there), phase))
-            entries.append(rates.entries[there] - begin + inside)
-            which.append(there)
-            inside += size
-    phase_of, entry_of, rate_of = map(np.concatenate, (phases, entries, which))
+    befores = accumulate((part[0].size for part in numbers[:2]), initial=0)
+    entries = [
+        before + places[:, None] * part[0, 0].size + np.arange(part[0, 0].size)
+        for places, part, before in zip(
+            cycle.packed[: 3 * count].reshape(3, count), numbers[:3], befores, strict=True
+        )
+    ]
+    same = np.concatenate(entries, axis=1)[..., None] == rates.entries
+    phase_of, entry_of, rate_of = np.nonzero(same)
     pair_of = phase_of * directions + rates.directions[rate_of]
     order = np.argsort(pair_of, kind="stable")
     starts = np.searchsorted(pair_of[order], np.arange(count * directions + 1))
     return tuple(part.astype(np.int32) for part in (starts, entry_of[order], rate_of[order]))
-
-
-def _in_python(
-    system: SystemKernels,
-    cycle: ItineraryShape,
-    points: np.ndarray,
-    dwell: np.ndarray,
-    start: np.ndarray,
-    places: Sequence[int],
-    *,
-    timed: bool,
-    maps: bool,
-) -> ManyDirections:
-    """Return derivatives of orbits by complex steps."""
-    (k, size), q = start.shape, len(places)
-    numbers = _stepped(system, points, places)
-    period = np.repeat(dwell.sum(axis=-1), q) + 0j if timed else None
-    moved = moved_cycles(cycle, numbers, dwell, start, None, period)
-    with np.errstate(all="ignore"):
-        along = section_along(moved)
-    along = along.reshape(k, q, *along.shape[1:])
-    changed = imaginary_parts(along, None)
-    return ManyDirections(
-        moved.waits.reshape(k, q, -1),
-        moved.starts.reshape(k, q, size),
-        np.trace(changed, axis1=-2, axis2=-1),
-        real_parts(along[: k if maps else 0, 0]),
-        changed[: k if maps else 0],
-        moved.directions.shape[1],
-    )
 
 
 def derivatives_of_many(

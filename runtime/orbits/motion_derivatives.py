@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterator, Sequence
-from copy import copy
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -13,7 +13,7 @@ from nonsmooth.runtime.core.arguments import checked_methods
 from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.model.structure import ContactShape, Structure
+from nonsmooth.runtime.model.structure import BoundaryShape, ContactShape, Structure
 from nonsmooth.runtime.orbits.directions import Directions, MovedCycles, relative_changes
 from nonsmooth.runtime.shooting.shooting_map import Numbers
 from nonsmooth.runtime.simulation.moved_phases import Differentiated, MovedPhases
@@ -91,18 +91,9 @@ class OrbitMotionDerivatives:
     Affine functions of the state are arrays (q, configurations, N + 1), with steps.
     """
 
-    def __init__(self, orbit: Orbit, by: Sequence[str], directions: Directions) -> None:
+    def __init__(self, orbit: Orbit, directions: Directions) -> None:
         assert directions.cycles is not None
-        self.orbit, self.by, self.cycles = orbit, tuple(by), directions.cycles
-
-    def turned(self, by: Sequence[str], shares: np.ndarray) -> OrbitMotionDerivatives:
-        """Return the orbit as it moves with numbers of which the present ones move by shares.
-
-        The shares (q, r) are the rates of the q present numbers by the r others.
-        """
-        found = copy(self)
-        found.by, found.cycles = tuple(by), self.cycles.turned(shares)
-        return found
+        self.orbit, self.cycles = orbit, directions.cycles
 
     @property
     def structure(self) -> Structure:
@@ -261,7 +252,7 @@ class OrbitMotionDerivatives:
             raise InputError("dissipation has derivatives in double precision only")
         every = self.structure.contacts
         places = range(len(every)) if name is None else [self._contact(name)]
-        total = np.zeros(len(self.by), dtype=complex)
+        total = np.zeros(len(self.numbers.rows), dtype=complex)
         if any(
             c in every[place].forces for place in places for c in self.cycles.cycle.configurations
         ):
@@ -284,53 +275,41 @@ class OrbitMotionDerivatives:
         maximum inside, if there is one: a grazing to come. The speed at the end is among
         `transversalities`.
         """
-        places, since, rows, names = [], [], [], []
-        for phase, boundary, time in self._nearest():
-            shape = self.structure.boundaries[self.cycles.cycle.configurations[phase]][boundary]
-            places.append(phase)
-            since.append(time)
-            rows.append(shape.row)
-            names.append(shape.name)
-        found = self.moved.differentiated(
-            self.numbers.rows[:, np.array(rows, dtype=int)],
-            np.array(places, dtype=int),
-            np.array(since),
-        )
+        near = list(self._nearest())
+        places = np.array([phase for phase, _, _ in near], dtype=int)
+        rows = np.array([shape.row for _, shape, _ in near], dtype=int)
+        since = np.array([time for _, _, time in near])
+        found = self.moved.differentiated(self.numbers.rows[:, rows], places, since)
+        names = [configuration for configuration, _ in self.cycles.cycle.itinerary]
         return tuple(
-            BoundaryMargin(
-                phase, self.cycles.cycle.itinerary[phase][0], name, -t.value, -t.rates, t.time
-            )
-            for phase, name, t in zip(places, names, map(self._told, found), strict=True)
+            BoundaryMargin(phase, names[phase], shape.name, -t.value, -t.rates, t.time)
+            for (phase, shape, _), t in zip(near, map(self._told, found), strict=True)
         )
 
-    def _nearest(self) -> Iterator[tuple[int, int, float]]:
-        """Yield phases, places of boundaries, and times when a phase is nearest to one of them.
+    def _nearest(self) -> Iterator[tuple[int, BoundaryShape, float]]:
+        """Yield phases, boundaries, and times since the start when a phase is nearest to one.
 
         They are inside if the boundary is touched at an end.
         """
         phases, system = self.moved.searched, self.moved.system
         rows = boundary_rows(system)
-        inside: dict[tuple[int, int], tuple[float, float]] = {}
+        inside = defaultdict(list)
         for found in local_maxima(system, phases, rows):
             duration = phases.durations[found.phase]
             if _INSIDE * duration < found.since < (1 - _INSIDE) * duration:
-                key, seen = (found.phase, found.function), (found.value, found.since)
-                inside[key] = max(seen, inside.get(key, seen))
+                inside[found.phase, found.function].append((found.value, found.since))
         for phase, configuration in enumerate(self.cycles.cycle.configurations):
-            reach = np.maximum(abs(phases.starts[phase]), abs(phases.ends[phase]))
-            for place in range(len(self.structure.boundaries[configuration])):
-                row, best = rows[configuration, place], inside.get((phase, place))
+            ends = np.stack([phases.starts[phase], phases.ends[phase]])
+            for place, shape in enumerate(self.structure.boundaries[configuration]):
+                row, maxima = rows[configuration, place], inside[phase, place]
                 if place not in self.cycles.cycle.transitions[phase].boundaries:
-                    ends = (
-                        (phases.starts[phase], 0.0),
-                        (phases.ends[phase], phases.durations[phase]),
-                    )
-                    every = [(float(row[:-1] @ y + row[-1]), float(t)) for y, t in ends]
-                    top = max(every if best is None else [best, *every])
-                    if abs(top[0]) > _TOUCH * (abs(row) @ np.append(reach, 1)):
-                        best = top
-                if best is not None:
-                    yield phase, place, best[1]
+                    values = (ends @ row[:-1] + row[-1]).tolist()
+                    times = (0.0, float(phases.durations[phase]))
+                    every = [*maxima, *zip(values, times, strict=True)]
+                    size = abs(row) @ np.append(abs(ends).max(axis=0), 1)
+                    maxima = every if abs(max(every)[0]) > _TOUCH * size else maxima
+                if maxima:
+                    yield phase, shape, max(maxima)[1]
 
     def margin(self) -> Differentiated:
         """Return the least of all margins; `InputError` where no boundary could be reached."""

@@ -43,6 +43,7 @@ from nonsmooth.runtime.shooting.section_map import assess, saltations
 from nonsmooth.runtime.shooting.shooting_map import (
     ItineraryShape,
     Numbers,
+    Shooting,
     itinerary_shape,
     numbers_in,
     shoot,
@@ -54,7 +55,6 @@ from nonsmooth.runtime.shooting.translations import (
     translations_of,
     up_to_shift,
 )
-from nonsmooth.runtime.shooting.variational import Shooting
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -341,14 +341,11 @@ class Evaluation:
 
         `InputError` says why where there is no derivative.
         """
-        return table_directions(self, by)
+        return table_directions(self, by, dict(zip(by, np.eye(len(by), dtype=int), strict=True)))
 
-    def along(self, found: OrbitDerivatives) -> tuple[OrbitMotionDerivatives, np.ndarray | None]:
-        """Return the orbit by tables as it moves with parameters, and their rates (parameters, q).
-
-        The rates are by what was given; None stands for the unit matrix.
-        """
-        return OrbitMotionDerivatives(self.orbit, found.by, found.directions), None
+    def along(self, found: OrbitDerivatives) -> OrbitMotionDerivatives:
+        """Return the orbit by tables as it moves with what its derivatives are by."""
+        return OrbitMotionDerivatives(self.orbit, found.directions)
 
     @property
     def moved(self) -> np.ndarray:

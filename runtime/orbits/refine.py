@@ -21,11 +21,10 @@ from nonsmooth.runtime.model.piecewise import piecewise_in
 from nonsmooth.runtime.orbits.orbit import GUARD, Orbit, check_converged, kernel_arguments
 from nonsmooth.runtime.shooting.closure_conditions import closing, closure_equations
 from nonsmooth.runtime.shooting.newton import MARGIN, climb, lost, precisions
-from nonsmooth.runtime.shooting.shooting_map import numbers_in, shoot
+from nonsmooth.runtime.shooting.shooting_map import Shooting, numbers_in, shoot
 from nonsmooth.runtime.shooting.symmetry import part_of, symmetry_of, whole_orbit
 from nonsmooth.runtime.shooting.table_newton import sizes
 from nonsmooth.runtime.shooting.translations import up_to_shift
-from nonsmooth.runtime.shooting.variational import Shooting
 
 __all__ = [
     "ARITHMETICS",

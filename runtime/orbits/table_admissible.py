@@ -38,13 +38,13 @@ from nonsmooth.runtime.orbits.admissible import (
 from nonsmooth.runtime.shooting.shooting_map import (
     ItineraryShape,
     Numbers,
+    Shooting,
     finite_at,
     flow_at,
     numbers_in,
     shoot,
 )
 from nonsmooth.runtime.shooting.translations import projection_along, translations_of
-from nonsmooth.runtime.shooting.variational import Shooting
 from nonsmooth.runtime.simulation.engines import run_motions
 
 __all__ = ["CHUNK", "assess_cycle", "first_limits", "limits_at"]

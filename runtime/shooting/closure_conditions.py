@@ -13,9 +13,8 @@ from nonsmooth.runtime.core.arithmetic import FLOATS
 from nonsmooth.runtime.core.complex_steps import real_parts
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import Structure
-from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, Shooting
 from nonsmooth.runtime.shooting.translations import directions_of, projection_along
-from nonsmooth.runtime.shooting.variational import Shooting
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.shooting.symmetry import Symmetry

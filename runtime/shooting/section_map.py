@@ -20,10 +20,16 @@ from nonsmooth.runtime.shooting.multipliers import (
     stability_of,
 )
 from nonsmooth.runtime.shooting.newton import LEAST
-from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, phases_in
+from nonsmooth.runtime.shooting.shooting_map import (
+    ItineraryShape,
+    Numbers,
+    Phase,
+    Shooting,
+    applied,
+    phases_in,
+)
 from nonsmooth.runtime.shooting.table_newton import sizes
 from nonsmooth.runtime.shooting.translations import projection_along
-from nonsmooth.runtime.shooting.variational import ARRAYS, Shooting, section_map
 
 __all__ = [
     "assess",
@@ -32,10 +38,27 @@ __all__ = [
     "reciprocal",
     "saltations",
     "section_dimension",
+    "section_map",
     "smallest_section",
     "stroboscopic_maps",
     "timed_maps",
 ]
+
+
+def section_map(phase: Phase, flow: Any, velocity: Any, behind: Any = None) -> Any:
+    """Derivative (..., N, N) of the state behind a phase's reset by that at its start.
+
+    With the flow's matrix Phi, the reset's R, the gradient n of the boundary, and the
+    velocities f- in front and f+ behind it is R (Phi - f- n Phi / n f-) between sections, and
+    R Phi + (f+ - R f-) n Phi / n f- at fixed times: the saltation matrix times Phi (M. Aizerman
+    and F. Gantmakher, 1958). `velocity` is f-, and `behind` is f+; without it the map is that
+    between sections.
+    """
+    linear, normal, reset = (part[..., :-1] for part in (flow, phase.row, phase.reset))
+    later = normal @ linear / (normal @ velocity)
+    if behind is None:
+        return reset @ (linear - velocity * later)
+    return reset @ linear + (behind - reset @ velocity) * later
 
 
 def local_maps(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> list[Any]:
@@ -44,7 +67,7 @@ def local_maps(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> list[A
     Both are on sections, where phases start; `now` is of the orbit as it closes.
     """
     parts = zip(phases_in(cycle, numbers), now.flows, now.velocities[..., None], strict=True)
-    return [section_map(ARRAYS, *part) for part in parts]
+    return [section_map(*part) for part in parts]
 
 
 def saltations(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> Any:
@@ -65,9 +88,9 @@ def _timed(
     """Derivatives, at fixed times, of states behind transitions by those before the flows."""
     phases = phases_in(cycle, numbers)
     fields = [phase.field for phase in (*phases[1:], phases[0])]
-    behind = map(ARRAYS.apply, fields, now.starts[1:, ..., None])
+    behind = map(applied, fields, now.starts[1:, ..., None])
     parts = zip(phases, flows, now.velocities[..., None], behind, strict=True)
-    return [section_map(ARRAYS, *part) for part in parts]
+    return [section_map(*part) for part in parts]
 
 
 def mechanical_states(cycle: ItineraryShape) -> list[int] | None:
@@ -209,7 +232,8 @@ def assess(
     precise = maps[0].dtype == object
     trace = sum((matrix[k, k] for k in range(rank)), lib.zero if precise else 0.0)
     pair = family and reciprocal(matrix, rank, lib)
-    multiplied = _errors(parts, matrix, _slowness(cycle, numbers, now), error)
+    slowness = _slowness(cycle, numbers, now)
+    multiplied = _errors(parts, matrix, slowness, error)
     return stability_of(
         trace if precise else float(trace),
         rank,
@@ -220,7 +244,7 @@ def assess(
         area=not (family or len(translations)) and dimension == 2 and _keeps_area(cycle, numbers),
         errors=multiplied,
         defective=multiplied[1] if precise else math.sqrt(LEAST),
-        grazes=_grazes(cycle, numbers, now, error),
+        grazes=bool(slowness * error >= 1),
         lib=lib,
         shifts=len(translations),
     )
@@ -256,7 +280,11 @@ def _errors(maps: Sequence[Any], matrix: Any, slowness: float, error: Any) -> tu
 
 
 def _slowness(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> float:
-    """Largest ratio of the sum of absolute terms of a boundary's speed to the speed itself."""
+    """Largest ratio of the sum of absolute terms of a boundary's speed to the speed itself.
+
+    The error of the speed is that of the orbit times this ratio: beyond the speed itself the
+    boundary may be reached tangentially, and the map has no derivative.
+    """
     size = now.starts.shape[-1]
     terms = [
         (float(sum(abs(numbers.rows[row, :size] * field))), abs(float(speed)))
@@ -294,13 +322,3 @@ def reciprocal(matrix: Any, rank: int, lib: Any) -> bool:
     values = matrix.tolist()
     determinant = lib.det(lib.matrix(values)) if matrix.dtype == object else np.linalg.det(matrix)
     return bool(abs(determinant - 1) < math.sqrt(LEAST))
-
-
-def _grazes(cycle: ItineraryShape, numbers: Numbers, now: Shooting, error: Any) -> bool:
-    """Whether a boundary may be reached tangentially, so that the map has no derivative."""
-    size = now.starts.shape[-1]
-    for place, row in enumerate(cycle.rows):
-        terms = sum(abs(numbers.rows[row, :size] * now.velocities[place]))
-        if abs(now.speeds[place]) <= error * terms:
-            return True
-    return False

@@ -4,7 +4,7 @@ An itinerary is a cyclic sequence of phases. Given the start and the dwell times
 map gives each phase's end, what closure and the switching conditions miss, and the derivatives
 of all that, in which the change of each dwell time is eliminated: its switching condition,
 linearised, makes it an affine function of the change of the start. Arrays may have leading
-axes, one point each.
+axes, one point each, and hold floats, complex or mpmath numbers.
 
 Its derivatives by dwell times, start and a parameter ask for no modes: flows are exponentials of
 the fields, by the compiled engine where it is built. The same on NumPy serves elsewhere, with a
@@ -34,22 +34,19 @@ from nonsmooth.runtime.model.factored_flows import (
     flows_size,
 )
 from nonsmooth.runtime.model.flows import exponential
-from nonsmooth.runtime.model.kernels import compiled_engine
+from nonsmooth.runtime.model.kernels import SystemKernels, compiled_engine
 from nonsmooth.runtime.model.modes.natural_units import balanced
-from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear, tables_at
 from nonsmooth.runtime.model.structure import FORCING_PHASE, Structure, TransitionShape
 from nonsmooth.runtime.model.time_functions import functions_at
-from nonsmooth.runtime.shooting.variational import (
-    ARRAYS,
-    Phase,
-    Shooting,
-    shooting_map,
-)
 
 __all__ = [
     "ItineraryShape",
     "Numbers",
+    "Phase",
+    "Shooting",
     "ShootingDerivatives",
+    "applied",
     "cycle_maps",
     "dependent",
     "finite_at",
@@ -60,10 +57,13 @@ __all__ = [
     "itinerary_shape",
     "numbers_in",
     "phases_in",
+    "relative_rates",
     "shoot",
     "shoot_along",
     "shoot_many",
     "shooting_derivatives",
+    "shooting_map",
+    "stepped_tables",
 ]
 
 
@@ -219,6 +219,58 @@ class Numbers(NamedTuple):
         return Numbers(*map(function, *(numbers[:3] for numbers in (self, *others))))
 
 
+def relative_rates(
+    numbers: Sequence[np.ndarray], changes: Sequence[np.ndarray], sizes: np.ndarray
+) -> np.ndarray:
+    """Largest relative change (q,) of functions of a state, such as boundaries, by q parameters.
+
+    So a parameter that is zero has a size too: the one that changes a function by that
+    function's size. `numbers` are functions (..., N + 1), such as fields and rows, `changes` their
+    derivatives (q, ..., N + 1), and `sizes` (N,) those of the states.
+    """
+    state = np.append(sizes, 1.0)
+    found = []
+    for number, change in zip(numbers, changes, strict=True):
+        size = (np.abs(number) @ state).ravel()
+        moved = (np.abs(change) @ state).reshape(len(change), -1)
+        found.append(moved[:, size > 0] / size[size > 0])
+    return np.asarray(np.concatenate(found, axis=1).max(axis=1, initial=0.0))
+
+
+def stepped_tables(
+    kernels: SystemKernels, points: np.ndarray, steps: np.ndarray, lib: Mpmath | None
+) -> Numbers:
+    """Fields, rows and resets (k q, ...) at points (k, p), each with q steps (q, p).
+
+    Points are in the system's order. `lib` is None in double precision; an `Mpmath` works with
+    twice the digits that derivatives need.
+
+    Examples
+    --------
+    >>> from nonsmooth.runtime.model.kernels import load_system
+    >>> kernels = load_system("rigid-stop")  # parameters m1, m2, k1, k2, r
+    >>> point = np.array([[1.0, 2.0, 1.0, 5.0, 0.5]])
+    >>> resets = stepped_tables(kernels, point, np.eye(5)[[4]], None).resets
+    >>> float(imaginary_parts(resets, None).min())  # by the restitution: v1 = -r v1 in front
+    -1.0
+    """
+    every = stepped(points[:, None], steps, lib).reshape(len(points) * len(steps), len(points.T))
+    if lib is None:
+        return Numbers(*tables_at(kernels, every))
+    parts: list[list[Any]] = [[], [], []]
+    size = len(kernels.table["states"])
+    for row in every:
+        for part, kernel in zip(parts, ("fields", "rows", "resets"), strict=True):
+            found = kernels.source(kernel)(row.tolist(), lib=lib)
+            part.append([[lib.mp.convert(x) for x in line] for line in found])
+    shapes = [(-1, size, size + 1), (-1, size + 1), (-1, size, size + 1)]
+    fields, rows, resets = (
+        np.array(part, dtype=object).reshape(len(every), *shape)
+        for part, shape in zip(parts, shapes, strict=True)
+    )
+    return Numbers(fields, rows, resets)
+
+
 def finite_at(cycle: ItineraryShape, flat: np.ndarray) -> np.ndarray:
     """Bools (n,): whether all numbers that a cycle needs are finite.
 
@@ -286,6 +338,79 @@ def flow_at(structure: Structure, numbers: Numbers, configuration: int, time: An
     )
 
 
+class Phase(NamedTuple):
+    """Affine maps of one phase."""
+
+    field: Any  # (..., N, N + 1), the rate of the state
+    row: Any  # (..., 1, N + 1), the boundary function that is zero where the phase ends
+    reset: Any  # (..., N, N + 1), the state behind the boundary
+
+
+class Shooting(NamedTuple):
+    """The shooting map of p phases at a start, and its derivatives by n unknowns.
+
+    `shooting_map` gives sequences of columns, `shoot` arrays of the shapes below. Dwell times are
+    unknowns or follow the start.
+    """
+
+    flows: Any  # (p, ..., N, N + 1)
+    starts: Any  # (p + 1, ..., N), state at each phase's start; last the state after the chain
+    ends: Any  # (p, ..., N), state at each phase's end
+    velocities: Any  # (p, ..., N), velocity at each phase's end
+    residual: Any  # (p, ...), boundary function at each phase's end
+    speeds: Any  # (p, ...), rate of the boundary function; empty if dwell times are unknowns
+    # (p, ..., n), derivative of each dwell time by the unknowns; if dwell times follow, by the
+    # start, and last their change at a fixed start
+    rates: Any
+    slopes: Any  # (p, ..., n), derivative of the boundary functions; empty if dwell times follow
+    variational: Any  # (..., N, n), derivative of the state after the chain
+
+
+def applied(affine: Any, state: Any) -> Any:
+    """Value (..., m, 1) of an affine map at a state (..., N, 1)."""
+    return affine[..., :-1] @ state + affine[..., -1:]
+
+
+def shooting_map(
+    phases: Sequence[Phase],
+    flows: Iterable[Any],
+    start: Any,
+    changes: Any,
+    rates: Sequence[Any] | None = None,
+) -> Shooting:
+    """Carry a start, and its changes by each unknown, through a chain of phases.
+
+    Behind a flow a change of the dwell time moves the state by its velocity. `flows` are those of
+    the phases over their dwell times; `start` is a column in the system's units, and `changes` has
+    one column for each unknown. `rates` has a row for each phase, the change of its dwell time by
+    each unknown. Without them a dwell time changes such that its linearised switching condition is
+    solved; the last unknown then stands for the 1 that multiplies constants.
+    """
+    state, starts = start, [start]
+    found: list[tuple[Any, ...]] = []
+    slopes, speeds = [], []
+    for place, (phase, flow) in enumerate(zip(phases, flows, strict=True)):
+        end, moved = applied(flow, state), flow[..., :-1] @ changes
+        velocity, value = applied(phase.field, end), applied(phase.row, end)
+        normal = phase.row[..., :-1]
+        if rates is None:
+            speeds.append(normal @ velocity)
+            missed = normal @ moved
+            missed[..., -1:] += value
+            rate = -missed / speeds[-1]
+        else:
+            rate = rates[place]
+        moved = moved + velocity * rate
+        if rates is not None:
+            slopes.append(normal @ moved)
+        found.append((flow, end, velocity, value, rate))
+        state, changes = applied(phase.reset, end), phase.reset[..., :-1] @ moved
+        starts.append(state)
+    parts = [list(part) for part in zip(*found, strict=True)]
+    passed, ends, velocities, residual, taken = parts
+    return Shooting(passed, starts, ends, velocities, residual, speeds, taken, slopes, changes)
+
+
 def phases_in(cycle: ItineraryShape, numbers: Numbers) -> list[Phase]:
     """Fields, rows and resets of each phase of a cycle, as arrays."""
     return [
@@ -326,7 +451,7 @@ def shoot_along(
     unit = np.eye(size, size + 1, dtype=object if start.dtype == object else float)
     changes = np.broadcast_to(unit, (*start.shape[:-1], size, size + 1))
     phases = phases_in(cycle, numbers)
-    found = shooting_map(ARRAYS, phases, flows, start[..., None], changes)
+    found = shooting_map(phases, flows, start[..., None], changes)
     return Shooting(
         np.array(found.flows),
         np.array(found.starts)[..., 0],
@@ -456,7 +581,6 @@ def _in_python(
     unit = np.broadcast_to(np.eye(count + size), (points, count + size, count + size))
     with np.errstate(all="ignore"):
         found = shooting_map(
-            ARRAYS,
             phases_in(cycle, numbers),
             np.moveaxis(flows, 1, 0),
             start[..., None],

@@ -37,6 +37,7 @@ from nonsmooth.runtime.shooting.newton import (
 from nonsmooth.runtime.shooting.shooting_map import (
     ItineraryShape,
     Numbers,
+    Shooting,
     flows_along,
     numbers_in,
     shoot,
@@ -44,7 +45,6 @@ from nonsmooth.runtime.shooting.shooting_map import (
     shoot_many,
 )
 from nonsmooth.runtime.shooting.translations import up_to_shift
-from nonsmooth.runtime.shooting.variational import Shooting
 
 __all__ = [
     "TableSolution",

@@ -27,7 +27,6 @@ from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.shooting.shooting_map import Numbers
 from nonsmooth.runtime.simulation.motion_linearisation import (
     MotionChanges,
-    MotionLinearisation,
     input_names,
 )
 from nonsmooth.runtime.simulation.moved_phases import MovedPhases
@@ -35,7 +34,6 @@ from nonsmooth.runtime.simulation.observables import observe, observed_rows, tol
 from nonsmooth.runtime.simulation.one_sided import (
     CUT,
     DirectedMotion,
-    check_sides,
     check_times,
     directed_motions,
     gathered,
@@ -92,13 +90,8 @@ class MotionDerivatives:
     parts: tuple[DirectedMotion, ...]
 
     @cached_property
-    def _linearisations(self) -> tuple[MotionLinearisation, ...]:
-        """The linearisation of each part, which the forward and the reverse pass share."""
-        return tuple(part.linearised(self.times) for part in self.parts)
-
-    @cached_property
     def _forward(self) -> MotionChanges:
-        return gathered(self.parts, self._linearisations, len(self.by))
+        return gathered(self.parts, len(self.by))
 
     @property
     def states(self) -> np.ndarray:
@@ -181,13 +174,8 @@ class MotionDerivatives:
         factors = real_array("direction", direction)
         if factors.shape != (len(self.by),):
             raise InputError(f"the direction has not {len(self.by)} entries: {', '.join(self.by)}")
-        plain = self.parts[0].trajectory is self.trajectory and len(self.parts) == 1
-        if plain:
-            every = self._linearisations[0].along(factors[:, None])
-        elif self.one_sided is None:
-            every = MotionChanges(*(part @ factors[:, None] for part in self._forward))
-        else:
-            every = _directional(self, factors)
+        along = self.by, factors[:, None], self.times, self.one_sided
+        every = gathered(directed_motions(self.trajectory, *along), 1)
         return {name: getattr(every, name)[..., 0] for name in MotionChanges._fields[:4]}
 
     def vjp(
@@ -229,29 +217,24 @@ class MotionDerivatives:
                 raise InputError(f"factors of {name} have the shape {found.shape}, not {shape}")
             factors.append(found)
         gradient = np.empty(len(self.by))
-        for part, linear in zip(self.parts, self._linearisations, strict=True):
-            gradient[part.columns] = linear.gradient(*scattered(part, *factors))
+        for part in self.parts:
+            gradient[part.columns] = part.gradient(*scattered(part, *factors))
         return gradient
 
     @cached_property
     def numbers(self) -> Numbers:
         """Fields, rows and resets (q, ...) of the system, each with a step of one number."""
-        first, *others = (linear.moves[0] for linear in self._linearisations)
+        first, *others = (part.moves[0] for part in self.parts)
         order = np.argsort(np.concatenate([part.columns for part in self.parts]))
         tables = first.each(lambda *parts: np.concatenate(parts)[order], *others)
         system = self.trajectory.system
         now = Numbers(system.fields, system.rows, system.resets)
         return now.each(lambda part, rates: stepped(part, rates, None), tables)
 
-    def moved_phases(self, since: float = 0.0) -> MovedPhases:
+    def moved_phases(self) -> MovedPhases:
         """Give the motion's phases as they move with the numbers.
 
         Where boundaries come apart, the times at which phases behind them begin are NaN.
-
-        Parameters
-        ----------
-        since : float
-            Where to begin; it stays.
 
         Returns
         -------
@@ -262,10 +245,9 @@ class MotionDerivatives:
         InputError
             As for `nonsmooth.observe`, or where the motion ended where it cannot go on.
         """
-        found = self._moved(self.trajectory, self._forward, self.numbers, since)
+        found = self._moved(self.trajectory, self._forward, self.numbers, 0.0)
         for part in self.parts:
-            several = (part.first != part.last)[len(part.first) + 1 - len(found.phases.begins) :]
-            found.rates[0, :, 1:][:, several] = np.nan
+            found.rates[0, :, 1:][:, part.first != part.last] = np.nan
         return found
 
     def moved_parts(self, since: float) -> Iterator[tuple[np.ndarray, str | None, MovedPhases]]:
@@ -274,7 +256,7 @@ class MotionDerivatives:
         The side is None where no boundaries come apart. An `InputError` is raised where they do
         and their times have other derivatives on the other side.
         """
-        for part, linear in zip(self.parts, self._linearisations, strict=True):
+        for part in self.parts:
             if part.open.any():
                 reached = self.trajectory.boundaries[1 + int(np.argmax(part.open))]
                 raise InputError(
@@ -283,7 +265,7 @@ class MotionDerivatives:
                 )
             if part.columns.size:
                 own = self.numbers.each(operator.itemgetter(part.columns))
-                moved = self._moved(part.trajectory, linear.changes, own, since)
+                moved = self._moved(part.trajectory, part.changes, own, since)
                 yield part.columns, self.one_sided if part.apart.any() else None, moved
 
     def _moved(
@@ -327,7 +309,7 @@ class MotionDerivatives:
         along the motion; the flows and transitions carry the errors on. Their largest size,
         times what the slowest speed at which a boundary is reached makes of it.
         """
-        return max(linear.condition() for linear in self._linearisations)
+        return max(part.condition() for part in self.parts)
 
 
 def motion_derivatives(
@@ -354,12 +336,10 @@ def motion_derivatives(
     if not ((array >= 0) & (array <= trajectory.end)).all():
         raise InputError(f"a time is not between 0 and the end of the motion, {trajectory.end!r}")
     check_times(trajectory, array, one_sided)
-    parts = directed_motions(trajectory, chosen, np.eye(len(chosen)), one_sided)
+    parts = directed_motions(trajectory, chosen, np.eye(len(chosen)), array, one_sided)
     for part in parts:
-        check_sides(part, array, one_sided)
-    found = MotionDerivatives(trajectory, chosen, array, one_sided, parts)
-    found._linearisations  # noqa: B018 - what has no derivative is refused here
-    return found
+        part.transitions  # noqa: B018 - what has no derivative is refused here
+    return MotionDerivatives(trajectory, chosen, array, one_sided, parts)
 
 
 def chosen_numbers(
@@ -368,13 +348,6 @@ def chosen_numbers(
     """Names of parameters and of states at the start; an `InputError` refuses others."""
     known = (*parameters, *start_names(states, parameters))
     return chosen_names("parameter or start", by, known)
-
-
-def _directional(found: MotionDerivatives, factors: np.ndarray) -> MotionChanges:
-    """One-sided derivatives along a direction, which are no sum of those by single numbers."""
-    (part,) = directed_motions(found.trajectory, found.by, factors[:, None], found.one_sided)
-    check_sides(part, found.times, found.one_sided)
-    return gathered((part,), (part.linearised(found.times),), 1)
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,6 +8,7 @@ F. Gantmakher, 1958). A transition without that jump of velocities is smooth.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -19,8 +20,7 @@ from nonsmooth.runtime.model.boundary_sets import members_of
 from nonsmooth.runtime.model.flows import extended
 from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
-from nonsmooth.runtime.model.table_derivatives import stepped_tables
-from nonsmooth.runtime.shooting.shooting_map import Numbers
+from nonsmooth.runtime.shooting.shooting_map import Numbers, stepped_tables
 from nonsmooth.runtime.simulation.moved_phases import PhaseFlows
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
@@ -151,37 +151,42 @@ class MotionChanges(NamedTuple):
     beginnings: np.ndarray  # (n, N, q), where phases begin, at fixed times
 
 
+@dataclass(frozen=True, eq=False)
 class MotionLinearisation:
-    """A motion's phases, transitions and tables, linearised once for all directions.
+    """A motion's phases, transitions and tables, linearised once for all directions."""
 
-    Transitions marked in `apart` follow another one with no time between, but have a time
-    of their own in the moved motion. The columns of `directions` (numbers, q) are changes of the
-    numbers `by`, along which the motion moves.
-    """
+    trajectory: Trajectory
+    by: tuple[str, ...]
+    directions: np.ndarray  # (numbers, q), changes of the numbers `by` along which it moves
+    times: np.ndarray  # (m,), held fixed, at which states are asked for
+    # (n - 1,) bool: transitions that follow another one with no time between, but have a time of
+    # their own in the moved motion
+    apart: np.ndarray
 
-    def __init__(
-        self,
-        trajectory: Trajectory,
-        times: np.ndarray,
-        apart: np.ndarray | None = None,
-        by: tuple[str, ...] = (),
-        directions: np.ndarray | None = None,
-    ) -> None:
-        self.trajectory, self.times, self.apart = trajectory, times, apart
-        self.by, self.directions = by, np.empty((0, 0)) if directions is None else directions
-        run, count = trajectory.run, len(trajectory.times)
-        self.transitions: Transitions = transitions_behind(trajectory, together=True)
-        phases = np.searchsorted(run.times, times, side="right") - 1
-        # phases up to their transitions, then those of the times
-        self.phases = np.concatenate([np.arange(count - 1), phases])
-        durations = np.concatenate([np.diff(run.times), times - run.times[phases]])
-        self.flows = PhaseFlows(
-            trajectory.system,
-            run.configurations[self.phases].astype(int),
-            durations,
-            run.states[self.phases],
-        )
-        self.matrices = self.flows.matrices
+    @cached_property
+    def transitions(self) -> Transitions:
+        """The transitions, of which the first stands for all that come at once."""
+        return transitions_behind(self.trajectory, together=True)
+
+    @cached_property
+    def phases(self) -> np.ndarray:
+        """Phases that are followed up to their transitions, then those of the times."""
+        run = self.trajectory.run
+        own = np.searchsorted(run.times, self.times, side="right") - 1
+        return np.concatenate([np.arange(len(run.times) - 1), own])
+
+    @cached_property
+    def flows(self) -> PhaseFlows:
+        """The flows along these phases."""
+        run, phases = self.trajectory.run, self.phases
+        durations = np.concatenate([run.times[1:], self.times]) - run.times[phases]
+        configurations = run.configurations[phases].astype(int)
+        return PhaseFlows(self.trajectory.system, configurations, durations, run.states[phases])
+
+    @property
+    def matrices(self) -> np.ndarray:
+        """Linear parts of the flows, each (N, N)."""
+        return self.flows.matrices
 
     @cached_property
     def moves(self) -> tuple[Numbers, np.ndarray]:
@@ -196,33 +201,11 @@ class MotionLinearisation:
             for names in input_names(self.trajectory)
         )
         point = np.array([[float(value) for value in system.parameters.values()]])
-        moved = Numbers(*stepped_tables(kernels, point, parameters.T, None))
+        moved = stepped_tables(kernels, point, parameters.T, None)
         tables = moved.each(lambda part: imaginary_parts(part, None))
         configuration, start = int(run.configurations[0]), run.states[0]
         changes = _following_changes(system, configuration, start, tables.rows)
         return tables, changes + _allowed_changes(system, configuration, start) @ starts
-
-    @cached_property
-    def changes(self) -> MotionChanges:
-        """Derivatives of the motion along the directions."""
-        return self.forward(*self.moves)
-
-    def gradient(self, *factors: np.ndarray) -> np.ndarray:
-        """Derivatives (q,) along the directions of a combination of results, as for `reverse`."""
-        tables, starts = self.moves
-        fields, rows, resets, start = self.reverse(*factors)
-        return np.asarray(
-            np.tensordot(tables.fields, fields, axes=3)
-            + np.tensordot(tables.rows, rows, axes=2)
-            + np.tensordot(tables.resets, resets, axes=3)
-            + start @ starts
-        )
-
-    def along(self, shares: np.ndarray) -> MotionChanges:
-        """Derivatives in r directions, of which those in q have the shares (q, r)."""
-        tables, starts = self.moves
-        turned = tables.each(lambda part: np.tensordot(shares.T, part, axes=1))
-        return self.forward(turned, starts @ shares)
 
     @cached_property
     def saltations(self) -> tuple[np.ndarray, np.ndarray]:
@@ -252,24 +235,24 @@ class MotionLinearisation:
             axis=1
         )
         beyond[1:] = True
-        if self.apart is not None:
-            beyond &= ~self.apart
-        return np.asarray((dwell == 0) & beyond)
+        return np.asarray((dwell == 0) & beyond & ~self.apart)
 
     @cached_property
-    def carried(self) -> np.ndarray:
-        """Matrices (n - 1, N + 1, N + 1) of the flows, which leave the last coordinate as it is.
+    def steps(self) -> np.ndarray:
+        """Derivatives (n - 1, N + 1, N + 1) of what is behind a transition by that at the last one.
 
-        That coordinate is the time of the transition before.
+        The flows leave the last coordinate, the time of the transition before, as it is.
         """
-        count, size = len(self.trajectory.times) - 1, len(self.trajectory.names)
-        found = np.zeros((count, size + 1, size + 1))
-        found[:, :size, :size], found[:, size, size] = self.matrices[:count], 1.0
+        saltations, _ = self.saltations
+        size = len(self.trajectory.names)
+        found = saltations.copy()
+        found[..., :size] = saltations[..., :size] @ self.matrices[: len(saltations)]
         return found
 
-    def forward(self, tables: Numbers, starts: np.ndarray) -> MotionChanges:
-        """Derivatives of the motion along changes of the tables and of the start (N, q)."""
-        trajectory, found = self.trajectory, self.transitions
+    @cached_property
+    def changes(self) -> MotionChanges:
+        """Derivatives of the motion along the directions."""
+        (tables, starts), trajectory, found = self.moves, self.trajectory, self.transitions
         count, (size, q) = len(trajectory.times), starts.shape
         added = self.flows.changes(tables.fields)
         saltations, late = self.saltations
@@ -280,12 +263,8 @@ class MotionLinearisation:
         # at the fixed times of the transitions, and last the changes of these
         changes = np.zeros((count, size + 1, q))
         changes[0, :size] = starts
-        steps = saltations @ self.carried if q > size else None
-        for k in range(count - 1):
-            if steps is None:
-                changes[k + 1] = saltations[k] @ (self.carried[k] @ changes[k])
-            else:
-                np.matmul(steps[k], changes[k], out=changes[k + 1])
+        for k, step in enumerate(self.steps):
+            np.matmul(step, changes[k], out=changes[k + 1])
             changes[k + 1] += offsets[k]
         beginnings, events = changes[:, :size], changes[1:, size].copy()
         ends = self.matrices[inside] @ beginnings[:-1] + added[inside]
@@ -297,14 +276,14 @@ class MotionLinearisation:
         states = self.matrices[count - 1 :] @ beginnings[own] + added[count - 1 :]
         return MotionChanges(states, events, before, after, beginnings)
 
-    def reverse(
+    def gradient(
         self, states: np.ndarray, event_times: np.ndarray, before: np.ndarray, behind: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-        """Gradients of a combination of results by fields, rows, resets and the start.
+    ) -> np.ndarray:
+        """Derivatives (q,) along the directions of a combination of results, in reverse mode.
 
-        The arguments are the factors of what `forward` gives, without the axis of directions.
+        The arguments are the factors of what `changes` has, without the axis of directions.
         """
-        trajectory, found = self.trajectory, self.transitions
+        (tables, starts), trajectory, found = self.moves, self.trajectory, self.transitions
         system, count, size = trajectory.system, *trajectory.states.shape
         saltations, late = self.saltations
         # factors of the states at fixed times, and of the times
@@ -320,14 +299,19 @@ class MotionLinearisation:
         pulled = (states[:, None] @ self.matrices[count - 1 :])[:, 0]
         np.add.at(factors[:, :size], self.phases[count - 1 :], pulled)
         for k in range(count - 2, -1, -1):
-            factors[k] += factors[k + 1] @ saltations[k] @ self.carried[k]
+            factors[k] += factors[k + 1] @ self.steps[k]
         ends = before[1:] + (factors[1:, None] @ saltations)[:, 0, :size]
         fields = self.flows.gradients(np.concatenate([ends, states]))
         rows, resets = np.zeros_like(system.rows), np.zeros_like(system.resets)
         rates = (factors[1:] * late).sum(axis=1)
         np.add.at(rows, found.rows, rates[:, None] * found.before)
         np.add.at(resets, found.resets, factors[1:, :size, None] * found.before[:, None])
-        return fields, rows, resets, factors[0, :size]
+        return np.asarray(
+            np.tensordot(tables.fields, fields, axes=3)
+            + np.tensordot(tables.rows, rows, axes=2)
+            + np.tensordot(tables.resets, resets, axes=3)
+            + factors[0, :size] @ starts
+        )
 
     def condition(self) -> float:
         """See `MotionDerivatives.condition`."""
@@ -342,8 +326,7 @@ class MotionLinearisation:
         fragile = np.ones(len(turning))
         fragile[sudden] += turning[sudden] / np.abs(found.speeds[sudden])
         size = len(sizes)
-        steps = self.saltations[0][:, :size, :size] @ self.matrices[: len(turning)]
-        steps = steps * sizes / sizes[:, None]
+        steps = self.steps[:, :size, :size] * sizes / sizes[:, None]
         errors, largest = np.eye(len(sizes)), 1.0
         for step, factor in zip(steps, fragile.tolist(), strict=True):
             errors = step @ errors @ step.T + np.eye(len(sizes))

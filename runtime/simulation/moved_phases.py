@@ -40,6 +40,7 @@ _ANGLE = 10.0  # radians in a piece
 _FEW = 4
 _CHUNK = 2_000_000  # numbers in memory at a time
 _EDGE = 1e-9  # of a phase: an extreme nearer to its end is taken at the end
+_NEWTON = 8  # steps from a place in doubles to any number of digits
 _TIED = 1e-12  # relative difference of values that are equally large
 
 
@@ -57,8 +58,6 @@ class _DenseFlows:
         starts: np.ndarray,
     ) -> None:
         flows = matrices_of(system.flows[configuration])[:, :, :-1]
-        # (n, N, N), derivatives of the end states by the start states
-        self.matrices = flow_matrices(system, configuration, durations)
         # (functions, N, N) as one matrix (N, functions N) that adds up
         self._size = flows.shape[1]
         self._flows = flows.transpose(1, 0, 2).reshape(self._size, -1)
@@ -98,7 +97,6 @@ class _FactoredFlows:
     ) -> None:
         flows = system.flows[configuration]
         assert isinstance(flows, FactoredFlows)
-        self.matrices = flow_matrices(system, configuration, durations)
         places, self._columns, rows = flows.terms()
         self._rows = rows[:, :-1]
         weights = starts @ rows[:, :-1].T + rows[:, -1]
@@ -108,7 +106,7 @@ class _FactoredFlows:
 
     def changes(self, fields: np.ndarray) -> np.ndarray:
         """See `_DenseFlows`."""
-        found = np.empty((*self.matrices.shape[:2], len(fields)))
+        found = np.empty((len(self._products), self._columns.shape[1], len(fields)))
         for place, field in enumerate(fields):
             turned = self._rows @ field[:, :-1] @ self._columns.T
             factors = np.einsum("nfg,fg->nf", self._products, turned)
@@ -162,7 +160,7 @@ class PhaseFlows:
             for low in range(0, len(here), step):
                 part = here[low : low + step]
                 flows = make(system, configuration, durations[part], starts[part])
-                self.matrices[part] = flows.matrices
+                self.matrices[part] = flow_matrices(system, configuration, durations[part])
                 self._parts.append((configuration, part, flows))
 
     def changes(self, fields: np.ndarray) -> np.ndarray:
@@ -303,17 +301,24 @@ class MovedPhases:
 
         The times of the motion move with `rates` (q, m), or stay.
         """
-        if self.lib is not None:
-            return self._at_many_digits(places, since, rates)
-        return stepped(*self._flown(places, since, rates), None)
+        if self.lib is None:
+            return stepped(*self._flown(places, since, rates), None)
+        fields = self.numbers.fields[:, self.phases.configurations[places]]
+        times = np.broadcast_to(stepped(since, rates, self.lib), fields.shape[:2])
+        flows = flows_over(fields, times, self.lib)
+        starts = stepped(
+            self.phases.starts[places], np.moveaxis(self.changes[places], 2, 0), self.lib
+        )
+        return np.asarray((flows[..., :-1] @ starts[..., None])[..., 0] + flows[..., -1])
 
     def _flown(
         self, places: np.ndarray, since: np.ndarray, rates: Any = 0
     ) -> tuple[np.ndarray, np.ndarray]:
         """States (m, N) and derivatives (q, m, N), in double precision; see `at`."""
         configurations = self.phases.configurations[places]
-        states = self._plain_states(places, since)
-        flows = PhaseFlows(self.system, configurations, since, self.phases.starts[places])
+        starts = self.phases.starts[places]
+        states = phase_states(self.system, configurations, since, starts)
+        flows = PhaseFlows(self.system, configurations, since, starts)
         changes = flows.matrices @ self.changes[places] + flows.changes(self._field_rates)
         slopes = np.moveaxis(changes, -1, 0)
         if np.ndim(rates):
@@ -321,16 +326,6 @@ class MovedPhases:
             velocities = np.einsum("mij,mj->mi", fields[..., :-1], states) + fields[..., -1]
             slopes = slopes + velocities * rates[..., None]
         return states, slopes
-
-    def _at_many_digits(self, places: np.ndarray, since: np.ndarray, rates: Any) -> np.ndarray:
-        found = []
-        every = np.broadcast_to(rates, (self.changes.shape[-1], len(places)))
-        for place, time, rate in zip(places.tolist(), since, every.T, strict=True):
-            start = stepped(self.phases.starts[place], self.changes[place].T, self.lib)
-            field = self.numbers.fields[:, self.phases.configurations[place]]
-            flow = flows_over(field, stepped(time, rate, self.lib), self.lib)
-            found.append((flow[..., :-1] @ start[..., None])[..., 0] + flow[..., -1])
-        return np.array(found).reshape(len(found), *self.changes.shape[:0:-1]).swapaxes(0, 1)
 
     def arrival(self, phase: int, row: int) -> tuple[np.ndarray, np.ndarray]:
         """Rate (q,) and its rate (q,), with steps, of a row of the tables at the end of a phase."""
@@ -347,13 +342,15 @@ class MovedPhases:
     ) -> Iterator[Differentiated]:
         """Yield affine functions at extremes of theirs in phases at places (m,), or at an end.
 
-        `rows` (q, m, N + 1) have steps. Times `since` the phases' beginnings (m,) are
-        approximate, and polished where the extreme is inside.
+        `rows` (q, m, N + 1) have steps. Times `since` the phases' beginnings (m,) are doubles.
         """
         durations = self.searched.durations[places]
         first, last = since <= _EDGE * durations, since >= (1 - _EDGE) * durations
-        times = self._polished(rows, places, np.asarray(since, dtype=float), ~first & ~last)
-        times = np.where(first, 0 * times, np.where(last, self.phases.durations[places], times))
+        times = np.where(last, self.phases.durations[places], since)
+        inside = np.flatnonzero(~first & ~last)
+        if self.lib is not None and inside.size:
+            times[inside] = self._polished(rows[:, inside], places[inside], since[inside])
+        times = np.where(first, 0 * times, times)
         begins, ends = self.rates[:, :, places]
         rates = np.where(first, begins, np.where(last, ends, 0 * begins))
         states = self.at(places, times, rates)
@@ -364,40 +361,24 @@ class MovedPhases:
         ):
             yield Differentiated(value, slope, time)
 
-    def _polished(
-        self, rows: np.ndarray, places: np.ndarray, since: np.ndarray, inside: np.ndarray
-    ) -> np.ndarray:
-        """Zeros (m,) of the functions' slopes near times, by Newton's method where `inside`."""
+    def _polished(self, rows: np.ndarray, places: np.ndarray, since: np.ndarray) -> np.ndarray:
+        """Zeros (m,) of the functions' slopes near times, to many digits by Newton's method."""
+        assert self.lib is not None
         fields = real_parts(self.numbers.fields[0])[self.phases.configurations[places]]
         slopes = (real_parts(rows[0])[:, None, :-1] @ fields)[:, 0]
         bends = (slopes[:, None, :-1] @ fields)[:, 0]
-        times = since if self.lib is None else np.frompyfunc(self.lib.mp.mpf, 1, 1)(since)
-        most = 0.1 * self.searched.durations[places]
-        for _ in range(3 if self.lib is None else 8):
-            kept = np.flatnonzero(inside)
-            if not kept.size:
-                break
-            states = self._plain_states(places[kept], times[kept])
+        times = np.frompyfunc(self.lib.mp.mpf, 1, 1)(since)
+        for _ in range(_NEWTON):
+            states = real_parts(self.at(places, times)[0])
             slope, bend = (
-                (part[kept, :-1] * states).sum(axis=-1) + part[kept, -1] for part in (slopes, bends)
+                (part[:, :-1] * states).sum(axis=-1) + part[:, -1] for part in (slopes, bends)
             )
             moving = bend != 0
             steps = np.where(moving, slope, 0) / np.where(moving, bend, 1)
             # where it is flat, or an end, the place that the search has found stays
-            moving &= abs(steps.astype(float)) <= most[kept]
-            times = times.copy()
-            times[kept[moving]] -= steps[moving]
-            inside[kept[~moving]] = False
+            moving &= abs(steps.astype(float)) <= 0.1 * self.searched.durations[places]
+            times = times - np.where(moving, steps, 0)
         return np.asarray(times)
-
-    def _plain_states(self, places: np.ndarray, since: np.ndarray) -> np.ndarray:
-        """States (m, N), without derivatives in double precision."""
-        if self.lib is not None:
-            return real_parts(self.at(places, since)[0])
-        phases = self.phases
-        return phase_states(
-            self.system, phases.configurations[places], since, phases.starts[places]
-        )
 
     def extremes(
         self, rows: np.ndarray, side: str | None = None

@@ -25,7 +25,7 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.flows import extended, flow_states
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
-from nonsmooth.runtime.model.table_derivatives import relative_rates
+from nonsmooth.runtime.shooting.shooting_map import relative_rates
 from nonsmooth.runtime.simulation.motion_linearisation import (
     MotionChanges,
     MotionLinearisation,
@@ -39,7 +39,6 @@ from nonsmooth.runtime.simulation.trajectory import Trajectory
 __all__ = [
     "CUT",
     "DirectedMotion",
-    "check_sides",
     "check_times",
     "directed_motions",
     "gathered",
@@ -47,7 +46,6 @@ __all__ = [
 ]
 
 
-_NONE = np.empty(0)
 _TOGETHER = 1e-9  # by which linearised boundary functions may differ that vanish together
 _NEAR = 1e-8  # relative: within which a sequence comes to where the motion is
 _STEPS = (1e-5, 1e-7)  # of the time to the neighbouring transitions: how far events come apart
@@ -55,24 +53,16 @@ _FRONT, _BEHIND, _MOST = 20.0, 1e3, 64  # where to look, in these steps; how man
 
 
 @dataclass(frozen=True, eq=False)
-class DirectedMotion:
-    """A motion with the transitions that the motion moved in some directions makes in turn."""
+class DirectedMotion(MotionLinearisation):
+    """A motion with an entry for each transition that it makes when moved in some directions."""
 
-    trajectory: Trajectory  # with an entry for each transition of the moved motion
-    by: tuple[str, ...]
-    directions: np.ndarray  # (numbers, k), changes of the numbers `by` that it holds for
     columns: np.ndarray  # (k,) indices of these directions among all
     settled: float  # time up to which no boundaries come apart any more
-    apart: np.ndarray  # (m - 1,) bool: later than the transition before it to first order only
     # (n - 1,) for each transition of the original motion the first that replaces it
     first: np.ndarray
     last: np.ndarray  # (n - 1,) and the last
     # (n - 1,) bool: transitions of the original motion whose times have no derivative
     open: np.ndarray
-
-    def linearised(self, times: np.ndarray = _NONE) -> MotionLinearisation:
-        """The linearisation of this motion, also at `times` (m,), which are held fixed."""
-        return MotionLinearisation(self.trajectory, times, self.apart, self.by, self.directions)
 
     def only(self, members: list[int]) -> DirectedMotion:
         """The same motion for some of its directions."""
@@ -81,43 +71,47 @@ class DirectedMotion:
 
 
 def directed_motions(
-    trajectory: Trajectory, by: tuple[str, ...], directions: np.ndarray, side: str | None
+    trajectory: Trajectory,
+    by: tuple[str, ...],
+    directions: np.ndarray,
+    times: np.ndarray,
+    side: str | None,
 ) -> tuple[DirectedMotion, ...]:
     """The motions that replace one whose coincident boundaries come apart when it is moved.
 
-    The columns of `directions` (numbers, q) are changes of the numbers `by`. The motion
-    moves along them for the side "+", against them for "-"; for None both ways have to
-    agree. The motions returned have each direction once. An `InputError` names the
-    boundaries, the time and the direction if a moved motion goes on elsewhere, or if both
-    sides differ.
+    The columns of `directions` (numbers, q) are changes of the numbers `by`, and `times` (m,) are
+    held fixed. The motion moves along the directions for the side "+", against them for "-"; for
+    None both ways have to agree. The motions returned have each direction once. An `InputError`
+    names the boundaries, the time and the direction if a moved motion goes on elsewhere, if both
+    sides differ, or if one touches a boundary without the derivatives that are asked for.
     """
     count = len(trajectory.times) - 1
     same, none = np.arange(count), np.zeros(count, dtype=bool)
     columns = np.arange(directions.shape[1])
-    todo = [DirectedMotion(trajectory, by, directions, columns, -1.0, none, same, same, none)]
+    known = trajectory, by, directions, times
+    todo = [DirectedMotion(*known, none, columns, -1.0, same, same, none)]
     done = []
     while todo:
         motion = todo.pop()
         moment = _next_moment(motion)
         if moment is None:
+            _check_sides(motion, side)
             done.append(motion)
         else:
             todo.extend(_split(motion, moment, side))
     return tuple(done)
 
 
-def gathered(
-    parts: Sequence[DirectedMotion], found: Sequence[MotionLinearisation], directions: int
-) -> MotionChanges:
-    """Derivatives of the original motion along all directions, from its linearised parts.
+def gathered(parts: Sequence[DirectedMotion], directions: int) -> MotionChanges:
+    """Derivatives of the original motion along all directions, from its parts.
 
     They are NaN where a transition of the original motion has
     no derivative, but for the beginnings of phases.
     """
     part, count = parts[0], len(parts[0].first)
     if len(parts) == 1 and len(part.apart) == count and not part.open.any():
-        return found[0].changes
-    pieces = [_kept(part, own.changes) for part, own in zip(parts, found, strict=True)]
+        return part.changes
+    pieces = [_kept(part) for part in parts]
     every = MotionChanges(*(np.empty((*piece.shape[:-1], directions)) for piece in pieces[0]))
     for part, own in zip(parts, pieces, strict=True):
         for whole, piece in zip(every, own, strict=True):
@@ -125,10 +119,10 @@ def gathered(
     return every
 
 
-def _kept(part: DirectedMotion, found: MotionChanges) -> MotionChanges:
+def _kept(part: DirectedMotion) -> MotionChanges:
     """The derivatives of a part at the original motion's transitions, NaN where it has none."""
     first, last = (np.concatenate([[0], places + 1]) for places in (part.first, part.last))
-    states, events, before, behind, beginnings = found
+    states, events, before, behind, beginnings = part.changes
     kept = MotionChanges(states, events[part.first], before[first], behind[last], beginnings[last])
     for whole, skipped in zip(kept[1:4], (0, 1, 1), strict=True):
         whole[np.flatnonzero(part.open) + skipped] = np.nan
@@ -181,9 +175,8 @@ def _next_moment(motion: DirectedMotion) -> _Meeting | None:
     several = np.flatnonzero(((run.sets & (run.sets - 1)) != 0) & (run.times > motion.settled))
     if not several.size:
         return None
-    linear = motion.linearised()
-    events, before = linear.changes.event_times, linear.changes.before
-    (tables, _), found = linear.moves, linear.transitions
+    events, before = motion.changes.event_times, motion.changes.before
+    (tables, _), found = motion.moves, motion.transitions
     for entry in several.tolist():
         source = int(run.configurations[entry - 1])
         state, velocity = extended(run.before[entry]), found.velocities[entry - 1]
@@ -343,10 +336,9 @@ class _MovedPassage:
     @cached_property
     def _rate(self) -> float:
         """Largest relative change of the system's numbers along the direction."""
-        linear = self.motion.linearised()
-        moved, _ = linear.moves
-        system, motion = linear.trajectory.system, linear.trajectory
-        ways = linear.transitions.velocities * np.diff(motion.times)[:, None]
+        moved, _ = self.motion.moves
+        system, motion = self.motion.trajectory.system, self.motion.trajectory
+        ways = self.motion.transitions.velocities * np.diff(motion.times)[:, None]
         sizes = np.abs(np.concatenate([motion.before, ways])).max(axis=0)
         (found,) = relative_rates((system.fields, system.rows), (moved.fields, moved.rows), sizes)
         return float(found)
@@ -376,19 +368,18 @@ class _MovedPassage:
         An order of transitions that is not decided to first order is refused.
         """
         try:
-            linear = way.linearised()
-            changes = linear.changes
+            found, changes = way.transitions, way.changes
         except InputError as error:
             raise self._refused(str(error)) from None
-        found, events, behind = linear.transitions, changes.event_times, changes.behind
+        events, behind = changes.event_times, changes.behind
         begin = self.moment.begin
         places = np.arange(begin - 1, begin - 1 + count)
         times = self.sign * events[places, 0]
         size = np.abs(times).max()
-        sudden = ~found.smooth[places] & ~linear.instants[places]
+        sudden = ~found.smooth[places] & ~way.instants[places]
         units = np.append(np.abs(way.trajectory.states).max(axis=0), way.trajectory.times[-1])
         units = np.where(units > 0, units, 1.0)
-        passages = linear.saltations[0][places] * units / units[:, None]
+        passages = way.saltations[0][places] * units / units[:, None]
         steep = np.abs(passages).max(axis=(1, 2)) > 1 / _NEAR
         if not (np.diff(times) >= -_NEAR * size).all() or (sudden & steep).any():
             raise self._refused("the order is open to first order")
@@ -443,21 +434,19 @@ def check_times(trajectory: Trajectory, times: np.ndarray, one_sided: str | None
         )
 
 
-def check_sides(motion: DirectedMotion, times: np.ndarray, one_sided: str | None) -> None:
+def _check_sides(motion: DirectedMotion, one_sided: str | None) -> None:
     """Raise `InputError` unless a motion has the derivatives that are asked for.
 
-    The times (m,) are held fixed. The message names what is touched, when, and by which number
-    it is passed.
+    The message names what is touched, when, and by which number it is passed.
     """
-    trajectory = motion.trajectory
+    trajectory, times = motion.trajectory, motion.times
     touches = [*_grazings(trajectory), *_beginnings(trajectory), *_coincidences(trajectory, times)]
     if not touches:
         return
     at = np.array([touch.time for touch in touches])
-    linear = motion.linearised(at)
-    (tables, _), changes = linear.moves, linear.changes
+    (tables, _), changes = motion.moves, replace(motion, times=at).changes
     sign = {None: 0.0, "+": 1.0, "-": -1.0}[one_sided]
-    smooth = linear.transitions.smooth
+    smooth = motion.transitions.smooth
     for touch, change, state in zip(touches, changes.states, trajectory(at), strict=True):
         if touch.row is None:
             rises = changes.event_times[touch.transition]

@@ -10,7 +10,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
-from tests.moved_motions import compared_with_digits
+from tests.moved_motions import compared_at_random
 
 __all__ = ["derivatives_chunk"]
 
@@ -25,7 +25,7 @@ def derivatives_chunk(seed: int, count: int) -> tuple[Counter[str], list[str]]:
     for place in range(count):
         random, name = np.random.default_rng([seed, place]), f"random-{seed}-{place}"
         try:
-            missed = compared_with_digits(random, name, TRANSITIONS)
+            missed = compared_at_random(random, name, TRANSITIONS)
         except RuntimeError as error:  # the sequence of configurations is another one in digits
             verdicts["set aside"] += 1
             told.append(f"set aside: seed [{seed}, {place}], {error}")

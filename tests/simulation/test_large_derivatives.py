@@ -12,8 +12,7 @@ from numpy.testing import assert_allclose
 import nonsmooth as ns
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, System, oscillator
 from nonsmooth.runtime.model.factored_flows import FactoredFlows
-from nonsmooth.runtime.simulation.trajectory import Trajectory
-from tests.moved_motions import MovedMotion
+from tests.moved_motions import compared_with_digits
 
 DATA = {"k": 2.0, "F": 1.0, "w": 1.1, "gap": 0.05, "r": 0.8}
 
@@ -58,27 +57,6 @@ def rubbing(count: int) -> tuple[System, dict[str, float]]:
     return system, {"V": 0.5, "mu": 0.25}
 
 
-def compared(system: System, motion: Trajectory, seed: int) -> float:
-    """Largest error of states, times and of the reverse pass, in units of the condition."""
-    rng = np.random.default_rng(seed)
-    times = np.sort(rng.uniform(0, motion.end, 2))
-    found = motion.derivatives(times=times)
-    along = dict(zip(found.by, rng.normal(size=len(found.by)).tolist(), strict=True))
-    linear = found.jvp(along)
-    # a start that its configuration holds moves as its constraints let it
-    parameters = {name: along[name] for name in motion.parameters}
-    events, states = MovedMotion(system, motion).difference(parameters, linear["before"][0], times)
-    missed = max(
-        np.abs(linear["event_times"] - events).max(),
-        np.abs(linear["states"].ravel() - states).max(),
-    )
-    factors = rng.normal(size=linear["states"].shape)
-    direction = np.array([along[name] for name in found.by])
-    pulled = found.vjp(states=factors) @ direction - (factors * linear["states"]).sum()
-    largest = max(1.0, np.abs(events).max(), np.abs(states).max())
-    return float(max(missed, abs(pulled)) / largest / found.condition)
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("count", [9, 19])  # 20 and 40 states: modes as eigenvectors
 def test_chains_agree_with_fifty_digits(count: int) -> None:
@@ -86,7 +64,7 @@ def test_chains_agree_with_fifty_digits(count: int) -> None:
     start = {name: 0.0 for name in (f"{a}{i}" for a in "xv" for i in range(1, count + 1))}
     motion = ns.simulate(system, DATA, start, transitions=6)
     assert isinstance(motion.system.flows[0], FactoredFlows)
-    assert compared(system, motion, count) < 1e-12
+    assert compared_with_digits(system, motion, np.random.default_rng(count), 2) < 1e-12
 
 
 def test_factors_and_matrices_have_the_same_derivatives() -> None:
@@ -121,4 +99,4 @@ def test_configurations_that_are_made_when_visited_have_derivatives() -> None:
     motion = ns.simulate(system, data, start, transitions=12)
     assert motion.structure.unvisited
     assert len(set(motion.configurations)) > 4
-    assert compared(system, motion, 3) < 1e-12
+    assert compared_with_digits(system, motion, np.random.default_rng(3), 2) < 1e-12
