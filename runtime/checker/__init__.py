@@ -16,9 +16,9 @@ irrational numbers, chains of matrices), sets and flows in double precision with
 rounding, grids of boxes, errors, and what gives work to processes. None of the code that finds
 or proves orbits is.
 
-Orbits at a point, undivided tiles of boxes, branches, also beyond their borders, censuses, basins,
-chaos and graphs are proved here alone: others only look for what may be proved. For the rest
-provers ask these functions, or those for a part of a file, before they state anything.
+All that is claimed is proved here alone, one motion from its start too, which has no file
+(`state_sets.one_motion`): others only look for what may be proved, and ask these functions, or
+those for a part of a file, before they state anything.
 ``python -m nonsmooth.runtime.checker FILE`` checks a file.
 """
 

@@ -18,8 +18,7 @@ from functools import partial
 from typing import Any
 
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.proof.exact_tables import Tables, rational_of
-from nonsmooth.runtime.proof.motion.exact_rows import Row
+from nonsmooth.runtime.proof.exact_tables import Row, Tables, rational_of
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, Subject
 from nonsmooth.runtime.proof.symplectic_form import SymplecticForm, symplectic_form
 from nonsmooth.runtime.shooting.translations import translations_of

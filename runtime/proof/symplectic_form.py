@@ -13,8 +13,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from nonsmooth.runtime.checker.stated.exact import Elimination, product
-from nonsmooth.runtime.proof.exact_tables import Matrix, Tables
-from nonsmooth.runtime.proof.motion.exact_rows import Row
+from nonsmooth.runtime.proof.exact_tables import Matrix, Row, Tables
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 
 __all__ = ["SymplecticForm", "symplectic_form"]

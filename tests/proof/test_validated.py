@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Callable
-from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -14,14 +13,14 @@ from flint import arb, fmpq
 
 from nonsmooth import InputError, certify
 from nonsmooth.derive.systems import dry_friction, elastic_stop, rigid_stop
+from nonsmooth.runtime.checker.state_sets.one_motion import OneMotion
+from nonsmooth.runtime.checker.state_sets.sets import TooWide
+from nonsmooth.runtime.checker.stated.exact import Elimination, Failure
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.model.structure import BoundaryShape
 from nonsmooth.runtime.proof.certificate import Stated
-from nonsmooth.runtime.proof.motion.ball_flow import AffineFlow
-from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
-from nonsmooth.runtime.proof.motion.exact_rows import Invariants
-from nonsmooth.runtime.proof.motion.first_crossing import first_crossing
+from nonsmooth.runtime.proof.exact_tables import exact_system
 from nonsmooth.runtime.proof.motion.motion_proof import Proof
+from nonsmooth.runtime.proof.sets.visited_declaration import whole_system
 from tests.counting import calls_of
 from tests.declared_motion import DeclaredMotion, mp
 
@@ -95,7 +94,7 @@ def tangent(excess: Fraction) -> list[Fraction]:
     return [1 + Fraction(3, 2) + Fraction(1, 2) + excess, Fraction(3), Fraction(1, 2), Fraction(1)]
 
 
-TANGENT = FIRST | {"ur1": "2", "ur2": "100"}
+TANGENT = FIRST | {"ur1": "2", "ur2": "10"}
 
 
 def test_an_exact_tangency_is_not_decided() -> None:
@@ -196,43 +195,19 @@ def test_a_start_on_a_boundary() -> None:
 
 
 def test_facts_stay_as_long_as_the_field_keeps_them() -> None:
-    at = enclosed_system("dry-friction", FIRST)(64)
-    velocity = [0, 0, 1, 0, fmpq(-1)]
-    position = [1, 0, 0, 0, fmpq(-2)]
-    invariants = Invariants.of([velocity, position])
+    at, exactly = exact_system("dry-friction", FIRST), Elimination()
+    velocity = (fmpq(0), fmpq(0), fmpq(1), fmpq(0), fmpq(-1))
+    position = (fmpq(1), fmpq(0), fmpq(0), fmpq(0), fmpq(-2))
+    facts = exactly.echelon([velocity, position])
     stuck, slipping = (at.structure.configuration(c) for c in ("stick-slip", "slip-slip"))
-    assert invariants.lasting(at.exact.fields[stuck]) == Invariants.of([velocity])
-    assert invariants.lasting(at.exact.fields[slipping]) == Invariants.of([])
+    assert exactly.lasting(facts, at.exact.fields[stuck]) == [velocity]
+    assert exactly.lasting(facts, at.exact.fields[slipping]) == []
     # one mode of slip-slip alone: x1 + x2/2 and its velocity keep their values
-    both = Invariants.of([[2, 1, 0, 0, fmpq(-88, 5)], [0, 0, 2, 1, fmpq(0)]])
-    commensurate = enclosed_system("dry-friction", COMMENSURATE)(64)
-    assert both.lasting(commensurate.exact.fields[slipping]) == both
+    both = exactly.echelon([[2, 1, 0, 0, fmpq(-88, 5)], [0, 0, 2, 1, fmpq(0)]])
+    commensurate = exact_system("dry-friction", COMMENSURATE)
+    assert exactly.lasting(both, commensurate.exact.fields[slipping]) == both
     # a velocity set by a reset is known whatever came before
-    assert Invariants.of([]).reset(at.exact.resets[2]) == Invariants.of([velocity])
-
-
-def test_boundaries_that_are_multiples_are_reached_together() -> None:
-    """No digits tell that x1 - 1 and 2 x1 - 2 vanish at one instant, their rows do."""
-    at = enclosed_system("rigid-stop", CHAIN | {"r": "1"})(128)
-    twice = BoundaryShape("twice", len(at.exact.rows), False)
-    rows = (*at.exact.rows, tuple(2 * x for x in at.exact.rows[0]))
-    free, contact = at.structure.boundaries
-    more = replace(
-        at,
-        structure=replace(at.structure, boundaries=((*free, twice), contact)),
-        exact=replace(at.exact, rows=rows),
-        flows=tuple(AffineFlow(field, rows, 128) for field in at.exact.fields),
-    )
-    with flint_precision(128):
-        state = [arb("0.5"), arb("0.2"), arb(1), arb(0)]
-        invariants = Invariants.of([[0, 0, 0, 1, fmpq(0)]])
-        found = first_crossing(more, 0, invariants, invariants.lasting(at.exact.fields[0]), state)
-        alone = first_crossing(at, 0, invariants, invariants.lasting(at.exact.fields[0]), state)
-    assert found is not None
-    assert alone is not None
-    assert found[1] == (0, 1)
-    assert alone[1] == (0,)
-    assert found[0].overlaps(alone[0])
+    assert exactly.left_kernel(at.exact.resets[2]) == [velocity]
 
 
 def test_the_start_is_taken_exactly() -> None:
@@ -335,3 +310,30 @@ def test_work_is_in_proportion_to_the_transitions() -> None:
 
     prove(1)
     assert calls_of(lambda: prove(40)) < 4.4 * calls_of(lambda: prove(10))
+
+
+def refused(reached: str, about: arb, configuration: str = "slip-slip") -> bool:
+    """Whether the checker refuses that a boundary is the next one, about then."""
+    start = [fmpq(5), fmpq(4), fmpq(1, 2), fmpq(1, 4)]
+    try:
+        motion = OneMotion(whole_system(exact_system("dry-friction", FIRST)), configuration, start)
+        motion.arrive(frozenset(reached.split("+")), about)
+    except (Failure, TooWide):
+        return True
+    return False
+
+
+def test_only_what_is_next_is_proved() -> None:
+    """The second mass reaches the belt; all else that is told of the phase is refused."""
+    proof = certify.motion("dry-friction", FIRST, START, "slip-slip", 1)
+    ((first,),), (_, time) = proof.sets, proof.times
+    with flint_precision(128):
+        about = time.ball.mid()
+        assert not refused(first, about)
+        assert refused("first-reaches-belt", about)
+        assert refused(f"first-reaches-belt+{first}", about)
+        assert refused("first-breaks-forward", about)  # of another configuration
+        assert all(refused(first, about * factor) for factor in (0, arb("0.3"), 3, 10))
+        assert refused(first, about, "stick-stick")  # its velocities are others
+        for later in range(1, 60):  # the first mass comes there later, or not at all
+            assert refused("first-reaches-belt", arb(later) / 10)

@@ -23,8 +23,12 @@ from nonsmooth.runtime.model.parameters import system_parameters, value_of
 from nonsmooth.runtime.model.saved_system import SavedSystem, system_in
 from nonsmooth.runtime.present.checking.named_orbits import NamedOrbit, named_in, phases_called
 from nonsmooth.runtime.proof.certificate import GUARD
-from nonsmooth.runtime.proof.exact_tables import exact_tables, irrational_texts
-from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
+from nonsmooth.runtime.proof.exact_tables import (
+    ExactSystem,
+    exact_system,
+    exact_tables,
+    irrational_texts,
+)
 from nonsmooth.runtime.proof.parametric_declaration import (
     PERIOD,
     orbit_declaration,
@@ -125,14 +129,11 @@ def _named_system(content: Content) -> SystemKernels:
     return system_in(content["system"], None if tables is None else decode(SavedSystem, tables))
 
 
-def _system_of(content: Content) -> tuple[SystemKernels, EnclosedSystem]:
-    """The system that a file of sets names, with its enclosure at the file's parameters.
-
-    The enclosure has the file's working precision.
-    """
+def _system_of(content: Content) -> tuple[SystemKernels, ExactSystem]:
+    """The system that a file of sets names, at the file's parameters."""
     kernels = _named_system(content)
     given = system_parameters(kernels, _given_values(content["parameters"]))
-    return kernels, enclosed_system(kernels, given)(content["bits"])
+    return kernels, exact_system(kernels, given)
 
 
 def _basin(content: Content) -> bool:

@@ -21,7 +21,7 @@ from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
 from nonsmooth.runtime.proof.chaos.h_sets import HSet, outline
 from nonsmooth.runtime.proof.chaos.search import Horseshoe, candidates, orbits_on
 from nonsmooth.runtime.proof.chaos.section_choice import sampled_sections
-from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
+from nonsmooth.runtime.proof.exact_tables import ExactSystem, exact_system
 from nonsmooth.runtime.proof.sets.section_record import named_way, section_entries, stated_section
 from nonsmooth.runtime.proof.sets.sections import MapSection
 from nonsmooth.runtime.proof.sets.visited_declaration import (
@@ -121,13 +121,12 @@ def certify_chaos(
     ):
         check_integer(name, number, least, most)
     kernels = kernels_of(system)
-    at = enclosed_system(kernels, parameters)
+    exact = exact_system(kernels, parameters)
     motion = simulate_one(kernels, parameters, start, configuration, transitions=1)
     with flint_precision(bits):
-        enclosed = at(bits)
-        if len(enclosed.structure.forcing) > 1:
-            raise InputError(f"{enclosed.structure.name} has several forcings: chaos needs one")
-        question = _ChaosQuestion(kernels, enclosed, iterates, parts, exponents, progress)
+        if len(exact.structure.forcing) > 1:
+            raise InputError(f"{exact.structure.name} has several forcings: chaos needs one")
+        question = _ChaosQuestion(kernels, exact, iterates, parts, exponents, bits, progress)
         left = attempts
         for section, candidate in question.candidates(motion):
             found = question.prove(section, candidate)
@@ -145,10 +144,11 @@ class _ChaosQuestion:
     """One system at one parameter point, and what was tried."""
 
     kernels: SystemKernels
-    system: EnclosedSystem
+    system: ExactSystem
     iterates: int
     parts: int
     exponents: bool
+    bits: int
     progress: Callable[[int], object]
     tried: list[str] = field(default_factory=list)
     images: int = 0
@@ -297,7 +297,7 @@ class _ChaosQuestion:
             cones=None,
             parts=0,
             tried=tuple(self.tried),
-            bits=self.system.bits,
+            bits=self.bits,
             declaration={},
         )
 
@@ -309,12 +309,12 @@ def _entries(found: ChaosCertificate) -> dict[str, Any]:
     return {**told, "h_sets": [encode(own) for own in found.h_sets]}
 
 
-def _joined(system: EnclosedSystem, source: int, boundaries: Sequence[int]) -> str:
+def _joined(system: ExactSystem, source: int, boundaries: Sequence[int]) -> str:
     shapes = system.structure.boundaries[source]
     return "+".join(sorted(shapes[b].name for b in boundaries))
 
 
-def _told(system: EnclosedSystem, section: MapSection) -> str:
+def _told(system: ExactSystem, section: MapSection) -> str:
     """A section in words."""
     names = system.structure.configurations
     here = names[section.configuration]
