@@ -13,7 +13,8 @@ from flint import ctx
 import nonsmooth as ns
 from nonsmooth.derive import Harmonic, SoftStop, oscillator
 from nonsmooth.runtime.checker import Failure, check_branch
-from nonsmooth.runtime.checker.ranges.branch import checked_tiles
+from nonsmooth.runtime.checker.ranges.branch import checked_tiles, curve_of
+from nonsmooth.runtime.checker.ranges.branch_tile import SHARP, CheckedTile
 from nonsmooth.runtime.core.taylor_models import range_of
 from tests.certified import certified_over, prove_branch, signed
 from tests.shared import shared_file
@@ -219,3 +220,23 @@ def test_a_tile_is_proved_on_parts(content: Content, preloaded: Content) -> None
             for before, after, exact in zip(whole, half, orbit, strict=True):
                 assert width(after) <= width(before.at([e]))
                 assert abs(after.at([0]) - exact) <= width(after) + 2**-40
+
+
+def test_a_map_that_is_multiplied_by_a_speed_is_the_map_times_it(preloaded: Content) -> None:
+    """Also where the equations are divided by a dwell time, and the map needs no speed."""
+    curve, seen = curve_of(preloaded), set()
+    for divided in (None, 1, 2):
+        try:
+            tile = CheckedTile(curve, {**preloaded["tiles"][0], "divided": divided})
+        except Failure:
+            continue
+        with ctx.workprec(SHARP):
+            orbit = tile.curve.orbit(tile.at_end(tile.low))
+            whole, section = orbit.section, orbit.declared.section
+            for place in range(2):
+                slow, speed = orbit.map_on(*section, slow=place), orbit.speed(place)
+                assert abs(speed) > 0
+                entries = zip(slow.entries(), whole.entries(), strict=True)
+                assert all(x.overlaps(speed * y) and x.rad() < 1e-20 for x, y in entries)
+        seen.add(divided)
+    assert len(seen) > 1

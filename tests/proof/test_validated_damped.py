@@ -13,10 +13,13 @@ from nonsmooth.derive import (
     Condition,
     Configuration,
     FirstOrder,
+    Harmonic,
     Parameter,
+    RigidStop,
     SecondOrder,
     System,
     Transition,
+    oscillator,
 )
 from tests.declared_motion import DeclaredMotion
 
@@ -93,6 +96,17 @@ def test_a_forced_impact_oscillator_agrees_with_60_digits(w: str) -> None:
     proof = certify.motion(forced(), data, start, "free", 6)
     assert proof.transitions == 6
     DeclaredMotion(forced(), data).agrees(proof, start, 1e-28)
+
+
+def test_a_forcing_that_is_left_out_of_a_start_begins_at_its_time_zero() -> None:
+    stop = RigidStop("x", "1/2", "4/5", name="stop")
+    system = oscillator(
+        "driven", ["x"], [[1]], [[1]], forcing=[Harmonic("7/10", cosine=[1])], elements=[stop]
+    )
+    left_out = certify.motion(system, {}, {"v": 0, "x": "1/4"}, "free", 3)
+    whole = certify.motion(system, {}, ["1/4", 0, 1, 0], "free", 3)
+    assert left_out.decided
+    assert [time.mid for time in left_out.times] == [time.mid for time in whole.times]
 
 
 def test_impacts_that_accumulate_are_proved_one_by_one() -> None:

@@ -101,6 +101,7 @@ def check_doubled(
     demand(doubled["side"] == found.side, f"they are not {doubled['side']} the flip")
     with ctx.workprec(_SHARP):
         demand(inside(found.rate, doubled["rate"]), "the rate is not in its enclosure")
+    demand(beyond["start"] in (0, len(others)), "the doubled branch begins amid its tiles")
     orbit = found.first_of(beyond, others[0 if beyond["start"] == 0 else -1])
     undecided = doubled["verdict"] == "undecided"
     demand(undecided == bool(doubled["reason"]), "a reason of another verdict")

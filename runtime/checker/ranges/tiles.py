@@ -68,6 +68,7 @@ def check_tiles(content: dict[str, Any]) -> None:
         checked = box.proved(tile)
         if _verdict(tile) == "undecided":
             continue
+        demand(tile["looked_at"], "a tile that was not looked at has a verdict")
         for other in beside[number]:
             if other in seen:
                 box.check_joint(checked, seen[other])

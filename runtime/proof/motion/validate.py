@@ -27,6 +27,7 @@ from nonsmooth.runtime.model.structure import Structure
 from nonsmooth.runtime.proof.exact_tables import ExactSystem, exact_system
 from nonsmooth.runtime.proof.motion.motion_proof import Enclosure, Proof, exactly
 from nonsmooth.runtime.proof.sets.visited_declaration import whole_system
+from nonsmooth.runtime.simulation.starting import forcing_start
 
 if TYPE_CHECKING:
     from flint import arb
@@ -65,7 +66,8 @@ def validate(
         All of them, rational; a float means its shortest decimal, as elsewhere.
     state : mapping by name, or sequence in the order of the system
         Positions, then velocities: decimal or rational texts, fractions, or floats, which
-        are taken exactly as they are in binary.
+        are taken exactly as they are in binary. By name, a forcing c, s that is left out starts at
+        c = 1, s = 0.
     configuration : str
     transitions : int
         How many to prove.
@@ -301,6 +303,7 @@ def _start(structure: Structure, state: Mapping[str, object] | Sequence[object])
         for name in state:
             if name not in names:
                 raise unknown_name("state", str(name), names)
+        state = {**forcing_start(structure), **state}
         missing = [name for name in names if name not in state]
         if missing:
             raise InputError(f"the state needs a value for: {', '.join(missing)}")
