@@ -22,6 +22,8 @@ those for a part of a file, before they state anything.
 ``python -m nonsmooth.runtime.checker FILE`` checks a file.
 """
 
+from collections.abc import Callable, Mapping
+
 from nonsmooth.runtime.checker.counting.census import check_census
 from nonsmooth.runtime.checker.orbits.events import check_events
 from nonsmooth.runtime.checker.orbits.points import check
@@ -35,6 +37,7 @@ from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.checker.stated.shape import Malformed
 
 __all__ = [
+    "CHECKS",
     "Failure",
     "Malformed",
     "check",
@@ -47,3 +50,15 @@ __all__ = [
     "check_graph",
     "check_tiles",
 ]
+
+CHECKS: Mapping[str, Callable[..., None]] = {  # of each kind of file, by its format
+    "nonsmooth region certificate": check_graph,
+    "nonsmooth basin certificate": check_basin,
+    "nonsmooth certified doubling": check_doubling,
+    "nonsmooth certified branch": check_branch,
+    "nonsmooth box certificate": check_tiles,
+    "nonsmooth event certificate": check_events,
+    "nonsmooth chaos certificate": check_chaos,
+    "nonsmooth census": check_census,
+    "nonsmooth certificate": check,
+}

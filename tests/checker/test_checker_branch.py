@@ -84,7 +84,7 @@ def a_fold(content: Content) -> None:
 
 def move_the_event(content: Content) -> None:
     event = with_event(content, "flip")["event"]
-    event["lower"], event["upper"] = "1.07", "1.08"
+    event["lower"], event["upper"] = "107/100", "108/100"
 
 
 def sharpen_the_event(content: Content) -> None:
@@ -93,12 +93,12 @@ def sharpen_the_event(content: Content) -> None:
 
 
 def move_the_window(content: Content) -> None:
-    with_event(content, "grazing")["event"]["window"] = ["0.1", "0.2"]
+    with_event(content, "grazing")["event"]["window"] = ["1/10", "1/5"]
 
 
 def widen_the_window(content: Content) -> None:
     """The function has its one maximum in this window too, but is convex where it begins."""
-    with_event(content, "grazing")["event"]["window"] = ["0.1", "2"]
+    with_event(content, "grazing")["event"]["window"] = ["1/10", "2"]
 
 
 def move_the_tube(content: Content) -> None:
@@ -114,11 +114,11 @@ def reverse_a_tile(content: Content) -> None:
 
 
 def shorten_a_tile(content: Content) -> None:
-    content["tiles"][0]["lower"] = "0.61"
+    content["tiles"][0]["lower"] = "61/100"
 
 
 def widen_the_interval(content: Content) -> None:
-    content["interval"] = ["0.5", "1.3"]
+    content["interval"] = ["1/2", "13/10"]
 
 
 def call_it_stable(content: Content) -> None:

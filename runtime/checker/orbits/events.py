@@ -23,13 +23,12 @@ from nonsmooth.runtime.checker.orbits.stability import (
 )
 from nonsmooth.runtime.checker.stated.exact import (
     Failure,
-    check_sum,
     demand,
     exact,
     inside,
 )
 from nonsmooth.runtime.checker.stated.parameters import number_at, stated_system
-from nonsmooth.runtime.checker.stated.shape import EVENTS, check_bits, check_shape, check_sharp
+from nonsmooth.runtime.checker.stated.shape import check_bits, check_file, check_sharp
 from nonsmooth.runtime.core.taylor_models import middle_of, space_of
 
 __all__ = ["JudgedEvent", "check_events"]
@@ -133,8 +132,7 @@ def check_events(content: dict[str, Any]) -> None:
 
     `Malformed` is raised if the file, read as JSON, has another shape.
     """
-    check_shape(content, EVENTS)
-    check_sum(content)
+    check_file(content, "nonsmooth event certificate")
     for number, event in enumerate(content["events"], 1):
         try:
             with ctx.workprec(check_bits(event) + _GUARD):

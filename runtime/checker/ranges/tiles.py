@@ -20,13 +20,12 @@ from nonsmooth.runtime.checker.stated.exact import (
     Failure,
     Verdict,
     agreed_claims,
-    check_sum,
     demand,
     exact,
     inside,
 )
 from nonsmooth.runtime.checker.stated.parameters import independent, number_at, stated_system
-from nonsmooth.runtime.checker.stated.shape import MAP, check_shape
+from nonsmooth.runtime.checker.stated.shape import check_file
 from nonsmooth.runtime.core.taylor_models import Space, TaylorModel, middle_of, range_of, space_of
 
 __all__ = ["SHARES", "CheckedBox", "MapTile", "check_tiles", "check_whole"]
@@ -51,8 +50,7 @@ def check_tiles(content: dict[str, Any]) -> None:
 
     `Malformed` is raised if the file, read as JSON, has another shape.
     """
-    check_shape(content, MAP)
-    check_sum(content)
+    check_file(content, "nonsmooth box certificate")
     tiles = content["tiles"]
     check_whole(content)
     if not content["declaration"]:
