@@ -24,8 +24,8 @@ from nonsmooth.runtime.checker.ranges.tiles import CheckedBox
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.taylor_models import space_of
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
-from nonsmooth.runtime.proof.boxes.refusals import BoxRefusals
 from nonsmooth.runtime.proof.boxes.regions import edges_of
+from nonsmooth.runtime.proof.boxes.tile import BoxRefusals
 from nonsmooth.runtime.proof.boxes.tile_places import Place
 from tests.certified import accepted, claimed, content_of, loop, place_in, signed, unhashed
 

@@ -13,8 +13,14 @@ from nonsmooth.runtime.checker.orbits.motion import admissibility
 from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.orbits.stability import judged_stability, stability
 from nonsmooth.runtime.checker.ranges.divided import Band, DividingCurve, Division
-from nonsmooth.runtime.checker.ranges.edges import SMALLEST, neighbours
-from nonsmooth.runtime.checker.ranges.folded import BEYOND, FoldedTile, Sheets, beyond_folds
+from nonsmooth.runtime.checker.ranges.folded import (
+    BEYOND,
+    SMALLEST,
+    FoldedTile,
+    Sheets,
+    beyond_folds,
+    neighbours,
+)
 from nonsmooth.runtime.checker.stated.declared import StatedSystem
 from nonsmooth.runtime.checker.stated.exact import (
     Failure,

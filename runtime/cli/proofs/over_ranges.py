@@ -196,7 +196,7 @@ def certify_doubling(
     """
     from nonsmooth.runtime.cli.display import shared
     from nonsmooth.runtime.present.files.kept import format_named
-    from nonsmooth.runtime.proof.doubling.certify_doubling import certify_doubling as prove
+    from nonsmooth.runtime.proof.branch.certify_doubling import certify_doubling as prove
 
     check_hours(f"{tiles} tiles", tiles * SECONDS["tile"], yes=yes)
     known = reply.known(format_named("nonsmooth certified doubling").load)
@@ -243,8 +243,8 @@ def certify_event(
     """Enclose what happens on a branch over one parameter: bifurcations and collisions."""
     from nonsmooth.runtime.cli.display import counted
     from nonsmooth.runtime.present.files.kept import load_events, save_result
-    from nonsmooth.runtime.proof.events.certify_event import certify_events as enclose
-    from nonsmooth.runtime.proof.events.event_certificate import events_claim
+    from nonsmooth.runtime.proof.branch.certify_event import certify_events as enclose
+    from nonsmooth.runtime.proof.branch.event_certificate import events_claim
 
     known = reply.known(load_events) or ()
     branch, (lower, upper) = _followed(orbit, parameters, guess)

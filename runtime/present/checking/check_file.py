@@ -26,19 +26,19 @@ from nonsmooth.runtime.model.kernels import SystemKernels, load_orbit, load_syst
 from nonsmooth.runtime.model.saved_system import same_system
 from nonsmooth.runtime.present.checking.compare_declarations import check_domains, compare
 from nonsmooth.runtime.present.files.kept import format_named
-from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
-from nonsmooth.runtime.proof.certificate import Certificate
-from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
-from nonsmooth.runtime.proof.counting.census import Census
-from nonsmooth.runtime.proof.doubling.certified_doubling import CertifiedDoubling
-from nonsmooth.runtime.proof.events.event_certificate import (
+from nonsmooth.runtime.proof.branch.certified_doubling import CertifiedDoubling
+from nonsmooth.runtime.proof.branch.event_certificate import (
     EventCertificate,
     EventCertificates,
     events_claim,
 )
-from nonsmooth.runtime.proof.graphs.graph_certificate import RegionCertificate
+from nonsmooth.runtime.proof.certificate import Certificate
+from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
+from nonsmooth.runtime.proof.counting.census import Census
+from nonsmooth.runtime.proof.sets.basin_certificate import BasinCertificate
+from nonsmooth.runtime.proof.sets.graph_certificate import RegionCertificate
 
 __all__ = ["Check", "check_certificate"]
 

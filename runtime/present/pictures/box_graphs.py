@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.naming import shown_name, units_of
 from nonsmooth.runtime.present.pictures.drawing import drawn_alone, finish
-from nonsmooth.runtime.proof.graphs.graph_certificate import RegionCertificate
+from nonsmooth.runtime.proof.sets.graph_certificate import RegionCertificate
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -10,7 +10,7 @@ from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.naming import shown_name, units_of
 from nonsmooth.runtime.present.pictures.drawing import drawn_alone, finish
-from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
+from nonsmooth.runtime.proof.sets.basin_certificate import BasinCertificate
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

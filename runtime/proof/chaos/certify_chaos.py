@@ -16,17 +16,16 @@ from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
 from nonsmooth.runtime.proof.chaos.cone_conditions import cone_condition
-from nonsmooth.runtime.proof.chaos.entropy import growth, logarithm_below
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
-from nonsmooth.runtime.proof.chaos.h_sets import HSet, outline
+from nonsmooth.runtime.proof.chaos.h_sets import HSet, growth, logarithm_below, outline
 from nonsmooth.runtime.proof.chaos.search import Horseshoe, candidates, orbits_on
 from nonsmooth.runtime.proof.chaos.section_choice import sampled_sections
 from nonsmooth.runtime.proof.exact_tables import ExactSystem, exact_system
+from nonsmooth.runtime.proof.refusals import REFUSED
 from nonsmooth.runtime.proof.sets.section_record import named_way, section_entries, stated_section
 from nonsmooth.runtime.proof.sets.sections import MapSection
 from nonsmooth.runtime.proof.sets.visited_declaration import (
     PassedTransition,
-    refused_as_failure,
     visited_declaration,
 )
 from nonsmooth.runtime.simulation.simulate import simulate_one
@@ -181,9 +180,8 @@ class _ChaosQuestion:
         told = f"{_told(self.system, section)}: {len(candidate.h_sets)} sets"
         told += f", {candidate.iterates} iterates"
         try:
-            with refused_as_failure():
-                return self._proved(section, candidate)
-        except Failure as failure:
+            return self._proved(section, candidate)
+        except REFUSED as failure:
             self.tried.append(f"{told}: {failure}")
             return None
 
@@ -234,9 +232,8 @@ class _ChaosQuestion:
         """
         before = self.images
         try:
-            with refused_as_failure():
-                cones = cone_condition(sets, proved.h_sets, proved.coverings, floats)
-        except Failure as failure:
+            cones = cone_condition(sets, proved.h_sets, proved.coverings, floats)
+        except REFUSED as failure:
             self.tried.append(f"no cone condition: {failure}")
             return replace(proved, tried=tuple(self.tried))
         except KeyboardInterrupt:

@@ -19,7 +19,6 @@ from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 __all__ = [
     "PassedTransition",
     "listed_declaration",
-    "refused_as_failure",
     "refused_as_input",
     "visited_declaration",
     "whole_system",
@@ -32,15 +31,6 @@ class PassedTransition(NamedTuple):
     source: int
     boundaries: tuple[int, ...]
     target: int
-
-
-@contextmanager
-def refused_as_failure() -> Iterator[None]:
-    """Raise numbers beyond what can be enclosed as a `Failure` of the checker."""
-    try:
-        yield
-    except (ArithmeticError, ValueError) as problem:
-        raise Failure(f"{type(problem).__name__}: {problem}") from None
 
 
 @contextmanager

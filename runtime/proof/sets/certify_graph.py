@@ -23,9 +23,9 @@ from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.saved_system import check_same_system
 from nonsmooth.runtime.proof.chaos.section_choice import Sampled, sampled_sections
 from nonsmooth.runtime.proof.exact_tables import ExactSystem, exact_system
-from nonsmooth.runtime.proof.graphs.box_graphs import BoxGraph
-from nonsmooth.runtime.proof.graphs.graph_certificate import RegionCertificate
 from nonsmooth.runtime.proof.kept_state import KeptState
+from nonsmooth.runtime.proof.sets.box_graphs import BoxGraph
+from nonsmooth.runtime.proof.sets.graph_certificate import RegionCertificate
 from nonsmooth.runtime.proof.sets.section_record import section_entries, stated_section
 from nonsmooth.runtime.proof.sets.visited_declaration import (
     listed_declaration,

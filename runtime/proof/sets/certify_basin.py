@@ -22,14 +22,14 @@ from nonsmooth.runtime.explore.finding.start_box import start_box
 from nonsmooth.runtime.model.kernels import known_system
 from nonsmooth.runtime.model.saved_system import check_same_system
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
-from nonsmooth.runtime.proof.basin.attracting_core import AttractingCore, attracting_core
-from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
-from nonsmooth.runtime.proof.basin.basin_section import MetSection, section_of
-from nonsmooth.runtime.proof.basin.starting_tiles import next_tiles
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
 from nonsmooth.runtime.proof.exact_tables import ExactSystem, exact_system
 from nonsmooth.runtime.proof.kept_state import KeptState
+from nonsmooth.runtime.proof.sets.attracting_core import AttractingCore, attracting_core
+from nonsmooth.runtime.proof.sets.basin_certificate import BasinCertificate
+from nonsmooth.runtime.proof.sets.basin_section import MetSection, section_of
 from nonsmooth.runtime.proof.sets.section_record import named_way, section_entries, stated_section
+from nonsmooth.runtime.proof.sets.starting_tiles import next_tiles
 from nonsmooth.runtime.proof.sets.visited_declaration import (
     listed_declaration,
     refused_as_input,
