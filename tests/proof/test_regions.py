@@ -238,7 +238,7 @@ CHANGES: dict[str, tuple[str, Callable[[dict[str, Any]], object], str]] = {
     "negative width": ("grazing", lambda e: e.update(radius=-1e-3), "without width"),
     "too wide": ("flip", lambda e: e.update(radius=1e-3), "too wide"),
     "wide enough for a curve that is moved": ("flip", wide, "too wide"),
-    "without bounds": ("flip", lambda e: e.update(radius=float("inf")), "without bounds"),
+    "without bounds": ("flip", lambda e: e.update(radius=float("inf")), "wrong type"),
     "another kind": ("flip", lambda e: e.update(kind="neimark-sacker"), "happen twice|beside the"),
     "a fold": ("flip", lambda e: e.update(kind="fold"), "fold"),
     "another boundary": ("grazing", lambda e: e.update(boundary="falls"), "event|boundary"),
