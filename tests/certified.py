@@ -36,11 +36,11 @@ from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.check_file import Check
-from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
-from nonsmooth.runtime.proof.doubling.certified_doubling import CertifiedDoubling
-from nonsmooth.runtime.proof.graphs.graph_certificate import RegionCertificate
+from nonsmooth.runtime.proof.branch.certified_doubling import CertifiedDoubling
+from nonsmooth.runtime.proof.sets.basin_certificate import BasinCertificate
+from nonsmooth.runtime.proof.sets.graph_certificate import RegionCertificate
 
 __all__ = [
     "FORCED",

@@ -14,7 +14,7 @@ from nonsmooth.runtime.checker.state_sets.many_sets import ManyMotions
 from nonsmooth.runtime.checker.state_sets.switching import StatedSection
 from nonsmooth.runtime.core.float_sets import ManySets
 from nonsmooth.runtime.model.kernels import load_system
-from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
+from nonsmooth.runtime.proof.exact_tables import exact_system
 from nonsmooth.runtime.proof.sets.sections import transition_section
 from nonsmooth.runtime.proof.sets.visited_declaration import listed_declaration
 
@@ -51,7 +51,7 @@ def section_of(system: Any) -> Any:
 def declared_system(name: str = "dry-friction", data: Any = None) -> Any:
     """The declaration of a system with all of its transitions, as a file states it."""
     kernels = load_system(name)
-    return listed_declaration(kernels, enclosed_system(kernels, data or DATA)(64))
+    return listed_declaration(kernels, exact_system(kernels, data or DATA))
 
 
 def motions_of(declared: Any, most: int = 400, widest: float = 0.25) -> ManyMotions:

@@ -14,7 +14,7 @@ from nonsmooth.runtime.proof.chaos.certify_chaos import _ChaosQuestion
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
 from nonsmooth.runtime.proof.chaos.h_sets import HSet
 from nonsmooth.runtime.proof.chaos.search import Horseshoe
-from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
+from nonsmooth.runtime.proof.exact_tables import exact_system
 from nonsmooth.runtime.proof.sets.sections import forcing_section, transition_section
 
 INVERTED = Path(__file__).with_name("inverted_oscillator.py")
@@ -79,10 +79,10 @@ def proved(
 ) -> ChaosCertificate:
     """What is proved of given sets."""
     with flint_precision(80):
-        enclosed = enclosed_system(kernels, data)(80)
+        exact = exact_system(kernels, data)
         question = _ChaosQuestion(
-            kernels, enclosed, guess.iterates, 3000, exponents, lambda done: None
+            kernels, exact, guess.iterates, 3000, exponents, 80, lambda done: None
         )
-        found = question.prove(section(enclosed), guess)
+        found = question.prove(section(exact), guess)
     assert found is not None, question.tried
     return found

@@ -16,11 +16,13 @@ irrational numbers, chains of matrices), sets and flows in double precision with
 rounding, grids of boxes, errors, and what gives work to processes. None of the code that finds
 or proves orbits is.
 
-Orbits at a point, undivided tiles of boxes, branches, also beyond their borders, censuses, basins,
-chaos and graphs are proved here alone: others only look for what may be proved. For the rest
-provers ask these functions, or those for a part of a file, before they state anything.
+All that is claimed is proved here alone, one motion from its start too, which has no file
+(`state_sets.one_motion`): others only look for what may be proved, and ask these functions, or
+those for a part of a file, before they state anything.
 ``python -m nonsmooth.runtime.checker FILE`` checks a file.
 """
+
+from collections.abc import Callable, Mapping
 
 from nonsmooth.runtime.checker.counting.census import check_census
 from nonsmooth.runtime.checker.orbits.events import check_events
@@ -35,6 +37,7 @@ from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.checker.stated.shape import Malformed
 
 __all__ = [
+    "CHECKS",
     "Failure",
     "Malformed",
     "check",
@@ -47,3 +50,15 @@ __all__ = [
     "check_graph",
     "check_tiles",
 ]
+
+CHECKS: Mapping[str, Callable[..., None]] = {  # of each kind of file, by its format
+    "nonsmooth region certificate": check_graph,
+    "nonsmooth basin certificate": check_basin,
+    "nonsmooth certified doubling": check_doubling,
+    "nonsmooth certified branch": check_branch,
+    "nonsmooth box certificate": check_tiles,
+    "nonsmooth event certificate": check_events,
+    "nonsmooth chaos certificate": check_chaos,
+    "nonsmooth census": check_census,
+    "nonsmooth certificate": check,
+}

@@ -6,31 +6,7 @@ The exit code is 0 if every claim is proved, 1 if one is not, and 2 if the file 
 import json
 import sys
 
-from nonsmooth.runtime.checker import (
-    Failure,
-    Malformed,
-    check,
-    check_basin,
-    check_branch,
-    check_census,
-    check_chaos,
-    check_doubling,
-    check_events,
-    check_graph,
-    check_tiles,
-)
-
-CHECKS = {  # the first of these entries that a file has says of which kind it is
-    "edges": check_graph,
-    "ranks": check_basin,
-    "doubled": check_doubling,
-    "unknown_names": check_branch,
-    "tiles": check_tiles,
-    "events": check_events,
-    "h_sets": check_chaos,
-    "orbits": check_census,
-    "claims": check,
-}
+from nonsmooth.runtime.checker import CHECKS, Failure, Malformed
 
 
 def judged(path: str) -> tuple[int, str]:
@@ -40,11 +16,11 @@ def judged(path: str) -> tuple[int, str]:
             content = json.load(file)
     except (OSError, ValueError, RecursionError) as problem:
         return 2, f"it cannot be read: {problem}"
-    kinds = [name for name in CHECKS if isinstance(content, dict) and name in content]
-    if not kinds:
+    told = content.get("format") if isinstance(content, dict) else None
+    if not isinstance(told, str) or told not in CHECKS:
         return 2, "it is no certificate"
     try:
-        CHECKS[kinds[0]](content)
+        CHECKS[told](content)
     except Malformed as problem:
         return 2, f"it is malformed: {problem}"
     except Failure as problem:

@@ -14,19 +14,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field, fields, is_dataclass, replace
 from typing import Any
 
-from nonsmooth.runtime.checker import (
-    Failure,
-    Malformed,
-    check,
-    check_basin,
-    check_branch,
-    check_census,
-    check_chaos,
-    check_doubling,
-    check_events,
-    check_graph,
-    check_tiles,
-)
+from nonsmooth.runtime.checker import CHECKS, Failure, Malformed
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import path_of, read_file
 from nonsmooth.runtime.core.json_codec import Inconsistent, encode
@@ -38,19 +26,19 @@ from nonsmooth.runtime.model.kernels import SystemKernels, load_orbit, load_syst
 from nonsmooth.runtime.model.saved_system import same_system
 from nonsmooth.runtime.present.compare_declarations import check_domains, compare
 from nonsmooth.runtime.present.files.kept import format_named
-from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
-from nonsmooth.runtime.proof.certificate import Certificate
-from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
-from nonsmooth.runtime.proof.counting.census import Census
-from nonsmooth.runtime.proof.doubling.certified_doubling import CertifiedDoubling
-from nonsmooth.runtime.proof.events.event_certificate import (
+from nonsmooth.runtime.proof.branch.certified_doubling import CertifiedDoubling
+from nonsmooth.runtime.proof.branch.event_certificate import (
     EventCertificate,
     EventCertificates,
     events_claim,
 )
-from nonsmooth.runtime.proof.graphs.graph_certificate import RegionCertificate
+from nonsmooth.runtime.proof.certificate import Certificate
+from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
+from nonsmooth.runtime.proof.counting.census import Census
+from nonsmooth.runtime.proof.sets.basin_certificate import BasinCertificate
+from nonsmooth.runtime.proof.sets.graph_certificate import RegionCertificate
 
 __all__ = ["Check", "check_certificate"]
 
@@ -99,18 +87,6 @@ class Check(Shown):
     compared: bool = False
 
 
-# by the format that a file names: what proves the claims of its content again
-_CHECKS: dict[str, Callable[..., None]] = {
-    "nonsmooth certificate": check,
-    "nonsmooth box certificate": check_tiles,
-    "nonsmooth certified branch": check_branch,
-    "nonsmooth certified doubling": check_doubling,
-    "nonsmooth event certificate": check_events,
-    "nonsmooth census": check_census,
-    "nonsmooth basin certificate": check_basin,
-    "nonsmooth region certificate": check_graph,
-    "nonsmooth chaos certificate": check_chaos,
-}
 _DIVIDED = "nonsmooth basin certificate"  # whose check takes processes, and tells how far it is
 
 
@@ -169,7 +145,7 @@ def check_certificate(
     try:
         content = parsed(read_file(place, _MOST, "certificate"))
         named = str(content.get("format")) if isinstance(content, dict) else ""
-        if named not in _CHECKS:
+        if named not in CHECKS:
             raise InputError("not a certificate, such as --save or save() writes")
         with suppress(Inconsistent):  # which is a difference
             format_named(named).check_entries(content)
@@ -179,7 +155,7 @@ def check_certificate(
         for told in _told(content):
             check_domains(told)  # before anything is proved of such values
         with flint_precision(64):  # the one precision of the process is kept
-            _CHECKS[named](content, *((workers, progress) if named == _DIVIDED else ()))
+            CHECKS[named](content, *((workers, progress) if named == _DIVIDED else ()))
         found = format_named(named).check(content)
         if any(content[name] != entry for name, entry in encode(found).items()):
             return Check("what follows from other entries is not what the file says")

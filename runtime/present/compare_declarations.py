@@ -33,8 +33,12 @@ from nonsmooth.runtime.model.saved_system import SavedSystem, system_in
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.table_solve import whole_names
 from nonsmooth.runtime.proof.certificate import GUARD
-from nonsmooth.runtime.proof.exact_tables import exact_tables, irrational_texts
-from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
+from nonsmooth.runtime.proof.exact_tables import (
+    ExactSystem,
+    exact_system,
+    exact_tables,
+    irrational_texts,
+)
 from nonsmooth.runtime.proof.parametric_declaration import (
     PERIOD,
     orbit_declaration,
@@ -137,20 +141,19 @@ def _named_system(content: Content) -> SystemKernels:
 
 def _sets(
     content: Content,
-    declare: Callable[[SystemKernels, EnclosedSystem], Mapping[str, Any]] = listed_declaration,
+    declare: Callable[[SystemKernels, ExactSystem], Mapping[str, Any]] = listed_declaration,
     undecided: bool = False,
 ) -> bool:
-    """Compare the system of a file of sets, enclosed at its parameters, with its declaration.
+    """Compare the system of a file of sets, with its declaration.
 
     The result is false if nothing is claimed, unless what is `undecided` is stated as well.
     """
     kernels = _named_system(content)
     given = system_parameters(kernels, _given_values(content["parameters"]))
+    if content["claim"] != "proved" and not undecided:
+        return False
     with flint_precision(content["bits"]):
-        system = enclosed_system(kernels, given)(content["bits"])
-        if content["claim"] != "proved" and not undecided:
-            return False
-        if declare(kernels, system) != content["declaration"]:
+        if declare(kernels, exact_system(kernels, given)) != content["declaration"]:
             raise Failure(f"the declaration is not that of {content['system']}")
     return True
 
@@ -176,7 +179,7 @@ def _basin(content: Content) -> bool:
 def _chaos(content: Content) -> bool:
     """Compare the system of a certificate of chaos with the file's declaration."""
 
-    def declare(kernels: SystemKernels, system: EnclosedSystem) -> Mapping[str, Any]:
+    def declare(kernels: SystemKernels, system: ExactSystem) -> Mapping[str, Any]:
         structure = system.structure
 
         def passed(source: str, boundary: str, target: str) -> PassedTransition:

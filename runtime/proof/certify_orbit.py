@@ -20,7 +20,7 @@ from nonsmooth.runtime.proof.certificate import (
     Certificate,
     Stated,
 )
-from nonsmooth.runtime.proof.motion.exact_rows import Row
+from nonsmooth.runtime.proof.exact_tables import Row
 from nonsmooth.runtime.proof.orbit_proposal import (
     asked_parameters,
     boxes,

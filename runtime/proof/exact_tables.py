@@ -2,40 +2,46 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.checker.stated.parameters import number_at
 from nonsmooth.runtime.core.arithmetic import Balls
+from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.irrational_numbers import Irrationals, irrationals
 from nonsmooth.runtime.core.rational_functions import RationalFunction
 from nonsmooth.runtime.core.values import Value, parse
-from nonsmooth.runtime.model.kernels import SystemKernels
+from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
+from nonsmooth.runtime.model.loading.declared import DeclaredSystem
+from nonsmooth.runtime.model.parameters import system_parameters
 from nonsmooth.runtime.model.saved_system import saved_of
-from nonsmooth.runtime.proof.motion.exact_rows import Row
+from nonsmooth.runtime.model.structure import Structure, structure_of
 
 if TYPE_CHECKING:
     from flint import fmpq
 
 __all__ = [
+    "ExactSystem",
     "Matrix",
     "NotRational",
+    "Row",
     "Tables",
     "constants_over",
     "declared_constants",
+    "exact_system",
     "exact_tables",
     "irrational_texts",
     "rational_of",
-    "rational_tables",
     "tables_over",
 ]
 
 _SHARP = 256  # bits that tell what irrational numbers make zero
 
+Row = tuple["fmpq", ...]  # n y + c: n, then c
 Matrix = tuple[Row, ...]  # acts on (y, 1)
 
 
@@ -144,12 +150,37 @@ def tables_over(
     return replace(_tables(kernels, values, _Rationals(known), exact=True), constants=constants)
 
 
-@lru_cache(maxsize=64)
-def rational_tables(kernels: SystemKernels, fractions: tuple[Any, ...]) -> Tables:
-    """Return the exact tables of a system whose parameters have the rational values `fractions`.
+class ExactSystem(NamedTuple):
+    """A system at one parameter point, with rational numbers."""
 
-    `NotRational` is raised if the declaration takes a root or a sine of its parameters.
+    structure: Structure
+    values: dict[str, Value]
+    exact: Tables
+
+
+def exact_system(
+    system: str | SystemKernels | DeclaredSystem, parameters: Mapping[str, object]
+) -> ExactSystem:
+    """Return a system at one parameter point; all of its parameters have to be given and rational.
+
+    A declaration that takes a root or a sine of them is refused.
     """
+    kernels = kernels_of(system)
+    structure, values = structure_of(kernels), system_parameters(kernels, parameters)
+    for name, value in values.items():
+        if value.exact is None:
+            raise InputError(f"a proof needs rational parameters, and {name} = {value} is not")
+    try:
+        exact = _rational_tables(kernels, tuple(value.exact for value in values.values()))
+    except NotRational as problem:
+        raise InputError(
+            f"a proof needs rational rows, fields and resets, and {problem.function} is not"
+        ) from None
+    return ExactSystem(structure, values, exact)
+
+
+@lru_cache(maxsize=64)
+def _rational_tables(kernels: SystemKernels, fractions: tuple[Any, ...]) -> Tables:
     return _tables(kernels, list(map(rational_of, fractions)), _Rationals(), exact=True)
 
 

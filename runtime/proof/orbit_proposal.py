@@ -10,7 +10,7 @@ import numpy as np
 
 from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.orbits.points import JudgedOrbit
-from nonsmooth.runtime.checker.stated.exact import Failure
+from nonsmooth.runtime.checker.stated.exact import Elimination, Failure
 from nonsmooth.runtime.core.errors import chosen_names
 from nonsmooth.runtime.core.values import Value, flint_precision
 from nonsmooth.runtime.orbits.orbit import Orbit
@@ -19,12 +19,12 @@ from nonsmooth.runtime.proof.certificate import Unknown
 from nonsmooth.runtime.proof.exact_closure import ClosureConditions, closing_of
 from nonsmooth.runtime.proof.exact_tables import (
     NotRational,
+    Row,
     constants_over,
     irrational_texts,
     rational_of,
     tables_over,
 )
-from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 from nonsmooth.runtime.proof.parametric_declaration import PERIOD, system_declaration
 from nonsmooth.runtime.proof.statement import closing_json, decimals
@@ -251,5 +251,7 @@ def nearly_vanishing(region: Region) -> tuple[Row, ...]:
             left = left - left[:, column, None] * taken
             found = [*(row - row[column] * taken for row in found), taken]
     near = [[Fraction(x).limit_denominator(_LARGEST_DENOMINATOR) for x in row] for row in found]
-    rows = Invariants.of([[rational_of(x) for x in row] for row in near]).lasting(field).rows
+    exactly = Elimination()
+    facts = exactly.echelon([[rational_of(x) for x in row] for row in near])
+    rows = tuple(exactly.lasting(facts, field))
     return rows if all(isinstance(x, fmpq) for row in rows for x in row) else ()

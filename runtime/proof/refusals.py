@@ -11,7 +11,10 @@ from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 
-__all__ = ["as_read", "asking", "refusal"]
+__all__ = ["REFUSED", "as_read", "asking", "refusal"]
+
+# what the checker raises where something is not proved, or beyond what can be enclosed
+REFUSED = (Failure, ArithmeticError, ValueError)
 
 _BITS = 64  # the precision of the process in which a file is checked
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.errors import InputError
@@ -53,22 +53,27 @@ def declaration_json(
     parameters: Sequence[str],
     start: Sequence[str],
     dwell: Sequence[str],
+    *,
+    whole: bool = False,
 ) -> dict[str, Any]:
     """Return the configurations and transitions of a proof as JSON, with their numbers as texts.
+
+    All configurations are stated if the declaration is of the `whole` system.
 
     `parameters` are the variables of the tables' entries, in the order of their exponents; the
     tables' constants follow. `start` and `dwell` are names of states and dwell times.
     """
     structure = cycle.structure
-    needed = set(cycle.configurations)
+    places = range(len(structure.configurations)) if whole else cycle.configurations
+    needed = set(places)
     transitions: list[dict[str, Any]] = []
     phases = []
+    own: dict[int, int] = {}  # places of the transitions that are stated
     for configuration, taken in zip(cycle.configurations, cycle.transitions, strict=True):
         shapes = structure.boundaries[configuration]
         names = structure.configurations
-        own = -1
         for other in structure.transitions[configuration]:
-            if other.boundaries != taken.boundaries:
+            if other.boundaries != taken.boundaries or id(other) in own:
                 continue
             entry: dict[str, Any] = {
                 "source": names[configuration],
@@ -87,12 +92,11 @@ def declaration_json(
             needed |= {along for _, along, _ in other.conditions}
             if entry not in transitions:
                 transitions.append(entry)
-            if other is taken:
-                own = transitions.index(entry)
-        phases.append((configuration, own))
+            own[id(other)] = transitions.index(entry)
+        phases.append((configuration, own.get(id(taken), -1)))
     law: dict[str, Any] = {}
     if structure.law is not None and any("steps" in entry for entry in transitions):
-        law["law"] = _law_json(structure.law, cycle, lambda row: _row(tables.rows[row]))
+        law["law"] = _law_json(structure.law, {*places}, lambda row: _row(tables.rows[row]))
     constants = [value.text for value in tables.constants]
     return {
         "parameters": list(parameters),
@@ -113,10 +117,10 @@ def declaration_json(
             {
                 "configuration": structure.configurations[c],
                 "boundaries": cycle.itinerary[place][1].split("+"),
-                "transition": own,
+                "transition": number,
                 "dwell_time": dwell[place],
             }
-            for place, (c, own) in enumerate(phases)
+            for place, (c, number) in enumerate(phases)
         ],
         **law,
     }
@@ -200,13 +204,13 @@ def _steps_json(law: Law, path: Path) -> list[dict[str, Any]]:
     ]
 
 
-def _law_json(law: Law, cycle: ItineraryShape, row: Callable[[int], list[Any]]) -> dict[str, Any]:
-    """Return the contact law as JSON, as far as an itinerary concerns it.
+def _law_json(law: Law, needed: Collection[int], row: Callable[[int], list[Any]]) -> dict[str, Any]:
+    """Return the contact law as JSON, as far as some configurations concern it.
 
     It holds contacts, coupling, arrivals, limits, configurations and the rows of free contacts;
     `row` writes the row of a number as a list.
     """
-    places = sorted(set(cycle.configurations))
+    places = sorted(needed)
     others = dict.fromkeys(law.others[c] for c in places)
     return {
         "contacts": [

@@ -32,6 +32,7 @@ __all__ = [
     "check_phases",
     "configuration_of",
     "configurations_of",
+    "forcing_start",
     "on_circles",
     "orders_along",
     "start_state",
@@ -100,7 +101,7 @@ def _in_order(structure: Structure, given: Mapping[str, object]) -> list[Any]:
     for name in given:
         if name not in names:
             raise unknown_name("state", str(name), names)
-    given = _forcing_start(structure) | dict(given)
+    given = forcing_start(structure) | dict(given)
     missing = [name for name in names if name not in given]
     if missing:
         raise InputError(f"the start needs a value for: {', '.join(missing)}")
@@ -146,7 +147,8 @@ def check_phases(system: PiecewiseLinear, start: np.ndarray) -> None:
         )
 
 
-def _forcing_start(structure: Structure) -> dict[str, object]:
+def forcing_start(structure: Structure) -> dict[str, object]:
+    """Cosine and sine of each forcing where its time is zero, by name."""
     begin: dict[str, object] = {}
     for cosine, sine in structure.forcing:
         begin |= {structure.states[cosine]: 1, structure.states[sine]: 0}

@@ -637,6 +637,8 @@ def alone(tmp_path_factory: pytest.TempPathFactory) -> Path:
     for file, source in sources().items():
         (home / "checker" / file).parent.mkdir(exist_ok=True)
         (home / "checker" / file).write_text(source)
+    for shapes in RUNTIME.glob("checker/stated/*.json"):
+        (home / "checker" / "stated" / shapes.name).write_text(shapes.read_text())
     return root
 
 

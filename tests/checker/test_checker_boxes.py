@@ -20,8 +20,7 @@ import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.derive import Harmonic, Parameter, SoftStop, oscillator
 from nonsmooth.runtime.checker import Failure, check_tiles
-from nonsmooth.runtime.checker.ranges.edges import neighbours
-from nonsmooth.runtime.checker.ranges.folded import _is_beyond
+from nonsmooth.runtime.checker.ranges.folded import _is_beyond, neighbours
 from nonsmooth.runtime.checker.ranges.tiles import MapTile
 from nonsmooth.runtime.checker.stated.parameters import independent
 from nonsmooth.runtime.cli.program import app

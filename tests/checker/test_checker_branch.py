@@ -13,7 +13,8 @@ from flint import ctx
 import nonsmooth as ns
 from nonsmooth.derive import Harmonic, SoftStop, oscillator
 from nonsmooth.runtime.checker import Failure, check_branch
-from nonsmooth.runtime.checker.ranges.branch import checked_tiles
+from nonsmooth.runtime.checker.ranges.branch import checked_tiles, curve_of
+from nonsmooth.runtime.checker.ranges.branch_tile import SHARP, CheckedTile
 from nonsmooth.runtime.core.taylor_models import range_of
 from tests.certified import certified_over, prove_branch, signed
 from tests.shared import shared_file
@@ -83,7 +84,7 @@ def a_fold(content: Content) -> None:
 
 def move_the_event(content: Content) -> None:
     event = with_event(content, "flip")["event"]
-    event["lower"], event["upper"] = "1.07", "1.08"
+    event["lower"], event["upper"] = "107/100", "108/100"
 
 
 def sharpen_the_event(content: Content) -> None:
@@ -92,12 +93,12 @@ def sharpen_the_event(content: Content) -> None:
 
 
 def move_the_window(content: Content) -> None:
-    with_event(content, "grazing")["event"]["window"] = ["0.1", "0.2"]
+    with_event(content, "grazing")["event"]["window"] = ["1/10", "1/5"]
 
 
 def widen_the_window(content: Content) -> None:
     """The function has its one maximum in this window too, but is convex where it begins."""
-    with_event(content, "grazing")["event"]["window"] = ["0.1", "2"]
+    with_event(content, "grazing")["event"]["window"] = ["1/10", "2"]
 
 
 def move_the_tube(content: Content) -> None:
@@ -113,11 +114,11 @@ def reverse_a_tile(content: Content) -> None:
 
 
 def shorten_a_tile(content: Content) -> None:
-    content["tiles"][0]["lower"] = "0.61"
+    content["tiles"][0]["lower"] = "61/100"
 
 
 def widen_the_interval(content: Content) -> None:
-    content["interval"] = ["0.5", "1.3"]
+    content["interval"] = ["1/2", "13/10"]
 
 
 def call_it_stable(content: Content) -> None:
@@ -219,3 +220,23 @@ def test_a_tile_is_proved_on_parts(content: Content, preloaded: Content) -> None
             for before, after, exact in zip(whole, half, orbit, strict=True):
                 assert width(after) <= width(before.at([e]))
                 assert abs(after.at([0]) - exact) <= width(after) + 2**-40
+
+
+def test_a_map_that_is_multiplied_by_a_speed_is_the_map_times_it(preloaded: Content) -> None:
+    """Also where the equations are divided by a dwell time, and the map needs no speed."""
+    curve, seen = curve_of(preloaded), set()
+    for divided in (None, 1, 2):
+        try:
+            tile = CheckedTile(curve, {**preloaded["tiles"][0], "divided": divided})
+        except Failure:
+            continue
+        with ctx.workprec(SHARP):
+            orbit = tile.curve.orbit(tile.at_end(tile.low))
+            whole, section = orbit.section, orbit.declared.section
+            for place in range(2):
+                slow, speed = orbit.map_on(*section, slow=place), orbit.speed(place)
+                assert abs(speed) > 0
+                entries = zip(slow.entries(), whole.entries(), strict=True)
+                assert all(x.overlaps(speed * y) and x.rad() < 1e-20 for x, y in entries)
+        seen.add(divided)
+    assert len(seen) > 1

@@ -41,7 +41,7 @@ from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.present.files.kept import save_result
-from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
+from nonsmooth.runtime.proof.branch.event_certificate import EventCertificate
 from tests.certified import LOOP, between_springs, loop, of_files, signed, unhashed
 from tests.explore import test_continuation_forced as impacts
 

@@ -91,7 +91,11 @@ def test_a_true_file_of_two_coordinates_is_proved_again(tmp_path):
 def rewritten(content, change):
     """A file of a graph that follows from other edges, with all that is said of them."""
     from nonsmooth.runtime.core.json_codec import encode
-    from nonsmooth.runtime.proof.graphs.graph_entries import GraphEntries, entries_of, stated_graph
+    from nonsmooth.runtime.proof.sets.graph_certificate import (
+        GraphEntries,
+        entries_of,
+        stated_graph,
+    )
 
     content = json.loads(json.dumps(content))
     change(content)

@@ -16,6 +16,7 @@ from nonsmooth import InputError
 from nonsmooth.runtime.present.files.kept import save_result
 from tests.certified import LOOP, kicked, loop
 from tests.checker.test_mutations import renewed
+from tests.file_shapes import KEPT, file_shapes
 from tests.proof.test_parameter_derivatives import damped_at_zero
 
 STICK = "dry-friction/global-stick"
@@ -209,3 +210,8 @@ def test_more_bits_than_digits_are_refused_before_anything_is_proved(
     for told in content.get("events", [content]):
         told["bits"] *= 1000
     assert "128000 bits are more than the" in str(refusal(content, folder / "bits.json"))
+
+
+def test_the_shapes_of_files_are_those_of_their_records() -> None:
+    """Else `python -m tests.file_shapes` writes them anew."""
+    assert json.loads(KEPT.read_text()) == file_shapes()

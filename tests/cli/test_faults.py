@@ -17,8 +17,8 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.runtime.present.paper import writing
-from nonsmooth.runtime.proof.basin import certify_basin
 from nonsmooth.runtime.proof.chaos import certify_chaos
+from nonsmooth.runtime.proof.sets import certify_basin
 from tests.certified import prove_basin
 from tests.cli.test_cli import COMMANDS, run
 from tests.horseshoes import folded_horseshoe

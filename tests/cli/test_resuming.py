@@ -16,7 +16,7 @@ from rich.progress import Progress
 import nonsmooth as ns
 from nonsmooth.runtime.core import workload
 from nonsmooth.runtime.core.result_files import checksum_of
-from nonsmooth.runtime.proof.events import certify_event
+from nonsmooth.runtime.proof.branch import certify_event
 from tests.cli.terminal import Ended, on_terminal
 from tests.cli.test_cli import COMMANDS, run
 from tests.places import GALLERY

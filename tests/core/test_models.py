@@ -12,11 +12,10 @@ from flint import arb, arb_mat, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from nonsmooth.runtime.checker.stated.exact import Elimination, product
+from nonsmooth.runtime.checker.stated.exact import Elimination, product, reduced
 from nonsmooth.runtime.core.rational_functions import Extension, symbols
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.motion.exact_rows import Invariants
 
 SPACES = [(1, 1), (1, 4), (2, 1), (2, 3), (3, 2)]
 
@@ -142,10 +141,10 @@ def test_rational_functions_are_a_field(x: Any, y: Any, z: Any, v: Fraction, eta
 def test_facts_over_rational_functions() -> None:
     # x = V y and x + y = eta are known; what follows holds for all V and eta
     zero, one = V - V, V / V
-    invariants = Invariants.of([(one, -V, zero), (one, one, -ETA)])
-    assert invariants.pivots == (0, 1)
-    assert not any(invariants.reduce((one + V, zero, -V * ETA)))
-    assert any(invariants.reduce((one, zero, -V)))
+    facts = Elimination().echelon([(one, -V, zero), (one, one, -ETA)])
+    assert [[bool(x) for x in row[:2]] for row in facts] == [[True, False], [False, True]]
+    assert not any(reduced((one + V, zero, -V * ETA), facts))
+    assert any(reduced((one, zero, -V), facts))
     rows = [(V, ETA), (V * V, V * ETA), (fmpq(1), fmpq(0))]
     kernel = Elimination().left_kernel(rows)
     assert len(kernel) == 1
@@ -160,7 +159,7 @@ def test_what_irrational_constants_make_zero_divides_nothing() -> None:
         with pytest.raises(ZeroDivisionError, match="irrational"):
             1 / apart
         with pytest.raises(ZeroDivisionError, match="irrational"):
-            Invariants.of([(apart, x, x - x)])
+            Elimination().echelon([(apart, x, x - x)])
         with pytest.raises(ZeroDivisionError, match="irrational"):
             x / (two * two - 2)
         assert (x * apart + two) / (x * apart + two) == 1

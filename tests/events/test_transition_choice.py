@@ -10,19 +10,23 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
-from flint import arb, fmpq
+from flint import arb, arb_mat, fmpq
 from mpmath import mp, mpf
 
 from nonsmooth.derive import RigidStop, System, oscillator
-from nonsmooth.runtime.checker.stated.exact import product
+from nonsmooth.runtime.checker.state_sets.entries import CarryingSystem, Entry, Unlisted
+from nonsmooth.runtime.checker.state_sets.sets import StateSet, TooWide
+from nonsmooth.runtime.checker.state_sets.switching import SwitchingSystem
+from nonsmooth.runtime.checker.stated.exact import Elimination, Failure, product
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
-from nonsmooth.runtime.events.transition_choice import Decider, choose, first_following
+from nonsmooth.runtime.events.transition_choice import Decider, first_following
+from nonsmooth.runtime.model.contacts.unfolding import Route, unfolded
+from nonsmooth.runtime.model.kernels import kernels_of
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import TransitionShape, mode_shapes
-from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
-from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row
-from nonsmooth.runtime.proof.motion.validate import BallJudge
+from nonsmooth.runtime.proof.exact_tables import ExactSystem, Row, exact_system
+from nonsmooth.runtime.proof.sets.visited_declaration import whole_system
 from nonsmooth.runtime.simulation.simulate import follow
 from tests.certified import struck
 from tests.large_systems import by_tables
@@ -38,22 +42,43 @@ def rational(rng: np.random.Generator) -> Any:
 
 def state_where(rng: np.random.Generator, zero: list[Row]) -> list[Any] | None:
     """A random rational state at which rows vanish; None where there is none."""
-    facts = Invariants.of(zero)
-    if not facts.consistent:
+    facts = Elimination().echelon(zero)
+    if not all(any(row[:-1]) for row in facts):
         return None
+    pivots = [next(k for k, x in enumerate(row) if x) for row in facts]
     state = [rational(rng) for _ in zero[0][:-1]]
-    state = [0 * x if k in facts.pivots else x for k, x in enumerate(state)]
-    for row, pivot in zip(facts.rows, facts.pivots, strict=True):
+    state = [0 * x if k in pivots else x for k, x in enumerate(state)]
+    for row, pivot in zip(facts, pivots, strict=True):
         known = row[-1] + sum(x * y for x, y in zip(row, state, strict=False))
         state[pivot] = -known
     return state
 
 
-def whole(state: list[Any]) -> Invariants:
+def whole(state: list[Any]) -> list[Row]:
     size = len(state)
-    return Invariants.of(
-        [[*(fmpq(int(i == j)) for j in range(size)), -x] for i, x in enumerate(state)]
-    )
+    return [(*(fmpq(int(i == j)) for j in range(size)), -x) for i, x in enumerate(state)]
+
+
+def point_set(state: list[Any]) -> StateSet:
+    """The set of (states, time, 1) of one state in balls."""
+    column = [[x] for x in (*state, arb(0), arb(1))]
+    return StateSet.of(arb_mat(column), arb_mat(len(column), 0), arb_mat(len(column), 1))
+
+
+def proved(
+    system: SwitchingSystem, source: str, reached: frozenset[str], facts: Any, state: list[Any]
+) -> tuple[str, str | None]:
+    """Verdict and target of what the checker says of boundaries, by facts and balls."""
+    entry = Entry(CarryingSystem(system), source, facts)
+    try:
+        _, behind = entry.behind(reached, point_set(state), at_once=True)
+    except TooWide:
+        return "undecided", None
+    except Unlisted:
+        return "undeclared", None
+    except Failure:
+        return "ambiguous", None
+    return "chosen", behind.here
 
 
 def floats(numbers: Any) -> np.ndarray:
@@ -140,13 +165,13 @@ def test_what_an_error_of_the_time_moves_away_from_zero_is_zero() -> None:
 
 
 @cache
-def systems() -> dict[str, EnclosedSystem]:
+def systems() -> dict[str, ExactSystem]:
     return {
-        "dry-friction": enclosed_system("dry-friction", FRICTION)(128),
-        "rigid-stop": enclosed_system("rigid-stop", STOP)(128),
-        "one by one": enclosed_system(struck(), {"c": "0"})(128),
-        "coupled": enclosed_system(struck(), {"c": "1/4"})(128),
-        "moreau": enclosed_system(struck("moreau"), {"c": "1/4"})(128),
+        "dry-friction": exact_system("dry-friction", FRICTION),
+        "rigid-stop": exact_system("rigid-stop", STOP),
+        "one by one": exact_system(struck(), {"c": "0"}),
+        "coupled": exact_system(struck(), {"c": "1/4"}),
+        "moreau": exact_system(struck("moreau"), {"c": "1/4"}),
     }
 
 
@@ -162,10 +187,15 @@ def told_of(choice: Any) -> tuple[Any, ...]:
     return choice.verdict, choice.options, transition and (transition.target, transition.reset)
 
 
+def target_of(structure: Any, choice: Any) -> str | None:
+    transition = choice.transition
+    return None if transition is None else str(structure.configurations[transition.target])
+
+
 @pytest.mark.parametrize("name", ["dry-friction", "rigid-stop", "one by one", "coupled", "moreau"])
 def test_every_arithmetic_makes_the_same_choice(name: str) -> None:
     system = systems()[name]
-    structure, exact = system.structure, system.exact
+    structure, exact, stated = system.structure, system.exact, whole_system(system)
     cut = ([f[:-1] for f in exact.fields], exact.rows, [r[:-1] for r in exact.resets])
     deciders = [
         Decider(structure, *map(floats, cut)),
@@ -186,24 +216,26 @@ def test_every_arithmetic_makes_the_same_choice(name: str) -> None:
         for decider, numbers in zip(deciders, (floats, mpfs), strict=True):
             at = decider.located(source, numbers([*state, fmpq(1)]), 0.0)
             found.append(decider.choice(source, boundaries, at, rows))
-        with flint_precision(128):
-            balls = [arb(x) for x in state]
-            judge = BallJudge(system, source, whole(state), balls)
-            found.append(choose(structure, source, boundaries, judge))
-            wide = [x + arb(0, 2.0**-40) for x in balls]
-            doubtful = BallJudge(system, source, Invariants.of(zero[: len(rows)]), wide)
-            less = choose(structure, source, boundaries, doubtful)
         assert len({told_of(choice) for choice in found}) == 1
         seen.add(found[0].verdict)
-        if less.verdict == "chosen":  # exact agreement of resets may need what is left out
-            assert told_of(less) == told_of(found[0])
-        seen.add(less.verdict)
+        by_floats = found[0].verdict, target_of(structure, found[0])
+        names = frozenset(structure.boundaries[source][b].name for b in boundaries)
+        with flint_precision(128):
+            here, balls = structure.configurations[source], [arb(x) for x in state]
+            assert proved(stated, here, names, whole(state), balls) == by_floats
+            wide = [x + arb(0, 2.0**-40) for x in balls]
+            facts = Elimination().echelon(zero[: len(rows)])
+            less = proved(stated, here, names, facts, wide)
+        if less[0] == "chosen":  # exact agreement of resets may need what is left out
+            assert less == by_floats
+        seen.add(less[0])
     assert seen >= {"chosen", "ambiguous" if name == "coupled" else "chosen"}
 
 
 @pytest.mark.usefixtures("backend")
 def test_a_start_reaches_at_once_what_its_leading_derivative_leads_beyond() -> None:
     system, point = systems()["dry-friction"], piecewise("dry-friction", FRICTION)
+    stated, structure = CarryingSystem(whole_system(system)), system.structure
     rng, seen = np.random.default_rng(2), set()
     for case in range(200):
         c = int(rng.integers(len(point.structure.configurations)))
@@ -217,13 +249,10 @@ def test_a_start_reaches_at_once_what_its_leading_derivative_leads_beyond() -> N
         reached = sum(1 << b for b, (_, sign) in enumerate(told) if sign > 0)
         assert (len(found.times) > 1 and found.times[1] == 0) == (reached > 0)
         assert not reached or found.sets[1] == reached
+        told_names = {s.name for s, (_, sign) in zip(shapes, told, strict=True) if sign > 0}
         with flint_precision(128):
-            for shape, (order, sign) in zip(shapes, told, strict=True):
-                own = system.exact.rows[shape.row]
-                known = Invariants.of(rates(own, field, max(order, 1)) if order else [])
-                ball = system.leading(own, c, known, [arb(x) for x in state])
-                assert (ball is None) == (sign == 0)
-                assert ball is None or (ball.order, ball.sign) == (order, sign)
+            entry = Entry(stated, structure.configurations[c], whole(state))
+            assert entry.passed(point_set([arb(x) for x in state])) == told_names
         seen |= {*told}
     assert len(seen) > 4
 
@@ -243,31 +272,39 @@ def law_choices(system: System, sign: int, cases: list[tuple[list[float], str, s
 
 @pytest.mark.slow
 def test_balls_say_of_a_law_what_floats_say() -> None:
-    exact_system = enclosed_system(declared(5, 2, [0, 1]), {"sign": "1"})(128)
-    structure, exact = exact_system.structure, exact_system.exact
-    law = structure.law
+    kernels = kernels_of(declared(5, 2, [0, 1]))
+    system = exact_system(kernels, {"sign": "1"})
+    structure, exact, law = system.structure, system.exact, system.structure.law
     assert law is not None
     cut = ([f[:-1] for f in exact.fields], exact.rows, [r[:-1] for r in exact.resets])
     decider = Decider(structure, *map(floats, cut))
     source = structure.configuration("stick-stick")
     boundaries = [b for b, s in enumerate(structure.boundaries[source]) if s.name in law.limits]
     rng, decided = np.random.default_rng(3), set()
-    for _ in range(60):
+    for _ in range(30):
         reached = boundaries[int(rng.integers(len(boundaries)))]
-        row = structure.boundaries[source][reached].row
-        state = state_where(rng, [exact.rows[row], *(exact.rows[c.relative] for c in law.contacts)])
+        shape = structure.boundaries[source][reached]
+        relative = [exact.rows[c.relative] for c in law.contacts]
+        state = state_where(rng, [exact.rows[shape.row], *relative])
         if state is None:
             continue
+        event = law.event(source, [shape.name])
+        assert event is not None
         at = decider.located(source, floats([*state, fmpq(1)]), 0.0)
-        found = decider.choice(source, frozenset({reached}), at, frozenset({row}))
+        outcome = decider.outcome(event, at)
+        targets = [structure.configurations[target] for target in outcome.targets]
+        routes = [
+            Route("stick-stick", (shape.name,), target, path)
+            for target, path in zip(targets, outcome.paths, strict=True)
+        ]
+        stated = whole_system(exact_system(unfolded(kernels, routes), {"sign": "1"}))
         with flint_precision(128):
             balls = [arb(x) for x in state]
-            judge = BallJudge(exact_system, source, whole(state), balls)
-            proved = choose(structure, source, frozenset({reached}), judge)
-        assert proved.verdict in ("chosen", "undecided")
-        if proved.verdict == "chosen":
-            assert told_of(proved) == told_of(found)
-            decided.add(told_of(proved))
+            told = proved(stated, "stick-stick", frozenset({shape.name}), whole(state), balls)
+        assert told[0] in ("chosen", "undecided")
+        if told[0] == "chosen":
+            assert [told[1]] == targets
+            decided.add(told[1])
     assert len(decided) > 2
 
 

@@ -20,14 +20,14 @@ from nonsmooth.runtime.explore.finding.sweep import Sweep
 from nonsmooth.runtime.explore.fitting.fit import Fit
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.files import kept
-from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
+from nonsmooth.runtime.proof.branch.certified_doubling import CertifiedDoubling
 from nonsmooth.runtime.proof.certificate import Certificate
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
 from nonsmooth.runtime.proof.counting.census import Census
-from nonsmooth.runtime.proof.doubling.certified_doubling import CertifiedDoubling
-from nonsmooth.runtime.proof.graphs.graph_certificate import RegionCertificate
+from nonsmooth.runtime.proof.sets.basin_certificate import BasinCertificate
+from nonsmooth.runtime.proof.sets.graph_certificate import RegionCertificate
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 from tests.cli.test_cli import run
 from tests.core.test_result_files import KINDS, TWO_MASSES, file_of

@@ -12,12 +12,12 @@ from nonsmooth.derive import Harmonic, SoftStop, oscillator
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
-from nonsmooth.runtime.proof.basin import certify_basin as certifying
-from nonsmooth.runtime.proof.basin.attracting_core import attracting_core
-from nonsmooth.runtime.proof.basin.basin_section import section_of as basin_section
-from nonsmooth.runtime.proof.basin.starting_tiles import next_tiles
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
-from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
+from nonsmooth.runtime.proof.exact_tables import exact_system
+from nonsmooth.runtime.proof.sets import certify_basin as certifying
+from nonsmooth.runtime.proof.sets.attracting_core import attracting_core
+from nonsmooth.runtime.proof.sets.basin_section import section_of as basin_section
+from nonsmooth.runtime.proof.sets.starting_tiles import next_tiles
 from tests.certified import accepted
 from tests.friction_sets import DATA, arrival, section_of
 from tests.places import GALLERY
@@ -217,7 +217,7 @@ def test_an_attractor_beside_an_orbit_is_not_taken_for_it(orbit, found):
     met = orbit.trajectory().states[1, 1]
     assert abs(float(found.core.centre[0]) - met) < 1e-5
     with flint_precision(96):
-        section = section_of(enclosed_system("dry-friction", DATA)(96))
+        section = section_of(exact_system("dry-friction", DATA))
     values = {name: float(text) for name, text in DATA.items()}
     floats = FloatSection(orbit.system, values, section, 0.0)
     with pytest.raises(Undecided, match="another orbit is there"):
@@ -268,7 +268,7 @@ def test_a_linear_response_has_a_section_at_every_frequency():
     for w in np.arange(20, 31) / 10:
         orbit = ns.solve(far, {"w": w}, [2 * np.pi / w], itinerary=[("free", "forcing-phase")])
         with flint_precision(128):
-            system = enclosed_system(orbit.system, {"w": orbit.parameters["w"]})(128)
+            system = exact_system(orbit.system, {"w": orbit.parameters["w"]})
             met = basin_section(system, orbit.trajectory(), float(orbit.period))
         x, v = met.point
         assert np.hypot(x, v / w) == pytest.approx(1 / abs(1 - w**2 + 0.2j * w))

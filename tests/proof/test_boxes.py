@@ -24,7 +24,7 @@ from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
-from nonsmooth.runtime.proof.boxes.refusals import BoxRefusals
+from nonsmooth.runtime.proof.boxes.tile import BoxRefusals
 from tests.certified import accepted, loop
 
 STICK = "dry-friction/global-stick"

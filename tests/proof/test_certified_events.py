@@ -15,7 +15,7 @@ from nonsmooth.derive import Friction, oscillator
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.event import Event
-from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
+from nonsmooth.runtime.proof.branch.event_certificate import EventCertificate
 from tests.certified import kicked, loop
 from tests.explore import test_continuation_forced as impacts
 

@@ -22,9 +22,9 @@ from nonsmooth.runtime.core.taylor_models import (
     space_of,
 )
 from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.proof.branch.certified_doubling import CertifiedDoubling
+from nonsmooth.runtime.proof.branch.tube_proposal import flip_with_direction
 from nonsmooth.runtime.proof.certificate import file_json
-from nonsmooth.runtime.proof.doubling.certified_doubling import CertifiedDoubling
-from nonsmooth.runtime.proof.doubling.tube_proposal import flip_with_direction
 from nonsmooth.runtime.proof.refusals import as_read
 from tests.certified import accepted
 from tests.explore import test_continuation_forced as impacts

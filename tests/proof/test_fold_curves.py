@@ -20,8 +20,7 @@ from flint import ctx, fmpq
 import nonsmooth as ns
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.checker import Failure, Malformed, check_tiles
-from nonsmooth.runtime.checker.ranges.edges import neighbours
-from nonsmooth.runtime.checker.ranges.folded import beyond_folds
+from nonsmooth.runtime.checker.ranges.folded import beyond_folds, neighbours
 from nonsmooth.runtime.checker.ranges.tiles import CheckedBox
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate

@@ -10,7 +10,7 @@ from nonsmooth import InputError, Interrupted
 from nonsmooth.runtime.checker.state_sets.many_sets import Arrivals
 from nonsmooth.runtime.core.box_grid import BoxGrid, DividedGrid
 from nonsmooth.runtime.model.kernels import load_system
-from nonsmooth.runtime.proof.graphs.box_graphs import BoxGraph
+from nonsmooth.runtime.proof.sets.box_graphs import BoxGraph
 from tests.certified import kicked
 from tests.friction_sets import DATA, arrival
 from tests.horseshoes import FRICTION_DATA

@@ -20,7 +20,7 @@ from nonsmooth.runtime.checker.state_sets.chaos import StretchedSets
 from nonsmooth.runtime.checker.state_sets.cones import Derivatives
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.proof.boxes import refusals as of_tiles
+from nonsmooth.runtime.proof.boxes import tile as of_tiles
 from nonsmooth.runtime.proof.branch import certify_branch as of_branches
 from nonsmooth.runtime.proof.refusals import refusal
 from tests.certified import accepted

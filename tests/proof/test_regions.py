@@ -24,7 +24,7 @@ from nonsmooth.runtime.checker.ranges.tiles import CheckedBox
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.taylor_models import space_of
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
-from nonsmooth.runtime.proof.boxes.refusals import BoxRefusals
+from nonsmooth.runtime.proof.boxes.tile import BoxRefusals
 from tests.certified import accepted, claimed, content_of, loop, place_in, signed, unhashed
 
 SYMMETRIC = "dry-friction/symmetric"
@@ -236,7 +236,7 @@ CHANGES: dict[str, tuple[str, Callable[[dict[str, Any]], object], str]] = {
     "negative width": ("grazing", lambda e: e.update(radius=-1e-3), "without width"),
     "too wide": ("flip", lambda e: e.update(radius=1e-3), "too wide"),
     "wide enough for a curve that is moved": ("flip", wide, "too wide"),
-    "without bounds": ("flip", lambda e: e.update(radius=float("inf")), "without bounds"),
+    "without bounds": ("flip", lambda e: e.update(radius=float("inf")), "wrong type"),
     "another kind": ("flip", lambda e: e.update(kind="neimark-sacker"), "happen twice|beside the"),
     "a fold": ("flip", lambda e: e.update(kind="fold"), "fold"),
     "another boundary": ("grazing", lambda e: e.update(boundary="falls"), "event|boundary"),

@@ -15,9 +15,14 @@ from flint import arb, fmpq
 from nonsmooth import InputError, certify
 from nonsmooth.derive import Boundary, Configuration, SecondOrder, System, Transition
 from nonsmooth.derive.systems import dry_friction, elastic_stop, rigid_stop
+from nonsmooth.runtime.checker.state_sets.one_motion import OneMotion
+from nonsmooth.runtime.checker.state_sets.sets import TooWide
+from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.certificate import Stated
+from nonsmooth.runtime.proof.exact_tables import exact_system
 from nonsmooth.runtime.proof.motion.motion_proof import Proof
+from nonsmooth.runtime.proof.sets.visited_declaration import whole_system
 from tests.counting import calls_of
 from tests.declared_motion import DeclaredMotion, mp
 
@@ -91,7 +96,7 @@ def tangent(excess: Fraction) -> list[Fraction]:
     return [1 + Fraction(3, 2) + Fraction(1, 2) + excess, Fraction(3), Fraction(1, 2), Fraction(1)]
 
 
-TANGENT = FIRST | {"ur1": "2", "ur2": "100"}
+TANGENT = FIRST | {"ur1": "2", "ur2": "10"}
 
 
 def test_an_exact_tangency_is_not_decided() -> None:
@@ -304,3 +309,30 @@ def test_work_is_in_proportion_to_the_transitions() -> None:
 
     prove(1)
     assert calls_of(lambda: prove(40)) < 4.4 * calls_of(lambda: prove(10))
+
+
+def refused(reached: str, about: arb, configuration: str = "slip-slip") -> bool:
+    """Whether the checker refuses that a boundary is the next one, about then."""
+    start = [fmpq(5), fmpq(4), fmpq(1, 2), fmpq(1, 4)]
+    try:
+        motion = OneMotion(whole_system(exact_system("dry-friction", FIRST)), configuration, start)
+        motion.arrive(frozenset(reached.split("+")), about)
+    except (Failure, TooWide):
+        return True
+    return False
+
+
+def test_only_what_is_next_is_proved() -> None:
+    """The second mass reaches the belt; all else that is told of the phase is refused."""
+    proof = certify.motion("dry-friction", FIRST, START, "slip-slip", 1)
+    ((first,),), (_, time) = proof.sets, proof.times
+    with flint_precision(128):
+        about = time.ball.mid()
+        assert not refused(first, about)
+        assert refused("first-reaches-belt", about)
+        assert refused(f"first-reaches-belt+{first}", about)
+        assert refused("first-breaks-forward", about)  # of another configuration
+        assert all(refused(first, about * factor) for factor in (0, arb("0.3"), 3, 10))
+        assert refused(first, about, "stick-stick")  # its velocities are others
+        for later in range(1, 60):  # the first mass comes there later, or not at all
+            assert refused("first-reaches-belt", arb(later) / 10)

@@ -13,10 +13,13 @@ from nonsmooth.derive import (
     Condition,
     Configuration,
     FirstOrder,
+    Harmonic,
     Parameter,
+    RigidStop,
     SecondOrder,
     System,
     Transition,
+    oscillator,
 )
 from tests.declared_motion import DeclaredMotion
 
@@ -29,8 +32,9 @@ def parameters(*names: str) -> tuple[Parameter, ...]:
     return tuple(Parameter(name, name, lower=-sp.oo) for name in names)
 
 
-def damped() -> System:
+def damped(*more: Boundary) -> System:
     """A mass with x'' + a x' + k x = g in front of a stop at x = 1."""
+    reached = REACHED | {boundary.name for boundary in more}
     one = sp.Matrix([[1]])
     free = SecondOrder(one, k * one, (g,), a * one)
     stuck = SecondOrder(one, k * one, (g,), a * one, {x: 0})
@@ -40,12 +44,12 @@ def damped() -> System:
         (x, v),
         parameters("a", "k", "g", "r"),
         (
-            Configuration("free", free, (Boundary("reaches-stop", x - 1),)),
+            Configuration("free", free, (Boundary("reaches-stop", x - 1), *more)),
             Configuration("rest", stuck, (Boundary("leaves-stop", k * x - g),), (x - 1,)),
         ),
         (
-            Transition("free", REACHED, "free", (Condition(v, "rest"),), {x: 1, v: -r * v}),
-            Transition("free", REACHED, "rest", (), {x: 1, v: 0}),
+            Transition("free", reached, "free", (Condition(v, "rest"),), {x: 1, v: -r * v}),
+            Transition("free", reached, "rest", (), {x: 1, v: 0}),
             Transition("rest", frozenset({"leaves-stop"}), "free"),
         ),
     )
@@ -94,10 +98,21 @@ def test_a_forced_impact_oscillator_agrees_with_60_digits(w: str) -> None:
     DeclaredMotion(forced(), data).agrees(proof, start, 1e-28)
 
 
+def test_a_forcing_that_is_left_out_of_a_start_begins_at_its_time_zero() -> None:
+    stop = RigidStop("x", "1/2", "4/5", name="stop")
+    system = oscillator(
+        "driven", ["x"], [[1]], [[1]], forcing=[Harmonic("7/10", cosine=[1])], elements=[stop]
+    )
+    left_out = certify.motion(system, {}, {"v": 0, "x": "1/4"}, "free", 3)
+    whole = certify.motion(system, {}, ["1/4", 0, 1, 0], "free", 3)
+    assert left_out.decided
+    assert [time.mid for time in left_out.times] == [time.mid for time in whole.times]
+
+
 def test_impacts_that_accumulate_are_proved_one_by_one() -> None:
     """Dwell times shrink like the restitution; what is proved goes on as digits allow."""
     data = dict(a="1/10", k="1", g="3", r="1/2")
-    proof = certify.motion(damped(), data, ["0", "0"], "free", 60)
+    proof = certify.motion(damped(), data, ["0", "0"], "free", 60, 256)
     assert proof.decided
     assert set(proof.configurations) == {"free"}
     dwells = [
@@ -106,6 +121,16 @@ def test_impacts_that_accumulate_are_proved_one_by_one() -> None:
     ]
     for earlier, later in pairwise(dwells):
         assert later / earlier == pytest.approx(0.5, rel=1e-6)
+
+
+def test_boundaries_that_are_multiples_are_reached_together() -> None:
+    """No digits tell that x - 1 and 2 x - 2 vanish at one instant, their rows do."""
+    data, start = dict(a="1/10", k="4", g="8", r="1/2"), ["0", "0"]
+    alone = certify.motion(damped(), data, start, "free", 3)
+    both = certify.motion(damped(Boundary("twice", 2 * x - 2)), data, start, "free", 3)
+    assert both.sets == (("reaches-stop", "twice"),) * 3
+    for one, other in zip(alone.times, both.times, strict=True):
+        assert one.ball.overlaps(other.ball)
 
 
 def test_a_grazing_contact_is_not_decided() -> None:

@@ -17,9 +17,9 @@ from nonsmooth.runtime.checker.counting.covering import Root, Walk
 from nonsmooth.runtime.checker.counting.dwell_equations import DwellEquations, Given, Setting
 from nonsmooth.runtime.checker.orbits.points import check_stated
 from nonsmooth.runtime.checker.stated.declared import StatedSystem
-from nonsmooth.runtime.checker.stated.exact import Failure, ball, check_sum, demand, exact
+from nonsmooth.runtime.checker.stated.exact import Failure, ball, demand, exact
 from nonsmooth.runtime.checker.stated.parameters import independent, number_at, number_in, values_of
-from nonsmooth.runtime.checker.stated.shape import CENSUS, check_bits, check_shape
+from nonsmooth.runtime.checker.stated.shape import check_bits, check_file
 from nonsmooth.runtime.core.rational_functions import RationalFunction
 
 __all__ = ["CensusVerdict", "CountedBox", "Counting", "Side", "check_census", "texts_of"]
@@ -294,8 +294,7 @@ def check_census(content: dict[str, Any]) -> None:
     `Failure` names a claim that is not proved; `Malformed` is raised if the file, read as JSON, has
     another shape.
     """
-    check_shape(content, CENSUS)
-    check_sum(content)
+    check_file(content, "nonsmooth census")
     check_bits(content)
     counting = Counting(content)
     counted = counting.within(content["box"])

@@ -131,6 +131,8 @@ class CoveringBox:
             if image is None or image.empty:
                 return root
             kept = image.within(root.sides)
+            if any(low > high for low, high in kept):  # of more equations than unknowns: no root
+                return root
             better = share_of(kept, root.sides)
             root = Root(kept, root.unique, image.coordinates)
             if not better < _SHRUNK:

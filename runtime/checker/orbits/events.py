@@ -9,7 +9,6 @@ root. All roots in the box are in K.
 """
 
 from collections.abc import Sequence
-from functools import reduce
 from typing import Any
 
 from flint import arb, arb_mat, ctx
@@ -17,27 +16,26 @@ from flint import arb, arb_mat, ctx
 from nonsmooth.runtime.checker.orbits.motion import Border
 from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, krawczyk_step, newton
 from nonsmooth.runtime.checker.orbits.stability import (
+    MULTIPLIERS,
     characteristic,
     paired,
-    products_less_one,
+    passing,
 )
 from nonsmooth.runtime.checker.stated.exact import (
     Failure,
-    check_sum,
     demand,
     exact,
     inside,
 )
 from nonsmooth.runtime.checker.stated.parameters import number_at, stated_system
-from nonsmooth.runtime.checker.stated.shape import EVENTS, check_bits, check_shape, check_sharp
+from nonsmooth.runtime.checker.stated.shape import check_bits, check_file, check_sharp
 from nonsmooth.runtime.core.taylor_models import middle_of, space_of
 
 __all__ = ["JudgedEvent", "check_events"]
 
 _SMALL = 2.0**-10  # unknowns that are smaller have a unit of their own
 _GUARD = 96  # bits beyond those of the enclosures
-_MULTIPLIERS = {"flip": -1, "fold": 1, "neimark-sacker": 0}
-_INSTANTS = {**dict.fromkeys([*_MULTIPLIERS, "vanishing-phase"], ""),
+_INSTANTS = {**dict.fromkeys([*MULTIPLIERS, "vanishing-phase"], ""),
              "condition": "end", "grazing": "inside"}  # fmt: skip
 
 
@@ -133,8 +131,7 @@ def check_events(content: dict[str, Any]) -> None:
 
     `Malformed` is raised if the file, read as JSON, has another shape.
     """
-    check_shape(content, EVENTS)
-    check_sum(content)
+    check_file(content, "nonsmooth event certificate")
     demand(content["events"], "the file tells of no event")
     for number, event in enumerate(content["events"], 1):
         try:
@@ -175,7 +172,7 @@ def _event(orbit: CheckedOrbit, event: dict[str, Any], more: Sequence[Any]) -> l
     """Return the residuals of an event's equations at an orbit: those of all its conditions."""
     kind, place, declared = event["kind"], event["phase"], orbit.declared
     demand(event["instant"] == _INSTANTS.get(kind, event["instant"]), "another instant")
-    if kind in _MULTIPLIERS:
+    if kind in MULTIPLIERS:
         demand((place, event["configuration"], event["boundary"]) == (None, "", ""), "a phase")
         return [_multiplier(orbit, kind)]
     demand(type(place) is int and 1 <= place <= len(declared.steps), "there is no such phase")
@@ -210,5 +207,4 @@ def _multiplier(orbit: CheckedOrbit, kind: str) -> Any:
     demand(not few, "too few multipliers differ from zero: the branch meets a border there")
     if kind == "neimark-sacker":
         demand(paired(polynomial), "the pair may be real")
-        return products_less_one(polynomial)
-    return reduce(lambda total, c: total * _MULTIPLIERS[kind] + c, polynomial)
+    return passing(polynomial, kind)

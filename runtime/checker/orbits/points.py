@@ -20,13 +20,12 @@ from nonsmooth.runtime.checker.stated.exact import (
     Failure,
     Verdict,
     agreed_claims,
-    check_sum,
     demand,
     exact,
     inside,
 )
 from nonsmooth.runtime.checker.stated.parameters import independent, number_at, stated_system
-from nonsmooth.runtime.checker.stated.shape import CERTIFICATE, check_bits, check_shape, check_sharp
+from nonsmooth.runtime.checker.stated.shape import check_bits, check_file, check_sharp
 
 __all__ = ["JudgedOrbit", "check"]
 
@@ -168,8 +167,7 @@ def check(content: dict[str, Any]) -> None:
     `Failure` names a claim that is not proved; `Malformed` is raised if the file, read as JSON, has
     another shape.
     """
-    check_shape(content, CERTIFICATE)
-    check_sum(content)
+    check_file(content, "nonsmooth certificate")
     check_stated(content)
 
 

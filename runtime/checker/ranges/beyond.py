@@ -20,14 +20,13 @@ from nonsmooth.runtime.checker.ranges.branch_tile import BITS, NO_MOTION, SHARP,
 from nonsmooth.runtime.checker.stated.exact import (
     Elimination,
     Failure,
-    check_sum,
     demand,
     exact,
     product,
     reduced,
 )
 from nonsmooth.runtime.checker.stated.parameters import number_at
-from nonsmooth.runtime.checker.stated.shape import BRANCH, check_shape
+from nonsmooth.runtime.checker.stated.shape import check_file
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import range_of
 
@@ -44,8 +43,7 @@ def check_branch(content: dict[str, Any]) -> None:
 
     `Malformed` is raised if the file, read as JSON, has another shape.
     """
-    check_shape(content, BRANCH)
-    check_sum(content)
+    check_file(content, "nonsmooth certified branch")
     tiles = checked_tiles(content)
     for number, tile in enumerate(tiles, 1):
         told = [] if tile.event is None else tile.event.get("beyond", [])

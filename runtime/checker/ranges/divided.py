@@ -22,11 +22,10 @@ from nonsmooth.runtime.checker.orbits.stability import (
     passing,
     stability,
 )
-from nonsmooth.runtime.checker.ranges.branch_curve import solution
+from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve
 from nonsmooth.runtime.checker.stated.exact import demand
-from nonsmooth.runtime.checker.stated.parameters import number_at
-from nonsmooth.runtime.core.jets import jet, part_of
-from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
+from nonsmooth.runtime.core.jets import part_of
+from nonsmooth.runtime.core.taylor_models import TaylorModel, range_of, space_of
 
 __all__ = ["Band", "DividingCurve", "Division", "Part", "curve_at", "fraction"]
 
@@ -305,20 +304,9 @@ def _moving(
     orbit: CheckedOrbit, parameters: Sequence[Any], constants: Any, axis: int
 ) -> CheckedOrbit:
     """Return the orbit with derivatives by one parameter, by implicit differentiation."""
-    moved = [jet(x, arb(1)) if k == axis else x for k, x in enumerate(parameters)]
-    number = number_at([*moved, *constants])
-    first = CheckedOrbit(orbit.declared, number)
-    flows = [(b * t).exp() for b, t in zip(first.chain.fields, orbit.dwell, strict=True)]
-    now = first.passage(first.chain, orbit.root, flows)
-    square = part_of(now.slopes, 0)
-    try:
-        about = square.mid().inv().mid()
-    except ZeroDivisionError:
-        about = matrix([[arb("nan")] * square.ncols()] * square.nrows())
-    step = solution(square, about, -part_of(now.values, 1))
-    found = CheckedOrbit(orbit.declared, number)
-    found.along([jet(x, d) for x, d in zip(orbit.root, step, strict=True)])
-    return found
+    beside = [x for k, x in enumerate(parameters) if k != axis]
+    curve = CheckedCurve(orbit.declared, {}, constants, "", (), axis, beside)
+    return curve.orbit(curve.jets(curve.last, [*orbit.root, parameters[axis]], 1))
 
 
 def _number(

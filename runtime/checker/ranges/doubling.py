@@ -27,9 +27,9 @@ from nonsmooth.runtime.checker.ranges.branch_curve import (
     without_entry,
 )
 from nonsmooth.runtime.checker.ranges.branch_tile import CheckedTile
-from nonsmooth.runtime.checker.stated.exact import Failure, check_sum, demand, exact, inside
+from nonsmooth.runtime.checker.stated.exact import Failure, demand, exact, inside
 from nonsmooth.runtime.checker.stated.parameters import number_at
-from nonsmooth.runtime.checker.stated.shape import DOUBLING, check_shape
+from nonsmooth.runtime.checker.stated.shape import check_file
 from nonsmooth.runtime.core.jets import jet, part_of
 from nonsmooth.runtime.core.taylor_models import (
     AT_BOTH_ENDS,
@@ -63,8 +63,7 @@ def check_doubling(content: dict[str, Any]) -> None:
 
     `Malformed` is raised if the file, read as JSON, has another shape.
     """
-    check_shape(content, DOUBLING)
-    check_sum(content)
+    check_file(content, "nonsmooth certified doubling")
     doubled = content["doubled"]
     decided = doubled is not None and doubled["verdict"] != "undecided"
     demand((content["claims"]["doubling"] == "proved") == decided, "the claim is another one")
@@ -101,6 +100,7 @@ def check_doubled(
     demand(doubled["side"] == found.side, f"they are not {doubled['side']} the flip")
     with ctx.workprec(_SHARP):
         demand(inside(found.rate, doubled["rate"]), "the rate is not in its enclosure")
+    demand(beyond["start"] in (0, len(others)), "the doubled branch begins amid its tiles")
     orbit = found.first_of(beyond, others[0 if beyond["start"] == 0 else -1])
     undecided = doubled["verdict"] == "undecided"
     demand(undecided == bool(doubled["reason"]), "a reason of another verdict")

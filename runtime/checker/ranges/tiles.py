@@ -13,20 +13,25 @@ from nonsmooth.runtime.checker.orbits.motion import admissibility
 from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.orbits.stability import judged_stability, stability
 from nonsmooth.runtime.checker.ranges.divided import Band, DividingCurve, Division
-from nonsmooth.runtime.checker.ranges.edges import SMALLEST, neighbours
-from nonsmooth.runtime.checker.ranges.folded import BEYOND, FoldedTile, Sheets, beyond_folds
+from nonsmooth.runtime.checker.ranges.folded import (
+    BEYOND,
+    SMALLEST,
+    FoldedTile,
+    Sheets,
+    beyond_folds,
+    neighbours,
+)
 from nonsmooth.runtime.checker.stated.declared import StatedSystem
 from nonsmooth.runtime.checker.stated.exact import (
     Failure,
     Verdict,
     agreed_claims,
-    check_sum,
     demand,
     exact,
     inside,
 )
 from nonsmooth.runtime.checker.stated.parameters import independent, number_at, stated_system
-from nonsmooth.runtime.checker.stated.shape import MAP, check_shape
+from nonsmooth.runtime.checker.stated.shape import check_file
 from nonsmooth.runtime.core.taylor_models import Space, TaylorModel, middle_of, range_of, space_of
 
 __all__ = ["SHARES", "CheckedBox", "MapTile", "check_tiles", "check_whole"]
@@ -51,8 +56,7 @@ def check_tiles(content: dict[str, Any]) -> None:
 
     `Malformed` is raised if the file, read as JSON, has another shape.
     """
-    check_shape(content, MAP)
-    check_sum(content)
+    check_file(content, "nonsmooth box certificate")
     tiles = content["tiles"]
     check_whole(content)
     if not content["declaration"]:
@@ -68,6 +72,7 @@ def check_tiles(content: dict[str, Any]) -> None:
         checked = box.proved(tile)
         if _verdict(tile) == "undecided":
             continue
+        demand(tile["looked_at"], "a tile that was not looked at has a verdict")
         for other in beside[number]:
             if other in seen:
                 box.check_joint(checked, seen[other])

@@ -18,9 +18,9 @@ from nonsmooth.runtime.checker.state_sets.many_sets import ManyMotions
 from nonsmooth.runtime.checker.state_sets.section_maps import Parallelepiped, SectionMap, divided
 from nonsmooth.runtime.checker.state_sets.sets import TooWide
 from nonsmooth.runtime.checker.state_sets.switching import StatedSection
-from nonsmooth.runtime.checker.stated.exact import check_sum, demand, exact
+from nonsmooth.runtime.checker.stated.exact import demand, exact
 from nonsmooth.runtime.checker.stated.grids import listed, stated_grid
-from nonsmooth.runtime.checker.stated.shape import BASIN, check_bits, check_shape
+from nonsmooth.runtime.checker.stated.shape import check_bits, check_file
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.float_sets import Floats, ManySets, Rounded
 from nonsmooth.runtime.core.parallel import in_processes
@@ -112,8 +112,7 @@ def check_basin(
     `Malformed` is raised if the file, read as JSON, has another shape. The tiles are followed in
     `workers` processes; `progress` is called with the tiles proved so far and their count.
     """
-    check_shape(content, BASIN)
-    check_sum(content)
+    check_file(content, "nonsmooth basin certificate")
     check_bits(content)
     if content["claim"] != "proved":
         told = ("core", "grid", "tiles", "ranks", "verdicts", "itinerary", "states", "box")

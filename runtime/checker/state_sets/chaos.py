@@ -21,8 +21,8 @@ from nonsmooth.runtime.checker.state_sets.section_maps import (
     divided,
 )
 from nonsmooth.runtime.checker.state_sets.sets import StateSet, TooWide
-from nonsmooth.runtime.checker.stated.exact import check_sum, demand, exact
-from nonsmooth.runtime.checker.stated.shape import CHAOS, check_bits, check_shape
+from nonsmooth.runtime.checker.stated.exact import demand, exact
+from nonsmooth.runtime.checker.stated.shape import check_bits, check_file
 
 __all__ = [
     "Covered",
@@ -169,8 +169,7 @@ def check_chaos(content: dict[str, Any]) -> None:
 
     `Malformed` is raised if the file, read as JSON, has another shape.
     """
-    check_shape(content, CHAOS)
-    check_sum(content)
+    check_file(content, "nonsmooth chaos certificate")
     check_bits(content)
     if content["claim"] != "proved":
         told = ("configuration", "phase", "source", "boundary", "coordinates", "h_sets")
@@ -213,12 +212,13 @@ def check_entropy(content: Mapping[str, Any], sets: StretchedSets) -> dict[str, 
     demand(len({*pairs}) == len(pairs), "a covering is there twice")
     demand(all({*pair} <= sets.sets.keys() for pair in pairs), "a covering of no set")
     targets = {name: [m for n, m in pairs if n == name] for name in sets.sets}
-    told = Fraction(content["growth"])
+    told = exact(content["growth"])
     demand(told > 1, "a graph that does not grow")
-    demand(told <= radius_above(targets), "the graph grows less than stated")
+    radius = fmpq(*radius_above(targets).as_integer_ratio())
+    demand(told <= radius, "the graph grows less than stated")
     entropy = exact(content["entropy"])
     demand(entropy > 0, "no positive entropy")
-    growth = arb(fmpq(told.numerator, told.denominator)).log() / content["iterates"]
+    growth = arb(told).log() / content["iterates"]
     demand(growth >= arb(entropy), "the entropy is larger than what follows")
     return targets
 

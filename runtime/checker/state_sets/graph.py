@@ -14,9 +14,9 @@ import numpy as np
 
 from nonsmooth.runtime.checker.state_sets.many_sets import Arrivals, ManyMotions
 from nonsmooth.runtime.checker.state_sets.switching import StatedSection
-from nonsmooth.runtime.checker.stated.exact import check_sum, demand
+from nonsmooth.runtime.checker.stated.exact import demand
 from nonsmooth.runtime.checker.stated.grids import listed, stated_divided_grid
-from nonsmooth.runtime.checker.stated.shape import GRAPH, check_bits, check_shape
+from nonsmooth.runtime.checker.stated.shape import check_bits, check_file
 from nonsmooth.runtime.core.box_grid import DividedGrid
 from nonsmooth.runtime.core.float_sets import Floats
 
@@ -102,9 +102,9 @@ def check_graph(content: dict[str, Any]) -> None:
 
     `Malformed` is raised if the file, read as JSON, has another shape.
     """
-    check_shape(content, GRAPH)
-    check_sum(content)
+    check_file(content, "nonsmooth region certificate")
     check_bits(content)
+    demand(content["declaration"], "claims about no declaration")
     motions = map_of_boxes(content, _MORE)
     named = [motions.system.states[k] for k in motions.free]
     demand(content["coordinates"] == named, "the coordinates are not those of the section")

@@ -10,20 +10,10 @@ from typing import Any
 
 from flint import arb, arb_mat, fmpq, fmpq_mat
 
-from nonsmooth.runtime.checker.state_sets.sets import CarryingPhase, StateSet, TooWide, matrix_of
-from nonsmooth.runtime.checker.state_sets.switching import (
-    StatedSection,
-    SwitchingSystem,
-    echelon_behind,
-)
-from nonsmooth.runtime.checker.stated.exact import (
-    Elimination,
-    Failure,
-    demand,
-    exact,
-    leading,
-    reduced,
-)
+from nonsmooth.runtime.checker.state_sets.entries import CarryingSystem, Entry
+from nonsmooth.runtime.checker.state_sets.sets import StateSet, TooWide
+from nonsmooth.runtime.checker.state_sets.switching import StatedSection, SwitchingSystem
+from nonsmooth.runtime.checker.stated.exact import Failure, demand, exact, reduced
 
 __all__ = ["Box", "Parallelepiped", "SectionMap", "Way", "divided"]
 
@@ -83,7 +73,7 @@ def divided(box: Box, k: int, place: Any = None) -> list[Box]:
     return [(*box[:k], part, *box[k + 1 :]) for part in ((middle, high), (low, middle))]
 
 
-class SectionMap:
+class SectionMap(CarryingSystem):
     """The power `iterates` of the map of a section, along ways that are stated.
 
     `content` has the entries of a file that state the system and the section. `Failure` is raised
@@ -93,8 +83,7 @@ class SectionMap:
     def __init__(self, content: Mapping[str, Any]) -> None:
         self.section, self.iterates = StatedSection.of(content), content["iterates"]
         demand(self.iterates > 0, "no iterate of the map")
-        self.system = SwitchingSystem(content["declaration"], content["parameters"])
-        self.exactly = Elimination()
+        super().__init__(SwitchingSystem(content["declaration"], content["parameters"]))
         self.facts, self.forced = self.section.facts(self.system, self.exactly)
         pivots = {next(k for k, x in enumerate(row) if x) for row in self.facts}
         self.free = [k for k in range(self.system.size) if k not in pivots]
@@ -102,16 +91,14 @@ class SectionMap:
         told = [*content["coordinates"]] == named
         demand(told, "the coordinates are not those of the section")
         demand(self.free, "the section is one point")
-        fields, rows = self.system.fields, self.system.boundaries
-        self.phases = {name: CarryingPhase(fields[name], rows[name]) for name in fields}
 
     @cached_property
     def _speed(self) -> Any:
         return self.system.speed()
 
     @cached_property
-    def _start(self) -> "_Entry":
-        return _Entry(self, self.section.configuration, self.facts)
+    def _start(self) -> Entry:
+        return Entry(self, self.section.configuration, self.facts)
 
     def check_way(self, way: Way) -> None:
         """Demand that a way leads from the section to itself, by declared transitions."""
@@ -149,7 +136,8 @@ class SectionMap:
                 raise Failure(f"{boundary} is zero all along {source}")
             phase.clear(states, before, {boundary: watched.pop(boundary)}, boundary)
             phase.clear(states, after, watched)
-            states, entry = entry.behind(boundary, target, arrived)
+            states, entry = entry.behind(frozenset({boundary}), arrived)
+            demand(entry.here == target, "another transition follows than the file states")
         facts = entry.facts
         if self.forced:
             states, facts = self._to_phase(entry, states)
@@ -199,7 +187,7 @@ class SectionMap:
         centre, sides, box = (arb_mat([part.tolist()[k] for k in places]) for part in parts)
         return StateSet(centre, sides, box, tuple(map(self._coordinates, states.tangents)))
 
-    def _to_phase(self, entry: "_Entry", states: StateSet) -> tuple[StateSet, Any]:
+    def _to_phase(self, entry: Entry, states: StateSet) -> tuple[StateSet, Any]:
         """Carry states on to where the forcing returns; no boundary may be reached on the way."""
         phase, size = self.phases[entry.here], self.system.size
         whole = self.iterates * 2 * arb.pi() / arb(self._speed)
@@ -210,75 +198,3 @@ class SectionMap:
         arrived, _, after = phase.arrive(states, clock, float(left.mid()))
         phase.clear(states, after, entry.watched(states))
         return arrived, self.exactly.echelon([*entry.lasting, *self.forced])
-
-
-class _Entry:
-    """Where sets enter a configuration, and what is exactly true of them there."""
-
-    def __init__(self, owner: SectionMap, here: str, facts: Any) -> None:
-        self._owner, self.here, self.facts = owner, here, facts
-        self._behind: dict[str, list[Any]] = {}
-
-    @cached_property
-    def lasting(self) -> Any:
-        """The reduced rows that stay zero along the phase."""
-        owner = self._owner
-        return owner.exactly.lasting(self.facts, owner.system.fields[self.here])
-
-    @cached_property
-    def _begins(self) -> list[tuple[str, int, Any]]:
-        """Each boundary that is not zero all along, with the first derivative that is not zero."""
-        phase, found = self._owner.phases[self.here], []
-        for name, row in phase.rows.items():
-            order, begins = leading(row, phase.exact, self.facts, 0)
-            if begins is not None:
-                found.append((name, order, phase.timed(begins)))
-        return found
-
-    def watched(self, states: StateSet) -> dict[str, int]:
-        """Return the boundaries that are not zero all along, with the order of a derivative.
-
-        It is that of the first derivative at the start that is not exactly zero, which has to be
-        negative, else `TooWide` is raised.
-        """
-        hull = states.hull
-        for _, _, begins in self._begins:
-            if not (begins * hull)[0, 0] < 0:
-                raise TooWide
-        return {name: order for name, order, _ in self._begins}
-
-    def behind(self, boundary: str, target: str, states: StateSet) -> tuple[StateSet, "_Entry"]:
-        """Return the states behind the transition that follows, which has to lead to the target."""
-        if boundary not in self._behind:
-            self._behind[boundary] = self._transitions(boundary)
-        hull = states.hull
-        for conditions, matrix, following in self._behind[boundary]:
-            held = True
-            for row, holds in conditions:
-                value = None if row is None else (row * hull)[0, 0]
-                if value is not None and not (value > 0 or value < 0):
-                    raise TooWide
-                if bool(value is not None and value > 0) != holds:
-                    held = False
-                    break
-            if held:
-                right = following.here == target
-                demand(right, "another transition follows than the file states")
-                return states.through(matrix), following
-        raise Failure("no transition follows")
-
-    def _transitions(self, boundary: str) -> list[Any]:
-        """Return conditions, reset and what is true behind each transition at a boundary."""
-        owner, phase, found = self._owner, self._owner.phases[self.here], []
-        own = phase.rows[boundary]
-        facts = owner.exactly.echelon([*self.lasting, own])
-        orders = owner.system.orders[self.here, frozenset({boundary})]
-        demand(len(orders) == 1, "a transition of another kind")
-        for way in orders[0]:
-            signs = []
-            for row, along, holds in way.conditions:
-                _, first = leading(row, owner.system.fields[along], facts, int(row == own))
-                signs.append((None if first is None else phase.timed(first), holds))
-            entry = _Entry(owner, way.target, echelon_behind(owner.exactly, facts, way.reset))
-            found.append((signs, matrix_of(way.reset, runs=False), entry))
-        return found

@@ -28,7 +28,15 @@ _STEPS, _TERMS = 64, 20  # at once, and of Taylor's polynomial over a step
 
 
 class TooWide(Exception):
-    """Nothing is shown of a set, though perhaps of parts of it."""
+    """Nothing is shown of a set, though perhaps of parts of it, or with more digits.
+
+    `name` is the boundary of which it is not known whether it is reached, and `at` a ball of times
+    since the phase's start, where these are known; `reason` says what else is open.
+    """
+
+    def __init__(self, reason: str = "", name: str = "", at: Any = None) -> None:
+        super().__init__(reason)
+        self.reason, self.name, self.at = reason, name, at
 
 
 def matrix_of(rows: Sequence[Sequence[Any]], runs: bool) -> Any:
@@ -148,13 +156,16 @@ class CarryingPhase:
         raise Failure("a state of a set does not come to the boundary that is stated")
 
     @cached_property
-    def _ahead(self) -> tuple[float, Any]:
-        """A step of time, and the flows over no, one and more steps in double precision."""
+    def step(self) -> float:
+        """A time that is short for the fastest motion of the phase."""
         rates = arb_mat(self.near).eig(algorithm="approx")
         fastest = max(hypot(float(x.real.mid()), float(x.imag.mid())) for x in rates)
-        fast = max(fastest, 0.05 * max(sum(map(abs, row)) for row in self.near), 1e-6)
-        step = _GRID / fast
-        powers = [np.eye(self.size)]
+        return _GRID / max(fastest, 0.05 * max(sum(map(abs, row)) for row in self.near), 1e-6)
+
+    @cached_property
+    def _ahead(self) -> tuple[float, Any]:
+        """A step of time, and the flows over no, one and more steps in double precision."""
+        step, powers = self.step, [np.eye(self.size)]
         for _ in range(_STEPS):
             powers.append(np.array(_near(self.flow(arb(step)))) @ powers[-1])
         return step, np.stack(powers)
@@ -170,14 +181,20 @@ class CarryingPhase:
         return self._rows[name]
 
     def clear(
-        self, states: StateSet, until: Any, watched: dict[str, int], ends: str | None = None
+        self,
+        states: StateSet,
+        until: Any,
+        watched: dict[str, int],
+        ends: str | None = None,
+        deepest: int = _DEEPEST,
     ) -> None:
         """Show that no boundary is reached up to a time; `TooWide` if that is not shown.
 
         `watched` has the boundaries, with the order of the first derivative that is not zero
         at the start; `ends` is the one that is known to be negative at the end. A window in
         which a function rises is left to the next one, or to the end where it is known to be
-        negative.
+        negative; one in which it falls is left to the one before it, or to the start, where it is
+        not positive: both cannot meet. The phase is halved `deepest` times at most.
         """
         windows = [(arb(0), until, 0, sorted(watched))]
         while windows:
@@ -191,11 +208,11 @@ class CarryingPhase:
                 first = watched[name] if begin == 0 else 0
                 if self._over(name, first, moved, over, radius) < 0:
                     continue
-                rises = name == ends or end < until
-                if not (rises and self._over(name, 1, moved, over, radius) > 0):
+                slope, rises = self._over(name, 1, moved, over, radius), name == ends or end < until
+                if not (slope < 0 or (rises and slope > 0)):
                     left.append(name)
-            if left and depth == _DEEPEST:
-                raise TooWide
+            if left and depth == deepest:
+                raise TooWide("", left[0], middle + radius)
             if left:
                 windows.append((middle, end, depth + 1, left))
                 windows.append((begin, middle, depth + 1, left))
@@ -230,10 +247,13 @@ class CarryingPhase:
         rows, last = self._taylor[name, first]
         return rows, last
 
-    def arrive(self, states: StateSet, row: Any, about: float) -> tuple[StateSet, Any, Any]:
+    def arrive(
+        self, states: StateSet, row: Any, about: Any, least: float = _LEAST
+    ) -> tuple[StateSet, Any, Any]:
         """Return the states where a function is zero, and times between which each gets there once.
 
-        The arrival is near the time `about`. `TooWide` is raised if it is not shown.
+        The arrival is near the time `about`; the share `least` of it is the width of the window of
+        times at least. `TooWide` is raised if it is not shown.
         """
         time = arb(about)
         moved = states.through(self.flow(time))
@@ -242,7 +262,7 @@ class CarryingPhase:
         rate = (row * (self.matrix * hull))[0, 0]
         if not rate > 0:
             raise TooWide
-        size = (level / rate).abs_upper() * arb(_WIDER) + time * arb(_LEAST)
+        size = (level / rate).abs_upper() * arb(_WIDER) + time * arb(least)
         late = arb(0, size.upper())
         shift = self.flow(late)
         there = shift * hull

@@ -149,6 +149,21 @@ class StatedTables:
         ]
         along = {other for way in self.transitions for _, other, _ in way.conditions}
         demand(along <= self.fields.keys(), "a condition is along no declared configuration")
+        self.lawful: list[Any] = []  # rows of the contact law
+        if "law" in declared and self.rational:
+            self._lawful(declared)
+
+    def _lawful(self, declared: dict[str, Any]) -> None:
+        """Demand that all transitions with steps are those of the stated contact law."""
+        try:
+            law = ContactLaw(declared["law"], self.row, self.number, self.exactly)
+            self.lawful = law.rows
+            for place, entry in enumerate(declared["transitions"]):
+                if "steps" in entry:
+                    own = self.transitions[place]
+                    self.transitions[place] = own._replace(early=law.check(entry, own.conditions))
+        except (KeyError, IndexError, TypeError, ValueError) as problem:
+            raise Failure(f"the contact law is malformed: {problem!r}") from None
 
     def number(self, entry: Any) -> Any:
         """Return a file's entry as a fraction, ball, or rational function of the parameters."""
@@ -178,9 +193,6 @@ class StatedSystem(StatedTables):
         super().__init__(declared, values, constants)
         self.start, self.dwell = declared["start"], [p["dwell_time"] for p in declared["phases"]]
         self._check_names(declared["states"])
-        self.lawful: list[Any] = []
-        if "law" in declared and self.rational:
-            self._lawful(declared)
         self.itinerary = declared["phases"]
         phases = [[p["configuration"], "+".join(p["boundaries"])] for p in self.itinerary]
         demand(content["itinerary"] == phases, "the itinerary is not that of the declaration")
@@ -245,18 +257,6 @@ class StatedSystem(StatedTables):
             others = [other for k, other in enumerate(states) if k != place]
             free = all(name not in (other, f"{other}0") for other in others)
             demand(free or name == f"{states[place]}0", f"{name} is that of another state")
-
-    def _lawful(self, declared: dict[str, Any]) -> None:
-        """Demand that all transitions with steps are those of the stated contact law."""
-        try:
-            law = ContactLaw(declared["law"], self.row, self.number, self.exactly)
-            self.lawful = law.rows
-            for place, entry in enumerate(declared["transitions"]):
-                if "steps" in entry:
-                    own = self.transitions[place]
-                    self.transitions[place] = own._replace(early=law.check(entry, own.conditions))
-        except (KeyError, IndexError, TypeError, ValueError) as problem:
-            raise Failure(f"the contact law is malformed: {problem!r}") from None
 
     def _whole_turn(self, name: str) -> Step:
         """Return a phase that ends where the first forcing begins anew, with no reset."""

@@ -4,8 +4,6 @@ A text is an exact fraction, {mid, rad} any number of a ball, {above, below} a r
 of the parameters that the file names: lists of [coefficient, exponents].
 """
 
-import hashlib
-import json
 import re
 from collections.abc import Sequence
 from functools import lru_cache
@@ -22,7 +20,6 @@ __all__ = [
     "Verdict",
     "agreed_claims",
     "ball",
-    "check_sum",
     "demand",
     "exact",
     "inside",
@@ -57,13 +54,6 @@ def demand(condition: object, otherwise: str) -> None:
     """Raise `Failure` with the message `otherwise` unless a condition holds."""
     if not condition:
         raise Failure(otherwise)
-
-
-def check_sum(content: dict[str, Any]) -> None:
-    """Raise `Failure` if the content's checksum differs from the stated one."""
-    covered = {key: value for key, value in content.items() if key != "sha256"}
-    digest = hashlib.sha256(json.dumps(covered, sort_keys=True).encode()).hexdigest()
-    demand(content["sha256"] == digest, "edited or damaged: the checksum differs")
 
 
 def agreed_claims(claims: dict[str, str], reasons: dict[str, str]) -> tuple[str, str, str]:

@@ -75,7 +75,7 @@ def certify_basin(
     """
     from nonsmooth.runtime.cli.display import shared, steps
     from nonsmooth.runtime.orbits.solve import solve
-    from nonsmooth.runtime.proof.basin.certify_basin import certify_basin as prove
+    from nonsmooth.runtime.proof.sets.certify_basin import certify_basin as prove
 
     known = reply.known
     values, box = values_and_ranges(parameters)
@@ -220,7 +220,7 @@ def certify_region(
     on it is enclosed.
     """
     from nonsmooth.runtime.cli.display import counted
-    from nonsmooth.runtime.proof.graphs.certify_graph import certify_graph
+    from nonsmooth.runtime.proof.sets.certify_graph import certify_graph
 
     if not start:
         raise missing_start(system)

@@ -181,7 +181,7 @@ def certify_doubling(
 
     Their side and stability are told, and how they go on.
     """
-    from nonsmooth.runtime.proof.doubling.certify_doubling import certify_doubling as prove
+    from nonsmooth.runtime.proof.branch.certify_doubling import certify_doubling as prove
 
     found, stopped = _along(prove, orbit, parameters, guess, tiles, seconds, yes, reply)
     branch_tiles = 0 if found.doubled is None else len(found.doubled.branch.tiles)
@@ -215,8 +215,8 @@ def certify_event(
     """Enclose what happens on a branch over one parameter: bifurcations and collisions."""
     from nonsmooth.runtime.cli.display import counted
     from nonsmooth.runtime.present.files.kept import save_result
-    from nonsmooth.runtime.proof.events.certify_event import certify_events as enclose
-    from nonsmooth.runtime.proof.events.event_certificate import events_claim
+    from nonsmooth.runtime.proof.branch.certify_event import certify_events as enclose
+    from nonsmooth.runtime.proof.branch.event_certificate import events_claim
 
     known = reply.known.events if reply.resume else ()
     branch, (lower, upper) = _followed(orbit, parameters, guess)

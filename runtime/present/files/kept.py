@@ -20,12 +20,12 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.explore.design.optimum import Design
     from nonsmooth.runtime.explore.finding.sweep import Sweep
     from nonsmooth.runtime.explore.fitting.fit import Fit
-    from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
     from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
-    from nonsmooth.runtime.proof.events.event_certificate import (
+    from nonsmooth.runtime.proof.branch.event_certificate import (
         EventCertificate,
         EventCertificates,
     )
+    from nonsmooth.runtime.proof.sets.basin_certificate import BasinCertificate
 
 __all__ = ["KINDS", "KeptKind", "format_named", "load_events", "save_result"]
 
@@ -171,7 +171,7 @@ KINDS: dict[str, KeptKind] = {
     ),
     "nonsmooth event certificate": KeptKind(
         "set of certificates of events",
-        ".proof.events.event_certificate:EventCertificates",
+        ".proof.branch.event_certificate:EventCertificates",
         _PROOF,
     ),
     "nonsmooth certified branch": KeptKind(
@@ -179,13 +179,13 @@ KINDS: dict[str, KeptKind] = {
     ),
     "nonsmooth certified doubling": KeptKind(
         "certified doubling",
-        ".proof.doubling.certified_doubling:CertifiedDoubling",
+        ".proof.branch.certified_doubling:CertifiedDoubling",
         1 + SAVED_VERSION,
     ),
     "nonsmooth census": KeptKind("census", ".proof.counting.census:Census", _PROOF),
     "nonsmooth basin certificate": KeptKind(
         "certificate of a basin",
-        ".proof.basin.basin_certificate:BasinCertificate",
+        ".proof.sets.basin_certificate:BasinCertificate",
         _PROOF,
         _check_basin,
     ),
@@ -194,7 +194,7 @@ KINDS: dict[str, KeptKind] = {
     ),
     "nonsmooth region certificate": KeptKind(
         "certificate of a region",
-        ".proof.graphs.graph_certificate:RegionCertificate",
+        ".proof.sets.graph_certificate:RegionCertificate",
         _PROOF,
     ),
 }
@@ -218,7 +218,7 @@ def save_result(result: Any, path: str | os.PathLike[str]) -> None:
     if type(result).__name__ == "EventCertificate":
         result = [result]
     if isinstance(result, Sequence):
-        from nonsmooth.runtime.proof.events.event_certificate import EventCertificates
+        from nonsmooth.runtime.proof.branch.event_certificate import EventCertificates
 
         result = EventCertificates(events=tuple(result))
     own = type(result).__name__

@@ -20,8 +20,8 @@ from nonsmooth.runtime.present.paper import findings
 from nonsmooth.runtime.present.paper.findings import DIGITS, PAPER, Answer
 from nonsmooth.runtime.present.paper.pages import to_html, to_markdown
 from nonsmooth.runtime.present.report import orbit_json
+from nonsmooth.runtime.proof.branch.certify_event import certify_event
 from nonsmooth.runtime.proof.certify_orbit import certify
-from nonsmooth.runtime.proof.events.certify_event import certify_event
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -13,7 +13,7 @@ from nonsmooth.runtime.model.naming import shown_name, units_of
 from nonsmooth.runtime.present.pictures.drawing import drawn_alone, finish
 from nonsmooth.runtime.proof.boxes.box_certificate import VERDICTS, BoxCertificate, Tile
 from nonsmooth.runtime.proof.branch.certified_branch import BranchTile, CertifiedBranch
-from nonsmooth.runtime.proof.doubling.certified_doubling import CertifiedDoubling
+from nonsmooth.runtime.proof.branch.certified_doubling import CertifiedDoubling
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

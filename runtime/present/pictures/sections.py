@@ -16,9 +16,9 @@ from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.naming import shown_name, units_of
 from nonsmooth.runtime.present.pictures.drawing import drawn_alone, finish
-from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
-from nonsmooth.runtime.proof.graphs.graph_certificate import RegionCertificate
+from nonsmooth.runtime.proof.sets.basin_certificate import BasinCertificate
+from nonsmooth.runtime.proof.sets.graph_certificate import RegionCertificate
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -8,8 +8,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Annotated, Any
 
-from nonsmooth.runtime.checker.ranges.edges import neighbours
-from nonsmooth.runtime.checker.ranges.folded import BEYOND, beyond_folds
+from nonsmooth.runtime.checker.ranges.folded import BEYOND, beyond_folds, neighbours
 from nonsmooth.runtime.checker.stated.exact import exact
 from nonsmooth.runtime.core.errors import InputError, one_line
 from nonsmooth.runtime.core.json_codec import Follows, Told, by, encode

@@ -10,8 +10,7 @@ from fractions import Fraction
 from itertools import count
 from typing import TYPE_CHECKING
 
-from nonsmooth.runtime.checker.ranges.edges import neighbours
-from nonsmooth.runtime.checker.ranges.folded import BEYOND
+from nonsmooth.runtime.checker.ranges.folded import BEYOND, neighbours
 from nonsmooth.runtime.checker.ranges.tiles import SHARES, MapTile
 from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.core.errors import check_integer
@@ -25,8 +24,15 @@ from nonsmooth.runtime.proof.boxes.orbit_over_box import (
     stated_orbits,
     with_open_ones,
 )
-from nonsmooth.runtime.proof.boxes.refusals import BoxRefusals, unproved, whole_map
-from nonsmooth.runtime.proof.boxes.tile import Anchor, TileProof, is_same, prove
+from nonsmooth.runtime.proof.boxes.tile import (
+    Anchor,
+    BoxRefusals,
+    TileProof,
+    is_same,
+    prove,
+    unproved,
+    whole_map,
+)
 from nonsmooth.runtime.proof.boxes.tile_event import Fold, TileEvent
 from nonsmooth.runtime.proof.boxes.tile_fold import FoldSearch
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple, TypeVar
 import numpy as np
 
 from nonsmooth.runtime.checker.ranges.divided import Band
-from nonsmooth.runtime.checker.ranges.edges import neighbours
+from nonsmooth.runtime.checker.ranges.folded import neighbours
 from nonsmooth.runtime.core.json_codec import FromOne, Several, by
 from nonsmooth.runtime.proof.boxes.tile_event import BEYOND, Fold, TileEvent
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place, Point

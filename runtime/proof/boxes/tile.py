@@ -11,21 +11,84 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, NamedTuple
 
-from nonsmooth.runtime.checker.ranges.tiles import MapTile
+from nonsmooth.runtime.checker.ranges.tiles import CheckedBox, MapTile, check_whole
+from nonsmooth.runtime.core.json_codec import encode
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.boxes.box_certificate import BITS
+from nonsmooth.runtime.proof.boxes.box_certificate import BITS, BoxCertificate, Tile
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
-from nonsmooth.runtime.proof.boxes.refusals import BoxRefusals
 from nonsmooth.runtime.proof.boxes.tile_event import TileEvent, event_on
 from nonsmooth.runtime.proof.boxes.tile_places import Place
+from nonsmooth.runtime.proof.certificate import CLAIMS, file_json
 from nonsmooth.runtime.proof.exact_tables import rational_of
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
-from nonsmooth.runtime.proof.refusals import asking
+from nonsmooth.runtime.proof.refusals import as_read, asking, refusal
 
 if TYPE_CHECKING:
     from flint import arb, fmpq
 
-__all__ = ["Anchor", "TileProof", "is_same", "prove"]
+__all__ = ["Anchor", "BoxRefusals", "TileProof", "is_same", "prove", "unproved", "whole_map"]
+
+
+class BoxRefusals:
+    """The reasons why the checker does not prove what is stated of tiles; "" where it does.
+
+    `NotCovered` if it does not know their declaration.
+    """
+
+    def __init__(self, empty: BoxCertificate) -> None:
+        with asking():
+            self.box = CheckedBox(as_read(file_json(empty)))
+        self._checked: dict[Place, tuple[Tile, MapTile]] = {}
+
+    def take(self, tile: Tile, found: MapTile) -> None:
+        """Keep a tile of which nothing is stated but what the checker found of it."""
+        self._checked[tile.place] = tile, found
+
+    def has_proved(self, tile: Tile) -> bool:
+        """Whether the checker was asked about a tile and proved what is stated of it."""
+        return tile.place in self._checked and self._checked[tile.place][0] is tile
+
+    def of_tile(self, tile: Tile) -> str:
+        """Why a tile by itself is refused; "" if it is proved."""
+        return refusal(lambda: self.proved(tile))
+
+    def of_joint(self, tile: Tile, other: Tile) -> str:
+        """Why the common edge of two tiles over two parameters is refused; "" if it is proved."""
+        return refusal(lambda: self.box.check_joint(self.proved(tile), self.proved(other)))
+
+    def proved(self, tile: Tile) -> MapTile:
+        """A tile as far as the checker proves what is stated of it; it raises why it does not."""
+        if not self.has_proved(tile):
+            told = as_read(encode(tile))
+            found = self.box.proved(told)
+            self._checked[tile.place] = tile, found
+        return self._checked[tile.place][1]
+
+
+def whole_map(found: BoxCertificate) -> BoxCertificate:
+    """A map of proved tiles, if everything stated about the whole follows from them.
+
+    Otherwise it becomes one undecided tile with the checker's reason.
+    """
+    reason = refusal(lambda: check_whole(as_read(file_json(found))))
+    if not reason:
+        return found
+    whole = Place(((0, 0),) * len(found.box))
+    return replace(found, tiles=(unproved(whole, reason, looked_at=True),))
+
+
+def unproved(place: Place, reason: str, *, looked_at: bool) -> Tile:
+    """A tile of which nothing is proved."""
+    return Tile(
+        place=place,
+        claims=dict.fromkeys(CLAIMS, "undecided"),
+        reasons={"existence": reason},
+        enclosures={},
+        guess=(),
+        looked_at=looked_at,
+        event=None,
+    )
+
 
 _LOWEST, _SHARP = 2, 6
 

@@ -1,1 +1,1 @@
-"""Proofs of whole branches: tiles that follow each other, and every event between them."""
+"""Branches of orbits proved, tile by tile, their events, and what is beyond a flip."""

@@ -34,7 +34,6 @@ from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, region_of
 from nonsmooth.runtime.proof.branch.certified_branch import BranchTile, OrbitBeyond
 from nonsmooth.runtime.proof.branch.tiles import (
-    REFUSED,
     checked_curve,
     checked_tile,
     judged_tile,
@@ -43,6 +42,7 @@ from nonsmooth.runtime.proof.branch.tiles import (
     stated_branch,
 )
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
+from nonsmooth.runtime.proof.refusals import REFUSED
 
 __all__ = ["BordersOfBranch"]
 

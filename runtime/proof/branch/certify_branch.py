@@ -25,11 +25,12 @@ from nonsmooth.runtime.proof.boxes.orbit_over_box import (
 from nonsmooth.runtime.proof.branch.beyond_border import BordersOfBranch
 from nonsmooth.runtime.proof.branch.certified_branch import BranchTile, CertifiedBranch
 from nonsmooth.runtime.proof.branch.march import BranchStep, MarchPlace, march, place_behind
-from nonsmooth.runtime.proof.branch.tiles import REFUSED, checked_curve, checked_tile, stated_branch
+from nonsmooth.runtime.proof.branch.tiles import checked_curve, checked_tile, stated_branch
 from nonsmooth.runtime.proof.certificate import check_same_orbits
 from nonsmooth.runtime.proof.exact_tables import rational_of
 from nonsmooth.runtime.proof.kept_state import KeptState
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
+from nonsmooth.runtime.proof.refusals import REFUSED
 
 __all__ = ["MOST_TILES", "certify_branch"]
 

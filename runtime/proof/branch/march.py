@@ -14,11 +14,11 @@ from nonsmooth.runtime.checker.ranges.branch_tile import SHARP, CheckedTile
 from nonsmooth.runtime.checker.stated.exact import Failure, demand
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.branch.tiles import (
-    REFUSED,
     JudgedTile,
     judged_tile,
     proposed_tile,
 )
+from nonsmooth.runtime.proof.refusals import REFUSED
 
 if TYPE_CHECKING:
     from flint import arb

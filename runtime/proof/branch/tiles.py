@@ -38,13 +38,12 @@ from nonsmooth.runtime.proof.branch.certified_branch import (
 from nonsmooth.runtime.proof.certificate import Stated, file_json
 from nonsmooth.runtime.proof.exact_tables import rational_of
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
-from nonsmooth.runtime.proof.refusals import as_read, refusal
+from nonsmooth.runtime.proof.refusals import REFUSED, as_read, refusal
 
 if TYPE_CHECKING:
     from flint import arb
 
 __all__ = [
-    "REFUSED",
     "JudgedTile",
     "checked_curve",
     "checked_tile",
@@ -53,9 +52,6 @@ __all__ = [
     "proposed_tile",
     "stated_branch",
 ]
-
-# what the checker raises where something is not proved, or beyond what can be enclosed
-REFUSED = (Failure, ArithmeticError, ValueError)
 
 _LONG = 6  # phases of a cycle beyond which rounding errors grow too much for few bits
 _NARROW = Fraction(1, 2**24)  # size of a tile, in that of its coordinate, that takes more, too

@@ -16,17 +16,16 @@ from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
 from nonsmooth.runtime.proof.chaos.cone_conditions import cone_condition
-from nonsmooth.runtime.proof.chaos.entropy import growth, logarithm_below
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
-from nonsmooth.runtime.proof.chaos.h_sets import HSet, outline
+from nonsmooth.runtime.proof.chaos.h_sets import HSet, growth, logarithm_below, outline
 from nonsmooth.runtime.proof.chaos.search import Horseshoe, candidates, orbits_on
 from nonsmooth.runtime.proof.chaos.section_choice import sampled_sections
-from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
+from nonsmooth.runtime.proof.exact_tables import ExactSystem, exact_system
+from nonsmooth.runtime.proof.refusals import REFUSED
 from nonsmooth.runtime.proof.sets.section_record import named_way, section_entries, stated_section
 from nonsmooth.runtime.proof.sets.sections import MapSection
 from nonsmooth.runtime.proof.sets.visited_declaration import (
     PassedTransition,
-    refused_as_failure,
     visited_declaration,
 )
 from nonsmooth.runtime.simulation.simulate import simulate_one
@@ -121,13 +120,12 @@ def certify_chaos(
     ):
         check_integer(name, number, least, most)
     kernels = kernels_of(system)
-    at = enclosed_system(kernels, parameters)
+    exact = exact_system(kernels, parameters)
     motion = simulate_one(kernels, parameters, start, configuration, transitions=1)
     with flint_precision(bits):
-        enclosed = at(bits)
-        if len(enclosed.structure.forcing) > 1:
-            raise InputError(f"{enclosed.structure.name} has several forcings: chaos needs one")
-        question = _ChaosQuestion(kernels, enclosed, iterates, parts, exponents, progress)
+        if len(exact.structure.forcing) > 1:
+            raise InputError(f"{exact.structure.name} has several forcings: chaos needs one")
+        question = _ChaosQuestion(kernels, exact, iterates, parts, exponents, bits, progress)
         left = attempts
         for section, candidate in question.candidates(motion):
             found = question.prove(section, candidate)
@@ -145,10 +143,11 @@ class _ChaosQuestion:
     """One system at one parameter point, and what was tried."""
 
     kernels: SystemKernels
-    system: EnclosedSystem
+    system: ExactSystem
     iterates: int
     parts: int
     exponents: bool
+    bits: int
     progress: Callable[[int], object]
     tried: list[str] = field(default_factory=list)
     images: int = 0
@@ -181,9 +180,8 @@ class _ChaosQuestion:
         told = f"{_told(self.system, section)}: {len(candidate.h_sets)} sets"
         told += f", {candidate.iterates} iterates"
         try:
-            with refused_as_failure():
-                return self._proved(section, candidate)
-        except Failure as failure:
+            return self._proved(section, candidate)
+        except REFUSED as failure:
             self.tried.append(f"{told}: {failure}")
             return None
 
@@ -234,9 +232,8 @@ class _ChaosQuestion:
         """
         before = self.images
         try:
-            with refused_as_failure():
-                cones = cone_condition(sets, proved.h_sets, proved.coverings, floats)
-        except Failure as failure:
+            cones = cone_condition(sets, proved.h_sets, proved.coverings, floats)
+        except REFUSED as failure:
             self.tried.append(f"no cone condition: {failure}")
             return replace(proved, tried=tuple(self.tried))
         except KeyboardInterrupt:
@@ -297,7 +294,7 @@ class _ChaosQuestion:
             cones=None,
             parts=0,
             tried=tuple(self.tried),
-            bits=self.system.bits,
+            bits=self.bits,
             declaration={},
         )
 
@@ -309,12 +306,12 @@ def _entries(found: ChaosCertificate) -> dict[str, Any]:
     return {**told, "h_sets": [encode(own) for own in found.h_sets]}
 
 
-def _joined(system: EnclosedSystem, source: int, boundaries: Sequence[int]) -> str:
+def _joined(system: ExactSystem, source: int, boundaries: Sequence[int]) -> str:
     shapes = system.structure.boundaries[source]
     return "+".join(sorted(shapes[b].name for b in boundaries))
 
 
-def _told(system: EnclosedSystem, section: MapSection) -> str:
+def _told(system: ExactSystem, section: MapSection) -> str:
     """A section in words."""
     names = system.structure.configurations
     here = names[section.configuration]

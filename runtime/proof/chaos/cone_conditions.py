@@ -29,9 +29,8 @@ from nonsmooth.runtime.checker.state_sets.chaos import SetMap, StretchedSets
 from nonsmooth.runtime.checker.state_sets.cones import SPREADS, Derivatives, check_rates, positive
 from nonsmooth.runtime.checker.stated.exact import Failure, exact
 from nonsmooth.runtime.core.json_codec import Exact
-from nonsmooth.runtime.proof.chaos.entropy import logarithm_below
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
-from nonsmooth.runtime.proof.chaos.h_sets import HSet, grid_in_cube
+from nonsmooth.runtime.proof.chaos.h_sets import HSet, grid_in_cube, logarithm_below
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.checker.state_sets.cones import Matrix

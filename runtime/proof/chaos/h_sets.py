@@ -2,25 +2,68 @@
 
 An h-set is N = {c + A x, |x_i| <= 1} (P. Zgliczynski and M. Gidea, Covering relations for
 multidimensional dynamical systems, J. Differential Equations 202, 2004), here with the first
-of its coordinates unstable and the others stable.
+of its coordinates unstable and the others stable. What follows from which of them cover which is
+the growth of a graph, bounded from below without rounding, as the checker bounds it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from decimal import ROUND_DOWN, Decimal
 from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from nonsmooth.runtime.checker.state_sets.chaos import radius_above
 from nonsmooth.runtime.core.json_codec import Exact
 
 if TYPE_CHECKING:
+    from flint import arb
+
     from nonsmooth.runtime.checker.state_sets.sets import StateSet
 
-__all__ = ["HSet", "decimal_set", "grid_in_cube", "outline"]
+__all__ = ["HSet", "decimal_set", "grid_in_cube", "growth", "logarithm_below", "outline"]
+
+_SHORT = 10**6  # denominator of a bound, at most
+_DIGITS = 6  # of a logarithm
+
+
+def growth(size: int, edges: Iterable[tuple[int, int]]) -> tuple[Fraction, tuple[int, ...]]:
+    """A lower bound of the spectral radius of a graph, with the vertices of its part that has it.
+
+    The part is strongly connected. The bound is 0 where there is no cycle.
+
+    Examples
+    --------
+    >>> growth(2, [(0, 0), (0, 1), (1, 0), (1, 1)])
+    (Fraction(2, 1), (0, 1))
+    """
+    from scipy.sparse.csgraph import connected_components
+
+    matrix = np.zeros((size, size), dtype=int)
+    for i, j in edges:
+        matrix[i, j] = 1
+    _, labels = connected_components(matrix, connection="strong")
+    best: tuple[Fraction, tuple[int, ...]] = (Fraction(0), ())
+    for label in dict.fromkeys(labels.tolist()):
+        part = np.flatnonzero(labels == label).tolist()
+        targets = {i: [j for j in part if matrix[i, j]] for i in part}
+        if any(targets.values()):
+            bound = Fraction(int(radius_above(targets) * _SHORT), _SHORT)
+            best = max(best, (bound, tuple(part)), key=lambda found: found[0])
+    return best
+
+
+def logarithm_below(bound: Fraction, iterates: int) -> str:
+    """The logarithm of a growth above 1, for each iterate, rounded down, as a decimal text."""
+    from flint import arb, fmpq
+
+    exact: arb = arb(fmpq(bound.numerator, bound.denominator)).log() / iterates
+    below = Decimal(exact.lower().str(30, radius=False)) * (1 - Decimal(10) ** -20)
+    return str(below.quantize(Decimal(10) ** (below.adjusted() + 1 - _DIGITS), ROUND_DOWN))
 
 
 @dataclass(frozen=True)

@@ -19,9 +19,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.proof.chaos.entropy import growth
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
-from nonsmooth.runtime.proof.chaos.h_sets import HSet, decimal_set, grid_in_cube
+from nonsmooth.runtime.proof.chaos.h_sets import HSet, decimal_set, grid_in_cube, growth
 
 __all__ = ["Horseshoe", "StretchedOrbits", "candidates", "orbits_on"]
 

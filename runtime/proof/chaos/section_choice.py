@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.model.engine_run import Run
-from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
+from nonsmooth.runtime.proof.exact_tables import ExactSystem
 from nonsmooth.runtime.proof.sets.sections import (
     MapSection,
     angle_of,
@@ -38,7 +38,7 @@ class Sampled(NamedTuple):
     ranges: np.ndarray
 
 
-def sampled_sections(system: EnclosedSystem, motion: Trajectory) -> Iterator[Sampled]:
+def sampled_sections(system: ExactSystem, motion: Trajectory) -> Iterator[Sampled]:
     """Yield sections that a long motion visits, the most promising ones first.
 
     With a forcing these are phases at which the motion is mostly in one configuration and far
@@ -51,7 +51,7 @@ def sampled_sections(system: EnclosedSystem, motion: Trajectory) -> Iterator[Sam
         yield from _passed(system, motion)
 
 
-def _forced(system: EnclosedSystem, motion: Trajectory) -> Iterator[Sampled]:
+def _forced(system: ExactSystem, motion: Trajectory) -> Iterator[Sampled]:
     numbers, structure = motion.system, system.structure
     c, s = structure.forcing[0]
     speed = float(numbers.fields[0, s, c])
@@ -83,7 +83,7 @@ def _forced(system: EnclosedSystem, motion: Trajectory) -> Iterator[Sampled]:
     yield from (sampled for *_, sampled in found[:_TRIED])
 
 
-def _passed(system: EnclosedSystem, motion: Trajectory) -> Iterator[Sampled]:
+def _passed(system: ExactSystem, motion: Trajectory) -> Iterator[Sampled]:
     start, first = motion.states[0], int(motion.run.configurations[0])
     run = follow(motion.system, start, first, transitions=_TRANSITIONS)
     half = len(run.times) // 2

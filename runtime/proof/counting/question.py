@@ -21,10 +21,10 @@ from nonsmooth.runtime.orbits.problem import OrbitProblem
 from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.orbits.table_solve import unknowns_of, with_routes
 from nonsmooth.runtime.proof.certificate import GUARD
+from nonsmooth.runtime.proof.exact_closure import symplectic_form
 from nonsmooth.runtime.proof.exact_tables import exact_tables
 from nonsmooth.runtime.proof.parametric_declaration import system_declaration
 from nonsmooth.runtime.proof.refusals import as_read
-from nonsmooth.runtime.proof.symplectic_form import symplectic_form
 from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
 from nonsmooth.runtime.shooting.translations import translations_of
 

@@ -1,37 +1,46 @@
 """A simulation that is a proof: the sequence of configurations of one motion, in balls.
 
-From an exact start, with exact parameters, every transition is proved to be the next one:
-no boundary is reached before it, and its conditions hold. Where balls cannot tell, at any
-precision that is allowed, the proof says when and why and stops.
+From an exact start, with exact parameters, every transition is proved to be the next one. Which
+boundary is next, and about when, is looked for along the middles of balls; the checker judges it.
+Where that cannot tell, at any precision that is allowed, the proof says when and why and stops.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from itertools import count
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
+from nonsmooth.runtime.checker.state_sets.entries import Unlisted
+from nonsmooth.runtime.checker.state_sets.one_motion import OneMotion
+from nonsmooth.runtime.checker.state_sets.sets import TooWide
+from nonsmooth.runtime.checker.stated.exact import Elimination, Failure, reduced
 from nonsmooth.runtime.core.errors import InputError, check_integer, unknown_name
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.events.leading_derivative import Undecided
-from nonsmooth.runtime.events.transition_choice import choose
-from nonsmooth.runtime.model.contacts.law import ContactEvent
-from nonsmooth.runtime.model.kernels import SystemKernels
+from nonsmooth.runtime.events.transition_choice import Decider
+from nonsmooth.runtime.model.contacts.unfolding import Route, unfolded
+from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.structure import Structure
-from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
-from nonsmooth.runtime.proof.motion.exact_rows import Invariants, evaluate
-from nonsmooth.runtime.proof.motion.first_crossing import first_crossing
-from nonsmooth.runtime.proof.motion.lawful import lawful
+from nonsmooth.runtime.proof.exact_tables import ExactSystem, exact_system
 from nonsmooth.runtime.proof.motion.motion_proof import Enclosure, Proof, exactly
+from nonsmooth.runtime.proof.sets.visited_declaration import whole_system
+from nonsmooth.runtime.simulation.starting import forcing_start
 
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["BallJudge", "Enclosure", "Proof", "validate"]
+__all__ = ["Enclosure", "Proof", "validate"]
 
 _FEWEST_BITS = 64
 _MOST_IMMEDIATE = 64  # transitions without any time between them
+_STEP = 2.0  # times what is short for the fastest motion
+_LONGEST = 100_000  # steps in one phase
+_LOOKS = frozenset(64 * 2**k for k in range(12))  # steps after which for ever is judged
+_ERROR = 2.0**-40  # of a state, where what a law says is guessed
+_QUIET = "no boundary is reached any more"
 
 
 def validate(
@@ -57,7 +66,8 @@ def validate(
         All of them, rational; a float means its shortest decimal, as elsewhere.
     state : mapping by name, or sequence in the order of the system
         Positions, then velocities: decimal or rational texts, fractions, or floats, which
-        are taken exactly as they are in binary.
+        are taken exactly as they are in binary. By name, a forcing c, s that is left out starts at
+        c = 1, s = 0.
     configuration : str
     transitions : int
         How many to prove.
@@ -90,192 +100,200 @@ def validate(
         ("most_bits", most_bits, _FEWEST_BITS),
     ):
         check_integer(name, number, least)
-    at = enclosed_system(system, parameters)
-    structure = at(bits).structure
-    start = _start(structure, state)
-    index = structure.configuration(configuration)
+    kernels = kernels_of(system)
+    exact = exact_system(kernels, parameters)
+    start = _start(exact.structure, state)
+    index = exact.structure.configuration(configuration)
+    _check_belongs(exact, index, start)
+    routes: list[Route] = []  # of a contact law, as far as the motion is known to take them
+    stated = whole_system(exact)
     while True:
         with flint_precision(bits):
-            motion = _Motion(at(bits), index, start)
+            motion = _Motion(exact, OneMotion(stated, configuration, start))
             motion.run(transitions)
-            trouble = motion.trouble
-            if trouble is None or not trouble.digits or 2 * bits > most_bits:
-                return motion.proof()
-        bits *= 2
+            route = motion.unlisted
+            if route is not None and route not in routes:
+                routes.append(route)
+                exact = exact_system(unfolded(kernels, routes), parameters)
+                stated = whole_system(exact)
+                continue
+            if motion.digits and 2 * bits <= most_bits:
+                bits *= 2
+                continue
+            return motion.proof(bits)
 
 
 class _Motion:
     """The motion as far as it is proved, at one precision."""
 
-    def __init__(self, system: EnclosedSystem, configuration: int, start: list[Any]) -> None:
-        from flint import arb, fmpq
-
-        self.system, self.configuration = system, configuration
-        size = len(start)
-        self.invariants = Invariants.of(
-            [[*(fmpq(int(i == j)) for j in range(size)), -x] for i, x in enumerate(start)]
-        )
-        self.state = [arb(x) for x in start]
-        self._belongs()
-        self.time = arb(0)
-        self.configurations, self.times, self.states = [configuration], [self.time], [self.state]
-        self.sets: list[tuple[int, ...]] = []
-        self.trouble: Undecided | None = None
+    def __init__(self, system: ExactSystem, proved: OneMotion) -> None:
+        self.system, self.proved = system, proved
+        self.configurations, self.times = [proved.entry.here], [proved.time]
+        self.states, self.sets = [proved.state], list[tuple[str, ...]]()
+        self.reason: str | None = None  # why it ends, and when
         self.instant: arb | None = None
-        self.quiet = False
-
-    def _belongs(self) -> None:
-        """Refuse a start beyond a boundary, or off what the configuration holds."""
-        structure, exact = self.system.structure, self.system.exact
-        name = structure.configurations[self.configuration]
-        for boundary in structure.boundaries[self.configuration]:
-            if self.system.value(exact.rows[boundary.row], self.invariants, self.state) > 0:
-                raise InputError(f"the state is not in {name}: it is beyond {boundary.name}")
-        for row in _held(self.system, self.configuration).rows:
-            if any(self.invariants.reduce(row)):
-                raise InputError(f"the state is not in {name}, where {_equation(structure, row)}")
+        self.digits = False  # whether more digits may help
+        self.unlisted: Route | None = None  # what a contact law seems to say at its end
 
     def run(self, transitions: int) -> None:
-        """Prove so many transitions, or set `quiet` (no further one follows) or `trouble`."""
+        """Prove so many transitions, or set the reason why there are fewer."""
         immediate = 0
-        try:
-            while len(self.sets) < transitions and not self.quiet:
-                before = self.time
-                self._transition()
-                immediate = immediate + 1 if self.time is before else 0
-                if immediate > _MOST_IMMEDIATE:
-                    raise Undecided(
-                        "transitions follow each other without any time between them", digits=False
-                    )
-        except Undecided as trouble:
-            self.trouble = trouble
-            self.instant = self.time if trouble.at is None else self.time + trouble.at
+        while len(self.sets) < transitions and self.reason is None:
+            try:
+                immediate = 0 if self._transition() else immediate + 1
+            except TooWide as trouble:
+                self.digits = True
+                self._stop(trouble.reason, trouble.at)
+            except Failure as failure:
+                self._stop(str(failure), self.instant)
+            if immediate > _MOST_IMMEDIATE:
+                self._stop("transitions follow each other without any time between them", None)
 
-    def _transition(self) -> None:
-        system, here = self.system, self.configuration
-        exact, structure = system.exact, system.structure
-        lasting = self.invariants.lasting(exact.fields[here])
-        found = first_crossing(system, here, self.invariants, lasting, self.state)
-        if found is None:
-            self.quiet = True
-            return
-        dwell, reached, state = found
-        if dwell.is_zero():
-            time, invariants = self.time, self.invariants
-        else:
-            time = self.time + dwell
-            rows = [exact.rows[structure.boundaries[here][b].row] for b in reached]
-            invariants = Invariants.of([*lasting.rows, *rows])
-            state = invariants.tighten(state)
-        judge = BallJudge(system, here, invariants, state)
-        try:
-            target, reset = _transition_behind(system, here, reached, judge)
-        except Undecided as trouble:
-            raise Undecided(trouble.reason, dwell, digits=trouble.digits) from None
-        matrix = exact.resets[reset]
-        self.invariants = invariants.reset(matrix)
-        self.state = self.invariants.tighten([evaluate(row, state) for row in matrix[:-1]])
-        self.time, self.configuration = time, target
-        self.configurations.append(target)
-        self.sets.append(reached)
-        self.times.append(time)
-        self.states.append(self.state)
+    def _stop(self, reason: str, at: arb | None) -> None:
+        self.reason, self.instant = reason, self.proved.time if at is None else at
 
-    def proof(self) -> Proof:
-        """Return what is proved of the motion, by name."""
-        system = self.system
-        structure, bits = system.structure, system.bits
+    def _transition(self) -> bool:
+        """Prove the next transition; return whether time passes before it."""
+        motion, here = self.proved, self.proved.entry.here
+        reached = motion.passed()
+        about = None if reached else self._next()
+        if about is None and not reached:
+            self.reason = _QUIET
+            return True
+        if about is not None:
+            reached, dwell = about
+        try:
+            if about is None:
+                motion.pass_on(reached)
+            else:
+                self.instant = motion.time + dwell
+                motion.arrive(reached, dwell)
+        except Unlisted:
+            self.unlisted = self._route(here, reached, dwell if about else None)
+            raise
+        self.instant = None
+        self.configurations.append(motion.entry.here)
+        self.sets.append(
+            tuple(name for name in self.proved.system.boundaries[here] if name in reached)
+        )
+        self.times.append(self.times[-1] if about is None else motion.time)
+        self.states.append(motion.state)
+        return about is not None
+
+    def _next(self) -> tuple[frozenset[str], arb] | None:
+        """Return what seems to be reached next, and when; None if proved that nothing is."""
+        from flint import arb, arb_mat
+
+        motion, phase = self.proved, self.proved.phase
+        sets = motion.moving()
+        if not sets:
+            return None
+        rows = arb_mat([phase.timed(phase.rows[min(names)]).entries() for names in sets])
+        step = arb(_STEP * phase.step)
+        flow, rates = phase.flow(step).mid(), (rows * phase.matrix).mid()
+        state, since = motion.states.centre, arb(0)
+        slopes = (rates * state).entries()
+        for number in count(1):
+            ahead = (flow * state).mid()
+            values, after = (rows * ahead).entries(), (rates * ahead).entries()
+            found = []
+            for k, names in enumerate(sets):
+                end = step if values[k] > 0 else None
+                if end is None and slopes[k] > 0 > after[k]:
+                    top = _zero(phase, [-x for x in rates.tolist()[k]], state, step)
+                    there = (rows * (phase.flow(top).mid() * state)).entries()[k]
+                    end = top if there.mid() > 0 else None
+                if end is not None:
+                    found.append((since + _zero(phase, rows.tolist()[k], state, end), names))
+            if found:
+                time, names = min(found, key=lambda each: each[0])
+                return names, time.mid()
+            state, since, slopes = ahead, since + step, after
+            if number in _LOOKS and motion.never(since.mid()):
+                return None
+            if number == _LONGEST:
+                told = " or ".join(sorted(name for names in sets for name in names))
+                self.instant = motion.time + since
+                raise Failure(f"no boundary is reached, and {told} still could be")
+        raise AssertionError
+
+    def _route(self, source: str, reached: frozenset[str], dwell: arb | None) -> Route | None:
+        """Return what the contact law seems to say of boundaries; None if it says nothing."""
+        structure, motion = self.system.structure, self.proved
+        place, names = structure.configuration(source), tuple(sorted(reached))
+        event = None if structure.law is None else structure.law.event(place, names)
+        if event is None:
+            return None
+        column = motion.states.centre
+        if dwell is not None:
+            column = motion.phase.flow(dwell) * column
+        states = [float(x.mid()) for x in column.entries()[: motion.system.size]]
+        exact = self.system.exact
+        arrays = (_floats(exact.fields)[:, :-1], _floats(exact.rows), _floats(exact.resets)[:, :-1])
+        decider = Decider(structure, *arrays)
+        known = np.array([*states, 1.0])
+        guess = decider.outcome(event, decider.located(place, known, _ERROR))
+        if len(guess.targets) != 1:
+            return None
+        return Route(source, names, structure.configurations[guess.targets[0]], guess.paths[0])
+
+    def proof(self, bits: int) -> Proof:
+        """Return what is proved of the motion."""
 
         def enclosed(ball: Any) -> Enclosure:
             return Enclosure(ball, bits)
 
-        names = structure.configurations
-        instant = None if self.instant is None else enclosed(self.instant)
-        reason = "no boundary is reached any more" if self.quiet else None
-        if self.trouble is not None and self.instant is not None:
-            phase = len(self.sets)
-            told = f" ({bits} bits)" if self.trouble.digits else ""
+        quiet, reason, instant = self.reason == _QUIET, self.reason, None
+        if self.reason is not None and not quiet:
+            assert self.instant is not None
+            instant = enclosed(self.instant)
+            told = f" ({bits} bits)" if self.digits else ""
             reason = (
-                f"phase {phase + 1}, {names[self.configuration]}, at t = "
-                f"{self.instant.str(20)}: {self.trouble.reason}{told}"
+                f"phase {len(self.sets) + 1}, {self.configurations[-1]}, at t = "
+                f"{self.instant.str(20)}: {self.reason}{told}"
             )
         return Proof(
-            structure.name,
-            system.values,
-            tuple(names[c] for c in self.configurations),
-            tuple(
-                tuple(structure.boundaries[c][b].name for b in reached)
-                for c, reached in zip(self.configurations, self.sets, strict=False)
-            ),
+            self.system.structure.name,
+            self.system.values,
+            tuple(self.configurations),
+            tuple(self.sets),
             tuple(map(enclosed, self.times)),
             tuple(tuple(map(enclosed, state)) for state in self.states),
-            self.trouble is None,
+            quiet or self.reason is None,
             reason,
             instant,
             bits,
         )
 
 
-def _transition_behind(
-    system: EnclosedSystem, source: int, reached: tuple[int, ...], judge: BallJudge
-) -> tuple[int, int]:
-    """Return target and reset of the transition behind a set of boundaries reached in `source`.
+def _zero(phase: Any, row: Sequence[arb], state: Any, end: arb) -> arb:
+    """Return about where a function is zero that is positive at the end of a time.
 
-    Where stops may act in several orders all orders have to agree. `Undecided` is raised if it is
-    not proved what follows.
+    It is Newton's method, or a bisection where a step leaves the bracket or does not get shorter.
     """
-    structure = system.structure
-    choice = choose(structure, source, frozenset(reached), judge)
-    transition = choice.transition
+    from flint import arb, arb_mat, ctx
 
-    def names(between: str = " with ") -> str:
-        return between.join(structure.boundaries[source][b].name for b in reached)
+    both = arb_mat([list(row)])
+    both = arb_mat([both.entries(), (both * phase.matrix).entries()])
+    low, high, time, last = arb(0), end, (end / 2).mid(), end
+    for _ in range(2 * ctx.prec):
+        value, slope = (x.mid() for x in (both * (phase.flow(time).mid() * state)).entries())
+        low, high = (time, high) if value < 0 else (low, time)
+        step = (value / slope).mid() if slope > 0 else last
+        moved = (time - step).mid()
+        if not (low < moved < high and 2 * abs(step) < last):
+            moved = ((low + high) / 2).mid()
+            step = time - moved
+        last = abs(step).mid()
+        time = moved
+        if last <= time * arb(2) ** (-16 - ctx.prec // 2):
+            break
+    return time
 
-    if choice.verdict == "undeclared":
-        raise Undecided(f"no transition is declared for {names()}", digits=False)
-    if choice.verdict == "ambiguous":
-        both = names(" and ")
-        raise Undecided(f"the orders in which {both} act need not agree", digits=False)
-    if transition is None:
-        raise Undecided(f"what the contact law says at {names()}")
-    if choice.verdict == "undecided":
-        target = structure.configurations[transition.target]
-        raise Undecided(f"at {names()}, whether {target} follows: {choice.open}")
-    return transition.target, transition.reset
 
-
-@dataclass(frozen=True)
-class BallJudge:
-    """A `Judge` in balls, with what is exactly known of the state."""
-
-    system: EnclosedSystem
-    source: int  # configuration in which boundaries are reached
-    facts: Invariants  # what is exactly true of the state: a boundary that was reached is zero
-    state: Sequence[arb]
-
-    def sign(self, row: int, along: int) -> int:
-        """Return the proved sign of a row's leading derivative along a configuration's field.
-
-        It is 0 if all derivatives are exactly zero.
-        """
-        exact = self.system.exact
-        found = self.system.leading(exact.rows[row], along, self.facts, self.state)
-        return 0 if found is None else found.sign
-
-    def agree(self, resets: Sequence[int]) -> bool:
-        """Whether resets lead to one state by what is exactly known."""
-        first, *others = (self.system.exact.resets[reset] for reset in resets)
-        return all(self.facts.agree(other, first) for other in others)
-
-    def targets(self, event: ContactEvent) -> tuple[int, ...]:
-        """Return the one configuration that is proved to follow by the contact law.
-
-        `Undecided` is raised if that is not proved.
-        """
-        target = lawful(self.system, self.source, event, self.facts, self.state)
-        if target is None:
-            raise Undecided("what the contact law says")
-        return (target,)
+def _floats(numbers: Any) -> np.ndarray:
+    exact = np.array(numbers, dtype=object)
+    return np.array([int(x.p) / int(x.q) for x in exact.flat]).reshape(exact.shape)
 
 
 def _start(structure: Structure, state: Mapping[str, object] | Sequence[object]) -> list[Any]:
@@ -285,6 +303,7 @@ def _start(structure: Structure, state: Mapping[str, object] | Sequence[object])
         for name in state:
             if name not in names:
                 raise unknown_name("state", str(name), names)
+        state = {**forcing_start(structure), **state}
         missing = [name for name in names if name not in state]
         if missing:
             raise InputError(f"the state needs a value for: {', '.join(missing)}")
@@ -294,21 +313,28 @@ def _start(structure: Structure, state: Mapping[str, object] | Sequence[object])
     return [exactly(x, name) for name, x in zip(names, state, strict=True)]
 
 
-def _held(system: EnclosedSystem, configuration: int) -> Invariants:
-    """Return what is true in a configuration by every reset into it, and stays true in it.
+def _check_belongs(system: ExactSystem, configuration: int, start: Sequence[Any]) -> None:
+    """Refuse a start beyond a boundary, or off what the configuration holds.
 
-    There are no such invariants if the resets contradict each other.
+    It holds what is true behind every reset into it, and stays true in it.
     """
-    exact, none = system.exact, Invariants(())
+    from flint import fmpq
+
+    structure, exact, exactly = system.structure, system.exact, Elimination()
+    name = structure.configurations[configuration]
+    facts = [(*(fmpq(int(i == j)) for j in range(len(start))), -x) for i, x in enumerate(start)]
+    for boundary in structure.boundaries[configuration]:
+        if reduced(exact.rows[boundary.row], facts)[-1] > 0:
+            raise InputError(f"the state is not in {name}: it is beyond {boundary.name}")
     resets = {
-        transition.reset
-        for found in system.structure.transitions
-        for transition in found
-        if transition.target == configuration
+        t.reset for found in structure.transitions for t in found if t.target == configuration
     }
-    rows = [row for reset in resets for row in none.reset(exact.resets[reset]).rows]
-    invariants = Invariants.of(rows)
-    return invariants.lasting(exact.fields[configuration]) if invariants.consistent else none
+    rows = [row for reset in resets for row in exactly.left_kernel(exact.resets[reset])]
+    held = exactly.echelon(rows)
+    if all(any(row[:-1]) for row in held):
+        for row in exactly.lasting(held, exact.fields[configuration]):
+            if any(reduced(row, facts)):
+                raise InputError(f"the state is not in {name}, where {_equation(structure, row)}")
 
 
 def _equation(structure: Structure, row: Sequence[Any]) -> str:

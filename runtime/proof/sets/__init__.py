@@ -1,1 +1,1 @@
-"""Sets of states carried through the phases of a motion, with bounds of all roundings."""
+"""Sets of states proved: basins of attraction, trapping regions, and the sections of both."""

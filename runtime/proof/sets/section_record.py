@@ -12,7 +12,7 @@ from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.boundary_sets import members_of
 from nonsmooth.runtime.model.saved_system import KeptSystemName
 from nonsmooth.runtime.proof.certificate import Declaration
-from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
+from nonsmooth.runtime.proof.exact_tables import ExactSystem
 from nonsmooth.runtime.proof.sets.sections import MapSection
 
 __all__ = ["SectionRecord", "named_way", "section_entries", "stated_section"]
@@ -60,7 +60,7 @@ def section_entries(record: SectionRecord, *more: str) -> dict[str, Any]:
     return {"parameters": parameters, **{name: getattr(record, name) for name in names}}
 
 
-def stated_section(system: EnclosedSystem, section: MapSection) -> dict[str, Any]:
+def stated_section(system: ExactSystem, section: MapSection) -> dict[str, Any]:
     """Return the attributes of `SectionRecord` for a section, but for the declaration."""
     structure, forced = system.structure, section.phase is not None
     names = structure.configurations
@@ -77,7 +77,7 @@ def stated_section(system: EnclosedSystem, section: MapSection) -> dict[str, Any
 
 
 def named_way(
-    system: EnclosedSystem, way: Iterable[tuple[int, int, int]]
+    system: ExactSystem, way: Iterable[tuple[int, int, int]]
 ) -> tuple[tuple[str, str, str], ...]:
     """Return transitions by names: source, boundaries and target of each.
 

@@ -15,11 +15,12 @@ from functools import cached_property
 from math import gcd
 from typing import TYPE_CHECKING, Any
 
+from nonsmooth.runtime.checker.state_sets.switching import echelon_behind
+from nonsmooth.runtime.checker.stated.exact import Elimination
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.boundary_sets import members_of
 from nonsmooth.runtime.model.engine_run import Run
-from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
-from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row
+from nonsmooth.runtime.proof.exact_tables import ExactSystem, Row
 
 if TYPE_CHECKING:
     from flint import arb
@@ -42,7 +43,7 @@ class MapSection:
     """A section: the configuration of its states, and what is exactly true of them."""
 
     configuration: int
-    facts: Invariants
+    facts: tuple[Row, ...]  # reduced rows that are zero
     # cosine and sine of the forcing; None for a section behind a transition
     phase: tuple[Any, Any] | None
     source: int = -1  # configuration that the transition leaves; -1 for a forcing
@@ -52,16 +53,20 @@ class MapSection:
     @cached_property
     def free(self) -> tuple[int, ...]:
         """The states that are the section's coordinates."""
-        size = len(self.facts.rows[0]) - 1
-        return tuple(k for k in range(size) if k not in self.facts.pivots)
+        size = len(self.facts[0]) - 1
+        return tuple(k for k in range(size) if k not in self._given)
+
+    @cached_property
+    def _given(self) -> dict[int, Row]:
+        """The fact that gives each other state."""
+        return {next(k for k, x in enumerate(row) if x): row for row in self.facts}
 
     @cached_property
     def lift(self) -> tuple[Row, ...]:
         """Rows (N, d + 1) that give each state as an affine function of the d coordinates."""
         from flint import fmpq
 
-        size = len(self.facts.rows[0]) - 1
-        given = dict(zip(self.facts.pivots, self.facts.rows, strict=True))
+        size, given = len(self.facts[0]) - 1, self._given
         return tuple(
             tuple(-given[k][j] for j in (*self.free, size))
             if k in given
@@ -69,14 +74,14 @@ class MapSection:
             for k in range(size)
         )
 
-    def period(self, system: EnclosedSystem) -> arb:
+    def period(self, system: ExactSystem) -> arb:
         """Return the period of the forcing, at the working precision."""
         from flint import arb
 
         return 2 * arb.pi() / abs(arb(_speed(system)))
 
 
-def forcing_section(system: EnclosedSystem, configuration: int, phase: Sequence[Any]) -> MapSection:
+def forcing_section(system: ExactSystem, configuration: int, phase: Sequence[Any]) -> MapSection:
     """Return the section at one phase of the forcing, in one configuration.
 
     The phase is cosine and sine, a rational point of the unit circle. Any other point, and a system
@@ -94,12 +99,12 @@ def forcing_section(system: EnclosedSystem, configuration: int, phase: Sequence[
         for k, x in ((c, cosine), (s, sine))
     ]
     held = [system.exact.rows[row] for row in system.structure.constraints[configuration]]
-    facts = Invariants.of([*rows, *held])
-    return MapSection(configuration, facts, (cosine, sine))
+    facts = Elimination().echelon([*rows, *held])
+    return MapSection(configuration, tuple(facts), (cosine, sine))
 
 
 def transition_section(
-    system: EnclosedSystem, source: int, boundaries: frozenset[int], target: int
+    system: ExactSystem, source: int, boundaries: frozenset[int], target: int
 ) -> MapSection:
     """Return the section behind a transition by `boundaries` from a configuration to another.
 
@@ -110,16 +115,17 @@ def transition_section(
         raise InputError("with a forcing states are taken at one of its phases")
     held = [exact.rows[row] for row in structure.constraints[source]]
     reached = [exact.rows[structure.boundaries[source][b].row] for b in sorted(boundaries)]
-    before = Invariants.of([*held, *reached])
+    exactly = Elimination()
+    before = exactly.echelon([*held, *reached])
     for transition in structure.listed(source, boundaries):
         if transition.target == target:
-            facts = before.reset(exact.resets[transition.reset])
-            return MapSection(target, facts, None, source, boundaries)
+            facts = echelon_behind(exactly, before, exact.resets[transition.reset])
+            return MapSection(target, tuple(facts), None, source, boundaries)
     name = structure.configurations
     raise InputError(f"no listed transition leads from {name[source]} to {name[target]}")
 
 
-def sections_behind(system: EnclosedSystem, ways: Sequence[Way]) -> dict[Way, MapSection]:
+def sections_behind(system: ExactSystem, ways: Sequence[Way]) -> dict[Way, MapSection]:
     """Return the sections behind transitions (source, boundaries, target) that have coordinates.
 
     Transitions that a contact law decides are left out: the checker knows listed ones alone.
@@ -174,7 +180,7 @@ def phases(count: int) -> list[tuple[Any, Any]]:
     return found
 
 
-def _speed(system: EnclosedSystem) -> Any:
+def _speed(system: ExactSystem) -> Any:
     """Return the angular frequency of the one forcing, which is the same in every configuration."""
     forcing = system.structure.forcing
     if len(forcing) != 1:

@@ -6,20 +6,22 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any, NamedTuple
 
+from nonsmooth.runtime.checker.state_sets.switching import SwitchingSystem
 from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.structure import TransitionShape
-from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
+from nonsmooth.runtime.proof.exact_tables import ExactSystem
 from nonsmooth.runtime.proof.parametric_declaration import system_declaration
+from nonsmooth.runtime.proof.statement import declaration_json
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 
 __all__ = [
     "PassedTransition",
     "listed_declaration",
-    "refused_as_failure",
     "refused_as_input",
     "visited_declaration",
+    "whole_system",
 ]
 
 
@@ -29,15 +31,6 @@ class PassedTransition(NamedTuple):
     source: int
     boundaries: tuple[int, ...]
     target: int
-
-
-@contextmanager
-def refused_as_failure() -> Iterator[None]:
-    """Raise numbers beyond what can be enclosed as a `Failure` of the checker."""
-    try:
-        yield
-    except (ArithmeticError, ValueError) as problem:
-        raise Failure(f"{type(problem).__name__}: {problem}") from None
 
 
 @contextmanager
@@ -51,7 +44,7 @@ def refused_as_input() -> Iterator[None]:
 
 def visited_declaration(
     kernels: SystemKernels,
-    system: EnclosedSystem,
+    system: ExactSystem,
     passages: Sequence[PassedTransition],
 ) -> dict[str, Any]:
     """Return the configurations and transitions of some passages, with all their numbers.
@@ -59,13 +52,23 @@ def visited_declaration(
     It is as `declaration_json` gives it, and its phases are the passages, each once. It is empty
     where a contact law decides what follows.
     """
+    cycle = _cycle(system, passages)
+    if cycle is None:
+        return {}
+    dwell = [f"phase {number}" for number in range(1, len(cycle) + 1)]
+    start = system.structure.states
+    return system_declaration(kernels, cycle, system.exact, start, dwell, timed=False)
+
+
+def _cycle(system: ExactSystem, passages: Sequence[PassedTransition]) -> ItineraryShape | None:
+    """Return some passages, each once, as phases; None where a contact law decides what follows."""
     structure = system.structure
     found = list(
         dict.fromkeys(p._replace(boundaries=tuple(sorted(p.boundaries))) for p in passages)
     )
     taken = [_transition(system, passage) for passage in found]
     if any(transition is None for transition in taken):
-        return {}
+        return None
     itinerary = tuple(
         (
             structure.configurations[p.source],
@@ -73,33 +76,45 @@ def visited_declaration(
         )
         for p in found
     )
-    cycle = ItineraryShape(
+    return ItineraryShape(
         structure,
         itinerary,
         tuple(p.source for p in found),
         tuple(p.boundaries[0] for p in found),
         tuple(t for t in taken if t is not None),
     )
-    dwell = [f"phase {number}" for number in range(1, len(found) + 1)]
-    start = structure.states
-    return system_declaration(kernels, cycle, system.exact, start, dwell, timed=False)
 
 
-def listed_declaration(kernels: SystemKernels, system: EnclosedSystem) -> dict[str, Any]:
+def listed_declaration(kernels: SystemKernels, system: ExactSystem) -> dict[str, Any]:
     """Return the declaration of a system with all transitions that it lists.
 
     It is as `visited_declaration` gives it.
     """
-    passages = [
+    return visited_declaration(kernels, system, _listed(system, lawful=False))
+
+
+def whole_system(system: ExactSystem) -> SwitchingSystem:
+    """Return a system at its parameters as the checker knows it.
+
+    It has all transitions that are listed, those that were written out of a contact law too.
+    """
+    cycle = _cycle(system, _listed(system, lawful=True))
+    assert cycle is not None
+    told = declaration_json(system.exact, cycle, (), (), [""] * len(cycle), whole=True)
+    return SwitchingSystem(told, {}, lawful=True)
+
+
+def _listed(system: ExactSystem, *, lawful: bool) -> list[PassedTransition]:
+    """Return all transitions of a system that are listed, or written out of a contact law too."""
+    return [
         PassedTransition(source, tuple(sorted(t.boundaries)), t.target)
         for source, transitions in enumerate(system.structure.transitions)
         for t in transitions
-        if t.path is None
+        if lawful or t.path is None
     ]
-    return visited_declaration(kernels, system, passages)
 
 
-def _transition(system: EnclosedSystem, passage: PassedTransition) -> TransitionShape | None:
+def _transition(system: ExactSystem, passage: PassedTransition) -> TransitionShape | None:
     """Return the transition that is listed for a passage, or None if a contact law decides."""
     listed = system.structure.listed(passage.source, frozenset(passage.boundaries))
     return next((t for t in listed if t.target == passage.target), None)

@@ -14,11 +14,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.core.float_sets import Floats
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
 from nonsmooth.runtime.proof.chaos.h_sets import HSet, decimal_set, grid_in_cube
+from nonsmooth.runtime.proof.refusals import REFUSED
 
 __all__ = ["AttractingCore", "attracting_core"]
 
@@ -77,7 +77,7 @@ def attracting_core(
             core = AttractingCore(h_set, power, way, Fraction(1))
             try:
                 found = _above(judge(core))
-            except (Failure, ArithmeticError, ValueError) as reason:
+            except REFUSED as reason:
                 trouble = Undecided(str(reason), digits=False)
                 continue
             if found < 1:

@@ -9,7 +9,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.float_sets import Floats
-from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
+from nonsmooth.runtime.proof.exact_tables import ExactSystem
 from nonsmooth.runtime.proof.sets.sections import (
     MapSection,
     angle_of,
@@ -33,7 +33,7 @@ class MetSection(NamedTuple):
     iterates: int
 
 
-def section_of(system: EnclosedSystem, motion: Trajectory, period: float) -> MetSection:
+def section_of(system: ExactSystem, motion: Trajectory, period: float) -> MetSection:
     """The section with the fewest coordinates, or the forcing's phase far from boundaries.
 
     The motion is of the orbit, over one period at least.
@@ -46,7 +46,7 @@ def section_of(system: EnclosedSystem, motion: Trajectory, period: float) -> Met
     return min(found, key=lambda met: (len(met.point), met.iterates))
 
 
-def _forced(system: EnclosedSystem, motion: Trajectory, period: float) -> MetSection:
+def _forced(system: ExactSystem, motion: Trajectory, period: float) -> MetSection:
     (c, s), structure = system.structure.forcing[0], system.structure
     speed = float(motion.system.fields[0, s, c])
     turn = 2 * np.pi / abs(speed)
@@ -65,7 +65,7 @@ def _forced(system: EnclosedSystem, motion: Trajectory, period: float) -> MetSec
     return MetSection(section, state[list(section.free)], max(1, round(period / turn)))
 
 
-def _passed(system: EnclosedSystem, motion: Trajectory) -> Iterator[MetSection]:
+def _passed(system: ExactSystem, motion: Trajectory) -> Iterator[MetSection]:
     ways = ways_of(motion.run)
     sections = sections_behind(system, ways)
     for k, way in enumerate(ways):

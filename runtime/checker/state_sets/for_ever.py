@@ -5,31 +5,27 @@ roots of its minimal polynomial, which is found exactly: so are their multiplici
 which of them lie on the imaginary axis.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from math import comb, factorial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from nonsmooth.runtime.checker.stated.exact import Elimination, product
-from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row
+from flint import acb, acb_mat, arb, fmpq_poly
 
-if TYPE_CHECKING:
-    from flint import acb, arb
+from nonsmooth.runtime.checker.stated.exact import Elimination, product, reduced
 
 __all__ = ["stays_negative"]
 
+Row = Any  # exact, over (y, 1)
+
 
 def stays_negative(
-    row: Row, field: Sequence[Row], lasting: Invariants, state: Sequence[arb], time: arb
+    row: Row, field: Sequence[Row], lasting: Sequence[Row], state: Sequence[arb], time: arb
 ) -> bool:
     """Whether an affine function is proved to be negative from a time on, for ever.
 
     `row` and `field` are exact and act on (y, 1). `lasting` holds along the motion, `state`
     encloses it at time 0, and `time` is exact and not negative.
     """
-    from flint import arb
-
     rows, minimal = _sequence(row, field, lasting)
     found = _coefficients(rows, _exponents(minimal), state)
     if found is None:
@@ -47,20 +43,19 @@ def stays_negative(
     return bool(total < 0)
 
 
-def _sequence(row: Row, field: Sequence[Row], lasting: Invariants) -> tuple[list[Row], Row]:
+def _sequence(row: Row, field: Sequence[Row], lasting: Sequence[Row]) -> tuple[list[Row], Row]:
     """Return the rows of the independent derivatives, and the coefficients of the next one by them.
 
     These are the coefficients of the function's minimal polynomial.
     """
-    rows = [lasting.reduce(row)]
+    rows = [reduced(row, lasting)]
     while not (kernel := Elimination().left_kernel(rows)):
-        rows.append(lasting.reduce(product(rows[-1], field)))
+        rows.append(reduced(product(rows[-1], field), lasting))
     return rows[:-1], kernel[0]
 
 
 def _exponents(minimal: Row) -> list[tuple[acb, int]]:
     """Return a rational polynomial's roots with their multiplicities; real parts 0 are exact."""
-    from flint import acb, fmpq_poly
 
     def roots(coefficients: Sequence[Any]) -> list[acb]:
         pairs: Any = fmpq_poly(list(coefficients)).complex_roots()
@@ -86,8 +81,6 @@ def _coefficients(
 
     None is returned if the digits do not tell the exponents apart.
     """
-    from flint import acb, acb_mat, arb
-
     size = len(rows)
     columns = [
         [comb(j, k) * exponent ** (j - k) if j >= k else acb(0) for j in range(size)]

@@ -22,13 +22,13 @@ from nonsmooth.runtime.model.saved_system import same_system
 from nonsmooth.runtime.orbits.kernel_problem import chosen_parameters
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, region_of, stated_orbits
+from nonsmooth.runtime.proof.branch.event_certificate import EventCertificate
 from nonsmooth.runtime.proof.certificate import GUARD, Unknown, file_json
 from nonsmooth.runtime.proof.certify_orbit import FEWEST_BITS, MOST_BITS, stated
-from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
 from nonsmooth.runtime.proof.kept_state import KeptState
 from nonsmooth.runtime.proof.orbit_proposal import refined
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, guess_of
-from nonsmooth.runtime.proof.refusals import as_read
+from nonsmooth.runtime.proof.refusals import REFUSED, as_read
 from nonsmooth.runtime.proof.statement import decimals
 
 if TYPE_CHECKING:
@@ -230,6 +230,6 @@ def _enclosed(
             )
         try:
             return box, judge.located([asdict(side) for side in box])
-        except (Failure, ArithmeticError, ValueError) as problem:
+        except REFUSED as problem:
             reason = f"the checker refuses it: {problem}"
     raise NotCovered(reason)

@@ -22,14 +22,14 @@ from nonsmooth.runtime.explore.finding.find import start_box
 from nonsmooth.runtime.model.kernels import known_system
 from nonsmooth.runtime.model.saved_system import check_same_system
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
-from nonsmooth.runtime.proof.basin.attracting_core import AttractingCore, attracting_core
-from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
-from nonsmooth.runtime.proof.basin.basin_section import MetSection, section_of
-from nonsmooth.runtime.proof.basin.starting_tiles import next_tiles
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
+from nonsmooth.runtime.proof.exact_tables import ExactSystem, exact_system
 from nonsmooth.runtime.proof.kept_state import KeptState
-from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
+from nonsmooth.runtime.proof.sets.attracting_core import AttractingCore, attracting_core
+from nonsmooth.runtime.proof.sets.basin_certificate import BasinCertificate
+from nonsmooth.runtime.proof.sets.basin_section import MetSection, section_of
 from nonsmooth.runtime.proof.sets.section_record import named_way, section_entries, stated_section
+from nonsmooth.runtime.proof.sets.starting_tiles import next_tiles
 from nonsmooth.runtime.proof.sets.visited_declaration import (
     listed_declaration,
     refused_as_input,
@@ -142,15 +142,14 @@ def certify_basin(
             f"{orbit.name} leaves {', '.join(point.chosen)} open, on which its basin depends: give"
             " the parameters of the system"
         )
-    at = enclosed_system(orbit.system, point.values)
+    exact = exact_system(orbit.system, point.values)
+    if len(exact.structure.forcing) > 1:
+        raise InputError(f"{exact.structure.name} has several forcings: a basin needs one")
     motion = orbit.trajectory()
     limits, whole = start_box(motion.system, box), start_box(motion.system)
-    question = _BasinQuestion(orbit, at, limits, whole, side, widest, most, bits, progress)
+    question = _BasinQuestion(orbit, exact, limits, whole, side, widest, most, bits, progress)
     with flint_precision(bits):
-        enclosed = at(bits)
-        if len(enclosed.structure.forcing) > 1:
-            raise InputError(f"{enclosed.structure.name} has several forcings: a basin needs one")
-        met = section_of(enclosed, motion, float(orbit.period))
+        met = section_of(exact, motion, float(orbit.period))
         if resume is not None:
             question.check_same(resume, met)
             return question.tiled(resume, tiles, workers, keep)
@@ -172,7 +171,7 @@ class _BasinQuestion:
     def __init__(
         self,
         orbit: Orbit,
-        at: Callable[[int], EnclosedSystem],
+        system: ExactSystem,
         limits: Floats,
         whole: Floats,
         side: float | None,
@@ -183,9 +182,7 @@ class _BasinQuestion:
     ) -> None:
         self.orbit, self.limits, self.whole = orbit, limits, whole
         self.most, self.bits = most, bits
-        self.progress = progress
-        with flint_precision(bits):
-            self.system = at(bits)
+        self.progress, self.system = progress, system
         low, high = limits.T / _TILES
         self.side = float((high - low).max() if side is None else side)
         self.tiles: BoxGrid | None = None

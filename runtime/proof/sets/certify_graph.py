@@ -22,10 +22,10 @@ from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of, known_sys
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.saved_system import check_same_system
 from nonsmooth.runtime.proof.chaos.section_choice import Sampled, sampled_sections
-from nonsmooth.runtime.proof.graphs.box_graphs import BoxGraph
-from nonsmooth.runtime.proof.graphs.graph_certificate import RegionCertificate
+from nonsmooth.runtime.proof.exact_tables import ExactSystem, exact_system
 from nonsmooth.runtime.proof.kept_state import KeptState
-from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
+from nonsmooth.runtime.proof.sets.box_graphs import BoxGraph
+from nonsmooth.runtime.proof.sets.graph_certificate import RegionCertificate
 from nonsmooth.runtime.proof.sets.section_record import section_entries, stated_section
 from nonsmooth.runtime.proof.sets.visited_declaration import (
     listed_declaration,
@@ -153,19 +153,18 @@ def certify_graph(
         check_integer(name, number, least, most)
     check_workers(workers)
     kernels = kernels_of(system)
-    at = enclosed_system(kernels, parameters)
+    exact = exact_system(kernels, parameters)
     motion = simulate_one(kernels, parameters, start, configuration, transitions=1)
     with flint_precision(bits):
-        enclosed = at(bits)
-        if len(enclosed.structure.forcing) > 1:
-            raise InputError(f"{enclosed.structure.name} has several forcings: a map needs one")
-        sampled = next(iter(sampled_sections(enclosed, motion)), None)
+        if len(exact.structure.forcing) > 1:
+            raise InputError(f"{exact.structure.name} has several forcings: a map needs one")
+        sampled = next(iter(sampled_sections(exact, motion)), None)
         if sampled is None:
             raise InputError("the motion comes to no section often enough")
         widest = _WIDEST * _extents(motion)
-        grid = _grid(enclosed, sampled, boxes, by_name("region", region))
+        grid = _grid(exact, sampled, boxes, by_name("region", region))
         grid.check_levels(levels)
-        empty = _certificate(kernels, enclosed, sampled, grid, widest)
+        empty = _certificate(kernels, exact, sampled, grid, widest, bits)
         known = replace(empty, most=parts, longest=transitions)
         if resume is not None:
             check_same_system("graph", kernels, known_system(resume.system))
@@ -244,7 +243,7 @@ def _extents(motion: Trajectory) -> Floats:
 
 
 def _grid(
-    system: EnclosedSystem,
+    system: ExactSystem,
     sampled: Sampled,
     boxes: int | None,
     region: Mapping[str, tuple[float, float]],
@@ -269,7 +268,12 @@ def _grid(
 
 
 def _certificate(
-    kernels: SystemKernels, system: EnclosedSystem, sampled: Sampled, grid: BoxGrid, widest: Floats
+    kernels: SystemKernels,
+    system: ExactSystem,
+    sampled: Sampled,
+    grid: BoxGrid,
+    widest: Floats,
+    bits: int,
 ) -> RegionCertificate:
     """The certificate of the question, with no image known yet."""
     return RegionCertificate(
@@ -278,7 +282,7 @@ def _certificate(
         widest=tuple(widest.tolist()),
         most=0,
         longest=0,
-        bits=system.bits,
+        bits=bits,
         declaration=listed_declaration(kernels, system),
     )
 

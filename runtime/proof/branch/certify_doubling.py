@@ -23,21 +23,21 @@ from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.proof.boxes.tile_places import Interval
 from nonsmooth.runtime.proof.branch.certified_branch import STATED, UNDECIDED, CertifiedBranch
-from nonsmooth.runtime.proof.branch.certify_branch import MOST_TILES, certify_branch
-from nonsmooth.runtime.proof.certificate import file_json
-from nonsmooth.runtime.proof.certify_orbit import stated
-from nonsmooth.runtime.proof.doubling.certified_doubling import (
+from nonsmooth.runtime.proof.branch.certified_doubling import (
     CertifiedDoubling,
     DoubledOrbits,
     Ended,
 )
-from nonsmooth.runtime.proof.doubling.tube_proposal import (
+from nonsmooth.runtime.proof.branch.certify_branch import MOST_TILES, certify_branch
+from nonsmooth.runtime.proof.branch.tube_proposal import (
     begin_of_branch,
     doubled_guess,
     flip_with_direction,
     start_of,
     tubes,
 )
+from nonsmooth.runtime.proof.certificate import file_json
+from nonsmooth.runtime.proof.certify_orbit import stated
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 from nonsmooth.runtime.proof.refusals import as_read, refusal
 

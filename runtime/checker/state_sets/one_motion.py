@@ -1,0 +1,165 @@
+"""One motion from an exact start: that the boundaries that are told are the next ones.
+
+Nothing else is reached before, for all times; the transition that follows is the first whose
+conditions hold. What is exactly known of the state is kept beside its enclosure: balls alone could
+never tell a velocity that was set to the belt's from nearly so.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+from flint import arb, arb_mat, ctx, fmpq
+
+from nonsmooth.runtime.checker.state_sets.entries import CarryingSystem, Entry
+from nonsmooth.runtime.checker.state_sets.for_ever import stays_negative
+from nonsmooth.runtime.checker.state_sets.portions import direction
+from nonsmooth.runtime.checker.state_sets.sets import CarryingPhase, StateSet, TooWide
+from nonsmooth.runtime.checker.state_sets.switching import SwitchingSystem
+from nonsmooth.runtime.checker.stated.exact import demand, product, reduced
+
+__all__ = ["OneMotion"]
+
+_DEEPEST = 500  # halvings of a phase, at most: its windows are doubles
+_SLOW = "{} is reached tangentially, or comes closer than the digits tell"
+_AT_ONCE = "{} and {} are reached at one instant, or closer together than the digits tell"
+
+
+class OneMotion(CarryingSystem):
+    """The motion from a start, as far as it is proved at the working precision.
+
+    `Failure` is raised if the start is beyond a boundary of its configuration, or off what that
+    holds.
+    """
+
+    def __init__(self, system: SwitchingSystem, configuration: str, start: Sequence[fmpq]) -> None:
+        super().__init__(system)
+        demand(configuration in system.fields, "there is no such configuration")
+        demand(len(start) == system.size, "a state of another size")
+        facts = [
+            (*(fmpq(int(i == k)) for i in range(system.size)), -x) for k, x in enumerate(start)
+        ]
+        held, rows = system.held[configuration], system.boundaries[configuration]
+        demand(not any(any(reduced(row, facts)) for row in held), "the start is off what is held")
+        inside = all(reduced(row, facts)[-1] <= 0 for row in rows.values())
+        demand(inside, "the start is beyond a boundary")
+        self.entry = Entry(self, configuration, facts)
+        self.states = _about([*map(arb, start), arb(0)])
+
+    @property
+    def phase(self) -> CarryingPhase:
+        """The phase that the motion is in."""
+        return self.phases[self.entry.here]
+
+    @property
+    def time(self) -> Any:
+        """The time since the start, in a ball."""
+        return self.states.hull[self.system.size, 0]
+
+    @property
+    def state(self) -> list[Any]:
+        """Balls (N) around the state."""
+        found: list[Any] = self.states.hull.entries()[: self.system.size]
+        return found
+
+    def passed(self) -> frozenset[str]:
+        """Return the boundaries that the phase begins beyond, or is about to pass; mostly none."""
+        return self.entry.passed(self.states)
+
+    def moving(self) -> list[frozenset[str]]:
+        """Return the boundaries that may be reached along the phase; those reached together in one.
+
+        These are functions of which one is a multiple of the other, by what lasts in the phase.
+        """
+        field, lasting = self.system.fields[self.entry.here], self.entry.lasting
+        alike: dict[Any, set[str]] = {}
+        for name in self.entry.watched(self.states):
+            row = self.phase.rows[name]
+            if any(reduced(product(row, field), lasting)):
+                alike.setdefault(direction(reduced(row, lasting)), set()).add(name)
+        return [*map(frozenset, alike.values())]
+
+    def pass_on(self, reached: frozenset[str]) -> None:
+        """Take the transition behind the boundaries that the phase begins beyond, in no time."""
+        demand(reached and reached == self.passed(), "other boundaries are passed at once")
+        self._go_on(reached, self.states, at_once=True)
+
+    def arrive(self, reached: frozenset[str], about: Any) -> None:
+        """Show that boundaries are the next ones, `about` when, and take the transition behind.
+
+        `TooWide` is raised with the reason if that is not known, `Failure` if no transition
+        follows, or stops may act in several orders that do not agree.
+        """
+        demand(reached in self.moving(), "other boundaries are reached together")
+        phase, watched, first = self.phase, self.entry.watched(self.states), min(reached)
+        own, others = ({name: order for name, order in watched.items() if (name in reached) == mine}
+                       for mine in (True, False))  # fmt: skip
+        row = phase.timed(phase.rows[first])
+        least = 2.0 ** -min(ctx.prec // 2, _DEEPEST)
+        try:
+            arrived, before, after = phase.arrive(self.states, row, about, least)
+        except TooWide:
+            late = about * (1 + arb(2) ** -(ctx.prec // 4))
+            self._clear(late.mid(), watched)
+            raise TooWide(_SLOW.format(first), first, self._since(about.union(late))) from None
+        self._clear(before, {first: own[first]}, first)
+        try:
+            self._clear(after, others)
+        except TooWide as trouble:
+            together = self._since(before).union(self._since(after))
+            if trouble.at < together:
+                raise
+            told = _AT_ONCE.format(*sorted((first, trouble.name)))
+            raise TooWide(told, trouble.name, together) from None
+        self._go_on(reached, arrived)
+
+    def never(self, since: Any) -> bool:
+        """Return whether no boundary is reached, if that follows from how it goes on for ever.
+
+        Up to the time `since`, an exact one, all times are looked at.
+        """
+        field, state = self.system.fields[self.entry.here], self.state
+        rows = [self.phase.rows[min(names)] for names in self.moving()]
+        if not all(stays_negative(row, field, self.entry.lasting, state, since) for row in rows):
+            return False
+        self._clear(since, self.entry.watched(self.states))
+        return True
+
+    def _clear(self, until: Any, watched: dict[str, int], ends: str | None = None) -> None:
+        """Show that no boundary is reached up to a time."""
+        deepest = min(ctx.prec // 2, _DEEPEST)
+        try:
+            self.phase.clear(self.states, until, watched, ends, deepest)
+        except TooWide as trouble:
+            told, at = _SLOW.format(trouble.name), self._since(trouble.at)
+            raise TooWide(told, trouble.name, at) from None
+
+    def _since(self, time: Any) -> Any:
+        """Return the time since the start, for one since the phase's start."""
+        return self.time + time
+
+    def _go_on(self, reached: frozenset[str], states: StateSet, *, at_once: bool = False) -> None:
+        """Take the transition behind boundaries; its instant is told if it is not known."""
+        try:
+            behind, entry = self.entry.behind(reached, states, at_once=at_once)
+        except TooWide as trouble:
+            at = states.hull[self.system.size, 0]
+            raise TooWide(trouble.reason, trouble.name, at) from None
+        demand(all(any(row[:-1]) for row in entry.facts), "what is known contradicts itself")
+        found = behind.hull.entries()[:-1]
+        for row in entry.facts:  # what gives a state exactly, or better
+            pivot = next(k for k, x in enumerate(row) if x)
+            pairs = zip(row[:-1], found, strict=False)
+            given = -sum(
+                (x * y for k, (x, y) in enumerate(pairs) if x and k != pivot), arb(row[-1])
+            )
+            found[pivot] = given if given.rad() <= found[pivot].rad() else found[pivot]
+        self.states, self.entry = _about(found), entry
+
+
+def _about(numbers: Sequence[Any]) -> StateSet:
+    """Return the set of (states, time, 1) in some balls of states and time."""
+    return StateSet.of(
+        arb_mat([[x] for x in (*numbers, arb(1))]),
+        arb_mat(len(numbers) + 1, 0),
+        arb_mat(len(numbers) + 1, 1),
+    )

@@ -1,1 +1,0 @@
-"""What is proved to be attracted by an orbit."""

@@ -1,1 +1,0 @@
-"""Proofs beyond a flip: the orbits of twice the period."""

@@ -1,1 +1,0 @@
-"""Events of branches enclosed: bifurcations and limits of admissibility, to any precision."""
