@@ -88,7 +88,7 @@ def show_told(told: Told) -> None:
             for row in part.rows
         ]
         for columns in _blocks(part, cells, console.width):
-            console.print(_table(part, cells, columns))
+            console.print(_table(part, cells, columns, ruled=not console.options.ascii_only))
 
 
 def _blocks(part: Listing, rows: Sequence[Sequence[Text]], width: int) -> list[Sequence[int]]:
@@ -112,10 +112,15 @@ def _width(part: Listing, rows: Sequence[Sequence[Text]], columns: Sequence[int]
 
 
 def _table(
-    part: Listing, rows: Sequence[Sequence[Text]], columns: Sequence[int], *, fold: bool = True
+    part: Listing,
+    rows: Sequence[Sequence[Text]],
+    columns: Sequence[int],
+    *,
+    fold: bool = True,
+    ruled: bool = True,
 ) -> Table:
     """A table of the given columns; cells that do not fit are folded, never cut."""
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 2, 0, 0))
+    table = Table(box=box.SIMPLE_HEAD if ruled else None, pad_edge=False, padding=(0, 2, 0, 0))
     for title in (part.titles[place] for place in columns):
         justify: Any = "right" if title in part.right else "left"
         table.add_column(title, justify=justify, no_wrap=not fold, overflow="fold")

@@ -256,8 +256,9 @@ def _found_json(found: Found) -> dict[str, Any]:
         }
 
     return {
-        **_attributes(found, "system", "parameters", "transitions", "complete"),
+        **_attributes(found, "system", "parameters"),
         "starts": len(found.starts),
+        **_attributes(found, "transitions", "complete"),
         "box": state(found.box),
         "orbits": [orbit(entry, place) for place, entry in enumerate(found.orbits)],
         "equilibria": [equilibrium(entry, place) for place, entry in enumerate(found.equilibria)],

@@ -101,7 +101,7 @@ def claimed_without_doubled_orbits(content: Content) -> None:
 
 
 def the_orbit_itself_as_doubled(content: Content) -> None:
-    content["doubled"]["branch"] = copy.deepcopy(content["branch"])
+    content["doubled"]["branch"] = copy.deepcopy(content["branch"]) | {"start": 0}
 
 
 def other_parameters(content: Content) -> None:
