@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any, Literal, Protocol
 
+import sympy as sp
+
 from nonsmooth.derive.building.matrices import is_array, values_of_doubles
 from nonsmooth.derive.declaration.fields import declared, exact, made, set_fields
 from nonsmooth.derive.errors import DeclarationError
@@ -374,7 +376,7 @@ def _check(
     value: Any, what: str, lower: int | None = None, upper: int | None = None, strict: bool = False
 ) -> None:
     """Refuse a value that is known to lie outside its range; parameters may lie inside."""
-    number = exact(value)
+    number = made(sp.Expr, value, what)
     if number.is_number and not (number.is_real and number.is_finite):
         raise DeclarationError(f"{what} is not a real number: {value}")
     if lower is None:

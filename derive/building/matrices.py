@@ -14,7 +14,7 @@ from typing import Any, BinaryIO, Literal
 import numpy as np
 import sympy as sp
 
-from nonsmooth.derive.declaration.fields import exact, made
+from nonsmooth.derive.declaration.fields import exact, made, shown
 from nonsmooth.derive.errors import DeclarationError
 
 __all__ = ["chain_matrices", "is_array", "read_matrices", "square", "values_of_doubles"]
@@ -90,7 +90,12 @@ def _joined(links: Sequence[Any], count: int, left: int) -> sp.Matrix:
 
 
 def is_array(given: Any) -> bool:
-    """Whether a value is a NumPy array or SciPy sparse matrix of numbers, not of expressions."""
+    """Whether a value is a NumPy array or SciPy sparse matrix of numbers, not of expressions.
+
+    DeclarationError refuses an array of which a mask leaves out values.
+    """
+    if np.ma.is_masked(given):
+        raise DeclarationError(f"{shown(given)} has masked values")
     return hasattr(given, "dtype") and hasattr(given, "shape") and given.dtype.kind != "O"
 
 
@@ -106,10 +111,12 @@ def square(given: Any, what: str, size: int, resolved: Any = exact) -> sp.Matrix
     if is_array(given):
         matrix = _matrix_of_doubles(given, what)
     else:
+        if not isinstance(given, sp.MatrixBase):
+            given = made(tuple[tuple[sp.Expr, ...], ...], given, what)
         try:
-            matrix = given.as_mutable() if isinstance(given, sp.MatrixBase) else sp.Matrix(given)
+            matrix = sp.Matrix(given)
         except (TypeError, ValueError):
-            raise DeclarationError(f"{what} is no matrix: {given!r}") from None
+            raise DeclarationError(f"{what} is no matrix: {shown(given)}") from None
     if matrix.shape != (size, size):
         raise DeclarationError(
             f"{what} is {matrix.rows} x {matrix.cols}, not {size} x {size} as there are coordinates"

@@ -326,7 +326,9 @@ def _place(which: int | str, names: Sequence[str], what: str) -> int:
             raise DeclarationError(f"{what}: unknown coordinate {which!r}")
         return names.index(which)
     if isinstance(which, bool) or not isinstance(which, int | np.integer):
-        raise DeclarationError(f"{what}: {which!r} is neither a place nor a name of a coordinate")
+        raise DeclarationError(
+            f"{what}: {shown(which)} is neither a place nor a name of a coordinate"
+        )
     if not 0 <= which < len(names):
         raise DeclarationError(f"{what}: there is no coordinate {which} of {len(names)}")
     return int(which)

@@ -49,6 +49,8 @@ def _checked(given: Any, what: str, size: int | None) -> Any:
     from scipy.sparse import csc_array, issparse
 
     try:
+        if np.ma.is_masked(given):
+            raise DeclarationError(f"{what} has masked values")
         values = given if issparse(given) else np.asarray(given)
         if len(values.shape) != 2 or values.shape[0] != values.shape[1]:
             raise DeclarationError(f"{what} is not square: its shape is {values.shape}")

@@ -6,7 +6,8 @@ dictionaries; a record of another kind, and a value where several have to stand,
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+import re
+from collections.abc import Iterable, Mapping, Set
 from dataclasses import dataclass, field, is_dataclass
 from functools import lru_cache
 from reprlib import repr
@@ -32,6 +33,12 @@ __all__ = ["declared", "exact", "made", "set_fields", "shown"]
 
 _Class = TypeVar("_Class", bound=type)
 
+_NUMBER = r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+_FORMULA = re.compile(rf"(?:\s|{_NUMBER}|[^\W\d]\w*|\*\*|[-+*/(),^])*")
+_FUNCTIONS = {
+    *("sqrt", "exp", "log", "sin", "cos", "tan", "cot", "asin", "acos", "atan", "sinh", "cosh"),
+    *("tanh", "Rational", "root", "cbrt"),
+}
 _WORDS = {bool: "True or False", int: "an integer", sp.Symbol: "a symbol", str: "a text"}
 
 
@@ -101,8 +108,11 @@ def made(annotation: Any, given: Any, where: str) -> Any:
         found = {made(name, key, where): made(value, each, where) for key, each in given.items()}
         return sp.Dict(found) if name is sp.Symbol else found  # which has a hash
     if issubclass(kind, Iterable) and inner:
-        if isinstance(given, str | Mapping) or not isinstance(given, Iterable | sp.MatrixBase):
+        several = isinstance(given, Iterable | sp.MatrixBase)
+        if not several or isinstance(given, str | bytes | Mapping):
             raise DeclarationError(f"{where} is {shown(given)}, not several values")
+        if isinstance(given, Set) and kind is not frozenset:
+            raise DeclarationError(f"{where} is {shown(given)}, which has no order")
         listed = tuple(given)
         if kind is not tuple or inner[-1] is Ellipsis:
             entries = [made(inner[0], each, where) for each in listed]
@@ -115,7 +125,7 @@ def made(annotation: Any, given: Any, where: str) -> Any:
             return kind(*given)
         except TypeError:
             raise DeclarationError(
-                f"{where}: {shown(given)} does not have the entries of {kind.__name__}"
+                f"{where}: {shown(given)} is not ({', '.join(_annotations(kind))})"
             ) from None
     if not isinstance(given, kind):
         words = _WORDS.get(kind, f"of the kind {kind.__name__}")
@@ -129,6 +139,8 @@ def exact(expression: Any) -> Any:
     Its irrational numbers are as `settled` gives them. DeclarationError refuses what is no
     number and no expression.
     """
+    if isinstance(expression, str) and not _is_formula(expression):
+        raise DeclarationError(f"{shown(expression)} is not the text of a formula")
     try:
         found = sp.sympify(expression)
     except (sp.SympifyError, TypeError, AttributeError):
@@ -137,6 +149,12 @@ def exact(expression: Any) -> Any:
         raise DeclarationError(f"{shown(expression)} is neither a number nor an expression")
     floats = found.atoms(sp.Float)
     return settled(found.xreplace({f: sp.Rational(repr(float(f))) for f in floats}))
+
+
+def _is_formula(text: str) -> bool:
+    """Whether a text has numbers, names, operators and known functions alone: it is evaluated."""
+    called = re.findall(r"([^\W\d]\w*)\s*\(", text)
+    return bool(_FORMULA.fullmatch(text)) and set(called) <= _FUNCTIONS
 
 
 def shown(value: Any) -> str:

@@ -119,10 +119,10 @@ def simulate(
 
         observed = observe_motion(motion, observed_since)
     if prove:
-        from nonsmooth.runtime.proof.motion.validate import validate
+        from nonsmooth.runtime.proof.motion.validate import certify_motion
 
         begin = motion.configurations[0]
-        proof = validate(system, values, exact, begin, motion.transitions)
+        proof = certify_motion(system, values, exact, begin, motion.transitions)
 
     def told() -> dict[str, Any]:
         found: dict[str, Any] = motion.to_json()

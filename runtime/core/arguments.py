@@ -271,7 +271,7 @@ def _listed(value: Any) -> bool:
 
     A series or a frame of pandas has names, which its order would not heed.
     """
-    if isinstance(value, str | Mapping) or hasattr(value, "items"):
+    if isinstance(value, str | bytes | Mapping) or hasattr(value, "items"):
         return False
     return isinstance(value, Sequence) or (hasattr(value, "__array__") and bool(value.ndim))
 

@@ -156,7 +156,10 @@ def as_value(number: object) -> Value:
         case Real() | Decimal():
             return parse(str(number))  # NumPy's other floats print their shortest decimal
         case _ if getattr(number, "shape", None) == () and hasattr(number, "__len__"):
-            return as_value(_plain_array(number)[()])
+            inner: Any = _plain_array(number)[()]
+            if isinstance(inner, bytes):
+                raise InputError(f"{inner!r} is not a real number")
+            return as_value(inner)
         case _ if getattr(number, "is_number", False) and getattr(number, "is_real", False):
             return parse(str(number))  # a number of SymPy, such as pi/3
         case _:

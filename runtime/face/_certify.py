@@ -13,7 +13,7 @@ from nonsmooth.runtime.proof.branch.certify_event import certify_event
 from nonsmooth.runtime.proof.certify_orbit import certify as certify_orbit
 from nonsmooth.runtime.proof.chaos.certify_chaos import certify_chaos
 from nonsmooth.runtime.proof.counting.certify_all import certify_all
-from nonsmooth.runtime.proof.motion.validate import validate
+from nonsmooth.runtime.proof.motion.validate import certify_motion
 from nonsmooth.runtime.proof.sets.certify_basin import certify_basin
 from nonsmooth.runtime.proof.sets.certify_graph import certify_graph
 
@@ -38,7 +38,7 @@ class Certify:
     basin = staticmethod(checked(certify_basin))
     chaos = staticmethod(checked(certify_chaos))
     region = staticmethod(checked(certify_graph))
-    motion = staticmethod(checked(validate))
+    motion = staticmethod(checked(certify_motion))
     check = staticmethod(checked(check_certificate))
 
     def __repr__(self) -> str:

@@ -20,7 +20,8 @@ REFUSALS = (nd.DeclarationError, nd.DerivationError)
 NEVER = object()  # what nothing takes
 WRONG = (
     NEVER, None, True, 5, 2.5, "x y!", "", b"x", [], {}, (), [5], ["x", 5], [(sp.Symbol("z"),)],
-    [None], {"x": 1}, {5: 1}, float("nan"), sp.Symbol("z"), sp.ones(2, 3), np.zeros(3),
+    [None], b"2", {"x", "y"}, "open(5)", "x.y", np.ma.array([[3.0]], mask=True),
+    {"x": 1}, {5: 1}, float("nan"), sp.Symbol("z"), sp.ones(2, 3), np.zeros(3),
 )  # fmt: skip
 # with which each public name makes something; records of the paper's orbit give their own fields
 RIGHT: dict[str, Any] = {
@@ -77,6 +78,43 @@ def make(name: str, given: dict[str, Any]) -> object:
         part = {"forcing": [made]} if name in FORCES else {"elements": [terms]}
         nd.oscillator("o", ["x"], [[1]], [[1]], **part)
     return made
+
+
+@pytest.mark.parametrize(
+    "text", ["__import__('os')", "open(5)", "x.free_symbols", "x[0]", "exec(x)", "x := 2", "'x'"]
+)
+def test_texts_of_formulas_are_no_programs(text: str) -> None:
+    for name, argument, given in (
+        ("oscillator", "damping", [[text]]),
+        ("RigidStop", "at", text),
+        ("Parameter", "upper", text),
+        ("chain_matrices", "masses", [text, 1]),
+    ):
+        assert refusal(name, right(name) | {argument: given}), name
+
+
+@pytest.mark.parametrize("text", ["x", "2*pi/sqrt(3)", "1e-3*a**2", ".5", "sin(x) - (a + 1)/2"])
+def test_texts_of_formulas_are_what_they_say(text: str) -> None:
+    assert nd.Boundary("b", text).function == nd.Boundary("b", sp.nsimplify(text)).function
+
+
+def test_what_has_no_order_is_refused_where_it_counts() -> None:
+    for name, argument, given in (
+        ("oscillator", "coordinates", {"x"}),
+        ("chain_matrices", "masses", {1, 2}),
+        ("System", "states", {*SYSTEM.states}),
+    ):
+        assert "no order" in refusal(name, right(name) | {argument: given})
+
+
+def test_what_a_mask_leaves_out_is_refused() -> None:
+    masked = np.ma.array([[3.0]], mask=True)
+    for name in ("mass", "stiffness", "damping"):
+        assert "masked" in refusal("oscillator", right("oscillator") | {name: masked})
+    assert "masked" in refusal("oscillator", right("oscillator") | {"load": masked[0]})
+    whole = np.ma.array(np.eye(3), mask=np.eye(3) > 0)
+    for name in ("mass", "stiffness", "damping"):
+        assert "masked" in refusal("reduce_structure", right("reduce_structure") | {name: whole})
 
 
 def refusal(name: str, given: dict[str, Any]) -> str:

@@ -303,8 +303,14 @@ def test_an_edited_file_is_read_again(tmp_path: Path, derivations: list[str]) ->
     [
         ("", 1), ("import math\nfrom nonsmooth.derive.systems import rigid_stop\n", 1),
         ("import os\n", 2), ("import nonsmooth.runtime\n", 2),
+        ('"""What print(x) gives."""\nz = [2 * sp.sqrt(k) for k in range(3)]\n', 1),
         ("sp.randprime\n", 2), ("print(x)\n", 2), ("__file__\n", 2), ("a = open\n", 2),
         ("from nonsmooth.derive import read_matrices as a\n", 2),
+        ("from nonsmooth.derive.building.matrices import os\n", 2),
+        ("sp.utilities.misc.os.environ\n", 2), ("'{0.utilities.misc.os}'.format(sp)\n", 2),
+        ("match sp.pi:\n    case object(args=a):\n        pass\n", 2),
+        ("a = sp.lambdify([], 'open')\n", 2), ("a = sp.Symbol('(2)')\n", 2),
+        ("a = hash('a')\n", 2), ("len = 1\nopen = 2\n", 2),
     ],
 )  # fmt: skip
 def test_a_file_whose_text_says_all_is_not_executed_again(

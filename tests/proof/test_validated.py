@@ -13,7 +13,15 @@ import sympy as sp
 from flint import arb, fmpq
 
 from nonsmooth import InputError, certify
-from nonsmooth.derive import Boundary, Configuration, SecondOrder, System, Transition
+from nonsmooth.derive import (
+    Boundary,
+    Configuration,
+    Harmonic,
+    SecondOrder,
+    System,
+    Transition,
+    oscillator,
+)
 from nonsmooth.derive.systems import dry_friction, elastic_stop, rigid_stop
 from nonsmooth.runtime.checker.state_sets.one_motion import OneMotion
 from nonsmooth.runtime.checker.state_sets.sets import TooWide
@@ -207,6 +215,14 @@ def test_boundaries_that_are_multiples_are_reached_together() -> None:
     proof = certify.motion(system, {}, ["0", "2"], "free", 3)
     assert proof.sets == (("one", "twice"),) * 3
     assert proof.times[1].contains(mp.asin(mp.mpf(1) / 2))
+
+
+def test_a_forcing_starts_on_its_circle() -> None:
+    system = oscillator("shaken", ["x"], [[1]], [[1]], forcing=[Harmonic(2, cosine=[1])])
+    for start in ({"c1": 2, "s1": 0}, {"c1": "1/2"}):
+        with pytest.raises(InputError, match=r"c1\^2 \+ s1\^2 is not 1"):
+            certify.motion(system, {}, {"x": 0, "v": 0} | start, "free", 1)
+    assert certify.motion(system, {}, {"x": 0, "v": 0, "c1": "3/5", "s1": "4/5"}, "free", 1)
 
 
 def test_the_start_is_taken_exactly() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import builtins
 import hashlib
 import importlib.util
 import os
@@ -28,12 +29,24 @@ __all__ = [
     "hash_of_text",
 ]
 
-# modules in which nothing but `_ELSEWHERE` depends on more than its arguments
-_SYMBOLIC = re.compile(r"sympy|math|fractions|itertools|nonsmooth\.derive(\.\w+)*")
-# names by which a file may read or tell something, or hide that it does
-_ELSEWHERE = re.compile(
-    r"__\w+|rand\w*|\w*getattr|eval|exec|compile|globals|vars|input|open|print|read_matrices"
-)
+_DERIVATION = ("nonsmooth.derive", "nonsmooth.derive.systems")
+_SYMBOLIC = ("sympy", "math", "fractions", "itertools")
+# what a file may take from these modules, or ask of what it has; all depends on arguments alone
+_PLAIN = frozenset([
+    "symbols", "Symbol", "Rational", "Integer", "Float", "Matrix", "eye", "zeros", "ones", "diag",
+    "sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh",
+    "pi", "oo", "E", "Abs", "Fraction", "chain", "combinations", "product", "repeat", "pairwise",
+    "append", "extend", "insert", "items", "keys", "values", "get", "T", "dot", "free_symbols",
+    "states", "parameters", "configurations", "transitions", "boundaries", "symbol", "mass",
+    "stiffness", "damping", "orbits", "name",
+    "system",
+])  # fmt: skip
+_BUILT_IN = frozenset([
+    "range", "enumerate", "zip", "map", "filter", "len", "sum", "abs", "min", "max", "list",
+    "tuple", "dict", "str", "float", "int", "bool", "sorted", "reversed", "round", "any", "all",
+    "pow", "slice", "isinstance", "ValueError",
+])  # fmt: skip
+_HARMLESS = re.compile(r"[^(\['\"]*")  # a text that can do nothing, even if it is evaluated
 
 
 @runtime_checkable
@@ -103,27 +116,39 @@ def declaration_in(path: Path) -> Declared:
 def hash_of_text(path: Path) -> str | None:
     """Hash of a file and of the code that it runs; None if more than these may decide what it does.
 
-    They decide if the file imports SymPy and the derivation alone and asks for nothing else.
+    They decide if the file imports SymPy and the derivation alone and uses known names of them.
     """
     try:
         content = path.read_bytes()
         nodes = list(ast.walk(ast.parse(content)))
     except (OSError, SyntaxError, ValueError):
         return None
-    modules, names = set[str](), set[str]()
+    alone = {id(node.value) for node in nodes if isinstance(node, ast.Expr)}  # as docstrings are
     for node in nodes:
-        if isinstance(node, ast.Import):
-            modules |= {alias.name for alias in node.names}
-        elif isinstance(node, ast.ImportFrom):
-            modules.add("." * node.level + (node.module or ""))
-            names |= {alias.name for alias in node.names}
-        elif isinstance(node, ast.Name):
-            names.add(node.id)
-        elif isinstance(node, ast.Attribute):
-            names.add(node.attr)
-    if not all(map(_SYMBOLIC.fullmatch, modules)) or any(map(_ELSEWHERE.fullmatch, names)):
-        return None
+        if not (_depends_on_text(node) or (isinstance(node, ast.Constant) and id(node) in alone)):
+            return None
     return hashlib.sha256(_code() + content).hexdigest()
+
+
+def _depends_on_text(node: ast.AST) -> bool:
+    """Whether a part of a file is known to give the same in every run."""
+    match node:
+        case ast.Import(names=names):
+            return {alias.name for alias in names} <= {*_SYMBOLIC}
+        case ast.ImportFrom(module=module, names=names, level=0):
+            taken = {alias.name for alias in names}
+            if module in _DERIVATION:
+                return not taken & {"read_matrices", "*"}
+            return module in _SYMBOLIC and taken <= _PLAIN
+        case ast.Attribute(attr=name):
+            return name in _PLAIN
+        case ast.Name(id=name):
+            return name in _BUILT_IN or not (hasattr(builtins, name) or name.startswith("__"))
+        case ast.Constant(value=str(text)):
+            return bool(_HARMLESS.fullmatch(text))
+        case ast.ImportFrom() | ast.Match():
+            return False
+    return True
 
 
 @cache

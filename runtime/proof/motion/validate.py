@@ -32,7 +32,7 @@ from nonsmooth.runtime.simulation.starting import forcing_start
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["Enclosure", "Proof", "validate"]
+__all__ = ["Enclosure", "Proof", "certify_motion"]
 
 _FEWEST_BITS = 64
 _MOST_IMMEDIATE = 64  # transitions without any time between them
@@ -43,7 +43,7 @@ _ERROR = 2.0**-40  # of a state, where what a law says is guessed
 _QUIET = "no boundary is reached any more"
 
 
-def validate(
+def certify_motion(
     system: str | SystemKernels | DeclaredSystem,
     parameters: Mapping[str, object],
     state: Mapping[str, object] | Sequence[object],
@@ -105,6 +105,13 @@ def validate(
     start = _start(exact.structure, state)
     index = exact.structure.configuration(configuration)
     _check_belongs(exact, index, start)
+    for cosine, sine in exact.structure.forcing:
+        if start[cosine] ** 2 + start[sine] ** 2 != 1:
+            c, s = exact.structure.states[cosine], exact.structure.states[sine]
+            raise InputError(
+                f"the forcing starts at {c} = {start[cosine]}, {s} = {start[sine]}:"
+                f" {c}^2 + {s}^2 is not 1"
+            )
     routes: list[Route] = []  # of a contact law, as far as the motion is known to take them
     stated = whole_system(exact)
     while True:
