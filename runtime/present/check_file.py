@@ -149,7 +149,7 @@ def check_certificate(
             raise InputError("not a certificate, such as --save or save() writes")
         with suppress(Inconsistent):  # which is a difference
             format_named(named).check_entries(content)
-    except InputError as problem:
+    except (Failure, ValueError, OverflowError) as problem:
         raise InputError(f"{os.fspath(path)}: {problem}") from None
     try:
         for told in _told(content):

@@ -121,8 +121,12 @@ class OneMotion(CarryingSystem):
         rows = [self.phase.rows[min(names)] for names in self.moving()]
         if not all(stays_negative(row, field, self.entry.lasting, state, since) for row in rows):
             return False
-        self._clear(since, self.entry.watched(self.states))
+        self.clear(since)
         return True
+
+    def clear(self, until: Any) -> None:
+        """Show that no boundary is reached up to a time since the phase's start, an exact one."""
+        self._clear(until, self.entry.watched(self.states))
 
     def _clear(self, until: Any, watched: dict[str, int], ends: str | None = None) -> None:
         """Show that no boundary is reached up to a time."""

@@ -7,18 +7,20 @@ that every state of the set does about then, and nothing else before.
 
 from collections.abc import Sequence
 from functools import cached_property
+from itertools import count
 from math import ceil, frexp, hypot, ldexp
 from typing import Any, NamedTuple
 
 import numpy as np
-from flint import arb, arb_mat
+from flint import arb, arb_mat, ctx
 
 from nonsmooth.runtime.checker.stated.exact import Failure
 
 __all__ = ["CarryingPhase", "StateSet", "TooWide", "matrix_of"]
 
-_ORDER = 7  # of Taylor's polynomials
+_ORDER = 7  # of Taylor's polynomials; more at a precision above 128 bits
 _DEEPEST = 14  # halvings of a phase
+_MOST_WINDOWS = 500_000  # of one phase
 _WIDER = 1.5  # windows of times are so much wider than they have to be
 _LEAST = 2.0**-44  # of a time: the width of its window at least
 _CORRECTIONS = 3  # of the time at which a centre arrives
@@ -194,10 +196,13 @@ class CarryingPhase:
         at the start; `ends` is the one that is known to be negative at the end. A window in
         which a function rises is left to the next one, or to the end where it is known to be
         negative; one in which it falls is left to the one before it, or to the start, where it is
-        not positive: both cannot meet. The phase is halved `deepest` times at most.
+        not positive: both cannot meet. The phase is halved `deepest` times at most, and so many
+        windows are looked at as `_MOST_WINDOWS`.
         """
         windows = [(arb(0), until, 0, sorted(watched))]
-        while windows:
+        for number in count(1):
+            if not windows:
+                return
             begin, end, depth, names = windows.pop()
             middle = ((begin + end) / 2).mid()
             radius, near = self._around((begin - middle).union(end - middle))
@@ -211,7 +216,7 @@ class CarryingPhase:
                 slope, rises = self._over(name, 1, moved, over, radius), name == ends or end < until
                 if not (slope < 0 or (rises and slope > 0)):
                     left.append(name)
-            if left and depth == deepest:
+            if left and (depth == deepest or number >= _MOST_WINDOWS):
                 raise TooWide("", left[0], middle + radius)
             if left:
                 windows.append((middle, end, depth + 1, left))
@@ -240,7 +245,7 @@ class CarryingPhase:
             for _ in range(first):
                 row = row * self.matrix
             found = []
-            for k in range(_ORDER):
+            for k in range(max(_ORDER, ctx.prec // 18)):
                 found.append(row.entries())
                 row = row * self.matrix / (k + 1)
             self._taylor[name, first] = arb_mat(found), row

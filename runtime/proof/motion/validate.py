@@ -37,7 +37,7 @@ __all__ = ["Enclosure", "Proof", "certify_motion"]
 _FEWEST_BITS = 64
 _MOST_IMMEDIATE = 64  # transitions without any time between them
 _STEP = 2.0  # times what is short for the fastest motion
-_LONGEST = 100_000  # steps in one phase
+_LONGEST = 20_000  # steps in one phase
 _LOOKS = frozenset(64 * 2**k for k in range(12))  # steps after which for ever is judged
 _ERROR = 2.0**-40  # of a state, where what a law says is guessed
 _QUIET = "no boundary is reached any more"
@@ -116,7 +116,11 @@ def certify_motion(
     stated = whole_system(exact)
     while True:
         with flint_precision(bits):
-            motion = _Motion(exact, OneMotion(stated, configuration, start))
+            try:
+                proved = OneMotion(stated, configuration, start)
+            except Failure as problem:
+                raise InputError(f"the state is not in {configuration}: {problem}") from None
+            motion = _Motion(exact, proved)
             motion.run(transitions)
             route = motion.unlisted
             if route is not None and route not in routes:
@@ -188,8 +192,12 @@ class _Motion:
         return about is not None
 
     def _next(self) -> tuple[frozenset[str], arb] | None:
-        """Return what seems to be reached next, and when; None if proved that nothing is."""
-        from flint import arb, arb_mat
+        """Return what seems to be reached next, and when; None if proved that nothing is.
+
+        What comes so close to zero that digits may be missing counts as reached: the checker
+        tells.
+        """
+        from flint import arb, arb_mat, ctx
 
         motion, phase = self.proved, self.proved.phase
         sets = motion.moving()
@@ -200,18 +208,21 @@ class _Motion:
         flow, rates = phase.flow(step).mid(), (rows * phase.matrix).mid()
         state, since = motion.states.centre, arb(0)
         slopes = (rates * state).entries()
+        sizes = [sum(map(abs, row), arb(0)) * arb(2) ** -(ctx.prec // 2) for row in rows.tolist()]
         for number in count(1):
             ahead = (flow * state).mid()
             values, after = (rows * ahead).entries(), (rates * ahead).entries()
-            found = []
+            found, largest = [], max(abs(x).upper() for x in ahead.entries())
             for k, names in enumerate(sets):
-                end = step if values[k] > 0 else None
-                if end is None and slopes[k] > 0 > after[k]:
-                    top = _zero(phase, [-x for x in rates.tolist()[k]], state, step)
-                    there = (rows * (phase.flow(top).mid() * state)).entries()[k]
-                    end = top if there.mid() > 0 else None
-                if end is not None:
-                    found.append((since + _zero(phase, rows.tolist()[k], state, end), names))
+                close, end = (-sizes[k] * largest).mid(), step
+                height = values[k]
+                if height <= close and slopes[k] > 0 > after[k]:
+                    end = _zero(phase, [-x for x in rates.tolist()[k]], state, step)
+                    height = (rows * (phase.flow(end).mid() * state)).entries()[k].mid()
+                if height > 0:
+                    end = _zero(phase, rows.tolist()[k], state, end)
+                if height > close:
+                    found.append((since + end, names))
             if found:
                 time, names = min(found, key=lambda each: each[0])
                 return names, time.mid()
@@ -220,6 +231,7 @@ class _Motion:
                 return None
             if number == _LONGEST:
                 told = " or ".join(sorted(name for names in sets for name in names))
+                motion.clear(since.mid())
                 self.instant = motion.time + since
                 raise Failure(f"no boundary is reached, and {told} still could be")
         raise AssertionError
