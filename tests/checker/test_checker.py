@@ -743,3 +743,15 @@ def test_no_power_of_any_parameter_is_too_high(
     check(signed(content))
     wall[-1][part] = [["1", exponents]]
     refused(content, "a power too high")
+
+
+@pytest.mark.parametrize("text", ["1/0", "1.5/2", "1e999999999", "٣"])
+def test_entries_that_are_no_numbers_are_refused_in_one_line(text: str, tmp_path: Path) -> None:
+    path = tmp_path / "proof.json"
+    ns.certify(ns.solve("rigid-stop/one-impact")).save(path)
+    content = json.loads(path.read_text())
+    content["enclosures"]["period"]["mid"] = text
+    path.write_text(json.dumps(content | {"sha256": checksum_of(content)}))
+    with pytest.raises(ns.InputError, match=r"proof\.json: .") as caught:
+        ns.certify.check(path)
+    assert "\n" not in str(caught.value)
