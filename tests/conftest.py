@@ -76,6 +76,8 @@ def forgotten(request: pytest.FixtureRequest) -> Iterator[None]:
             if hasattr(value, "cache_clear") and value.__module__ == module.__name__:
                 value.cache_clear()
     sympy.core.cache.clear_cache()
+    if "matplotlib.pyplot" in sys.modules:  # figures that nobody closed
+        sys.modules["matplotlib.pyplot"].close("all")
     gc.collect()
     if hasattr(LIBC, "malloc_trim"):
         LIBC.malloc_trim(0)
