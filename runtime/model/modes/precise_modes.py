@@ -239,7 +239,8 @@ def _projector(
         power = (exact - unit * acb(middle)) * (1 / acb(radius))
         for _ in range(steps):
             power = (power * power).mid()
-        return (unit + power).inv().mid(), bits
+        # balls would widen by all that eigenvalues far apart differ
+        return (unit + power).solve(unit, algorithm="approx").mid(), bits
 
 
 def exponentials_at(matrix: np.ndarray, times: Collection[float]) -> dict[float, np.ndarray]:
