@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import hashlib
 import json
-import math
 import os
 import random
 import re
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
 from importlib import import_module
 from pathlib import Path
@@ -24,24 +23,20 @@ import sympy as sp
 from nonsmooth import InputError
 from nonsmooth.derive import DerivationError, Parameter, RigidStop, oscillator
 from nonsmooth.derive.codegen import regenerate
-from nonsmooth.derive.codegen.any_arithmetic import print_python, python_kernel
 from nonsmooth.derive.codegen.body import Constant
-from nonsmooth.derive.codegen.c import c_kernel, print_c
-from nonsmooth.derive.codegen.emit import COMMAND, emit_system
-from nonsmooth.derive.codegen.naming import c_function
-from nonsmooth.derive.codegen.python_file import emit_python, system_table
-from nonsmooth.derive.codegen.simulation_form import SimulationForm
+from nonsmooth.derive.codegen.c import c_kernel
+from nonsmooth.derive.codegen.emit import emit_library, emit_system
 from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, evaluate
-from nonsmooth.derive.flows.modal import derive_flows
 from nonsmooth.derive.systems import SYSTEMS
 from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
 from nonsmooth.runtime.model import kernels as door
-from tests.compiled_c import library_of, needs_compiler, pointer
+from tests.compiled_c import COMPILER, executed, library_of, pointer
 from tests.places import CHECKOUT
 
 GENERATED = CHECKOUT / "generated"
 RECORD = json.loads((GENERATED / "PROVENANCE.json").read_text(encoding="utf-8"))
+COMMAND = "python scripts/regenerate.py"
 F = Fraction
 
 same_sympy = pytest.mark.skipif(
@@ -128,26 +123,29 @@ def test_tables_are_read_as_they_were_told() -> None:
     system = oscillator(
         "told", ["x"], [[1]], [[stiffness.symbol]], parameters=[stiffness], description=words
     )
-    text, found = emit_python(system, [], "tests"), dict[str, Any]()
+    text, found = emit_library(system, [], "tests")["told.py"], dict[str, Any]()
     exec(text, found)
-    assert found["SYSTEM"]["parameters"][0]["description"] == words
-    assert found["SYSTEM"] == system_table(SimulationForm(system, *derive_flows(system)))
+    table = found["SYSTEM"]
+    assert table["parameters"][0]["description"] == table["description"] == words
     tables = text[text.index("SYSTEM") : text.index("def ")]
     assert max(len(line) for line in tables.splitlines() if "pushes" not in line) <= 120
 
 
 # --- the value of what is emitted -------------------------------------------------------
 
-INPUTS = sp.symbols("a b c", positive=True)
-POINT = {s: sp.Rational(n, 10) for s, n in zip(INPUTS, (7, 13, 4), strict=True)}
+A, B, C = INPUTS = sp.symbols("a b c", positive=True)
+D = sp.Symbol("d", real=True)
+POINT = dict(zip((*INPUTS, D), map(F, ("0.7", "1.3", "0.4", "-3")), strict=True))
+
+
+def kernel_of(*results: sp.Expr, stages: Iterable[Stage] = (), name: str = "probe") -> Kernel:
+    arguments = Argument.vector("parameters", (A, B)), Argument.vector("reduced", (C, D))
+    outputs = Output.of("first", results[:-1]), Output.of("second", sp.Matrix(results[-1:]))
+    return Kernel(name, "A probe.", arguments, outputs, tuple(stages))
 
 
 def program(seed: int) -> Kernel:
-    """A straight-line program over positive inputs, with shared and negated terms.
-
-    Of the first one a result is a number in front of a sum, which is no product of its terms:
-    SymPy's cse gives -a b c/32.
-    """
+    """A straight-line program over positive inputs, with shared and negated terms."""
     draw = random.Random(seed)
     known: list[sp.Expr] = [*INPUTS, sp.Integer(2)]
     stages = []
@@ -168,50 +166,66 @@ def program(seed: int) -> Kernel:
             assignments.append((symbol, draw.choice(choices)))
             known.append(symbol)
         stages.append(Stage(f"stage {number}", tuple(assignments)))
-    a, b, c = INPUTS
-    sums = [sp.factor_terms(a / 4 + b / 4 + sign * c / 2) for sign in (-1, 1)]
-    first = [*sums, a / 4 + b / 4 - c / 2] if seed == 0 else [expression() for _ in range(3)]
-    return Kernel(
-        # C computes a kernel of this name for lanes, and once what does not depend on `reduced`
-        "reduced" if seed % 2 else "probe", "A probe.",
-        (Argument.vector("parameters", INPUTS[:2]), Argument.vector("reduced", INPUTS[2:])),
-        (Output.of("first", first), Output.of("second", sp.Matrix([expression()]))), tuple(stages),
-    )  # fmt: skip
+    # C computes a kernel of this name for lanes, and once what does not depend on `reduced`
+    name = "reduced" if seed % 2 else "probe"
+    return kernel_of(*(expression() for _ in range(4)), stages=stages, name=name)
 
 
-def in_c(kernels: dict[str, Kernel], folder: Path) -> Callable[[str], list[float]]:
-    """The results of kernels in C, at the point."""
-    names = "admissible", "differences", "elimination", "newton"
-    sources = [f'#include "nonsmooth_{name}.h"' for name in names]
-    sources += [c_kernel(kernel, name, None) for name, kernel in kernels.items()]
-    (folder / "probes.c").write_text("\n".join(sources), encoding="utf-8")
-    library = library_of(folder / "probes.c", "-O1", "-Wno-unused-function")
+SUMS = [sp.factor_terms(A / 4 + B / 4 + sign * C / 2) for sign in (-1, 1)]
+POWERS = [B ** sp.Rational(p, 2) for p in (1, -1, 3, -3, 5, -2, -4, 6, -7)]
+PROBES = {
+    **{f"case{seed}": program(seed) for seed in range(10)},
+    # a number in front of a sum is no product of its terms: SymPy's cse gives -a b c/32
+    "sums": kernel_of(*SUMS, A / 4 + B / 4 - C / 2),
+    "powers": kernel_of(*POWERS, *(3 * power / (1 + B) for power in POWERS)),
+    # not every arithmetic has roots and angles of plain integers
+    "numbers": kernel_of(sp.sqrt(3), sp.sqrt(2 + sp.sqrt(5)), sp.sqrt(D**2) / 3, Angle(0, D)),
+}
+
+
+@pytest.fixture(scope="module")
+def compiled(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], list[float]] | None:
+    """The results of each probe in C, at the point; None without a compiler."""
+    if COMPILER is None:
+        return None
+    source = tmp_path_factory.mktemp("probes") / "probes.c"
+    includes = [f'#include "nonsmooth_{n}.h"' for n in ("compiler", "trigonometry")]
+    definitions = [c_kernel(kernel, name, None) for name, kernel in PROBES.items()]
+    source.write_text("\n".join(["#include <math.h>", *includes, *definitions]))
+    library = library_of(source, "-O1", "-Wno-unused-function")
 
     def results(name: str) -> list[float]:
-        numbers = np.array([float(v) for v in POINT.values()])
-        found = np.zeros(4)
-        arrays = numbers[:2], numbers[2:], found[:3], found[3:]
-        library[c_function(name, kernels[name].name, None)](*map(pointer, arrays))
+        kernel, given = PROBES[name], np.array([float(v) for v in POINT.values()])
+        found = np.zeros(sum(len(output.expressions) for output in kernel.outputs))
+        arrays = given[:2], given[2:], found[:-1], found[-1:]
+        library[f"{name}_{kernel.name}"](*map(pointer, arrays))
         return found.tolist()
 
     return results
 
 
-@needs_compiler
-def test_emitted_source_keeps_every_value(tmp_path: Path) -> None:
-    kernels = {f"case{seed}": program(seed) for seed in range(10)}
-    compiled, lib = in_c(kernels, tmp_path), Mpmath(45)
-    for name, kernel in kernels.items():
-        outputs = [e for output in kernel.outputs for e in output.expressions]
-        expected = [sp.N(e, 40) for e in evaluate(kernel.stages, outputs, POINT)]
-        namespace: dict[str, Any] = {}
-        exec(python_kernel(kernel, None), namespace)
-        point = [lib.mp.mpf(v.p) / v.q for v in POINT.values()]
-        first, second = namespace[kernel.name](point[:2], point[2:], lib=lib)
-        found = [sp.Float(str(e), 40) for e in (*first, second[0][0])]
-        for one, other, wanted in zip(found, compiled(name), expected, strict=True):
-            assert abs(one - wanted) <= abs(wanted) * 1e-30 + 1e-30
-            assert other == pytest.approx(float(wanted), rel=1e-12, abs=1e-12)
+@pytest.mark.parametrize("name", PROBES)
+def test_what_is_emitted_has_its_value_in_every_arithmetic(name: str, compiled: Any) -> None:
+    kernel, lib, balls = PROBES[name], Mpmath(45), Balls()
+    exact = {s: sp.Rational(v.numerator, v.denominator) for s, v in POINT.items()}
+    results = [e for output in kernel.outputs for e in output.expressions]
+    values = evaluate(kernel.stages, results, exact)
+    expected = [sp.N(value.subs(Angle(0, -3), sp.pi), 40) for value in values]
+    emitted = executed(kernel)
+
+    def found(number: Callable[[Fraction], Any], lib: Any) -> list[sp.Expr]:
+        point = [number(v) for v in POINT.values()]
+        first, ((last,),) = emitted(point[:2], point[2:], lib=lib)
+        return [*first, last]
+
+    precise = found(lambda v: lib.mp.mpf(v.numerator) / v.denominator, lib)
+    for one, wanted in zip(precise, expected, strict=True):
+        assert abs(sp.Float(str(one), 40) - wanted) <= abs(wanted) * 1e-30 + 1e-30
+    with balls.working(100):
+        enclosed = found(lambda v: flint.arb(v.numerator) / v.denominator, balls)
+    for numbers in (enclosed, found(float, FLOATS), *([compiled(name)] if compiled else [])):
+        rounded = pytest.approx([*map(float, expected)], rel=1e-13, abs=1e-15)
+        assert [*map(float, numbers)] == rounded
 
 
 def test_numpy_is_given_no_function_of_nothing() -> None:
@@ -239,55 +253,20 @@ def test_irrational_numbers_have_an_order_that_no_hash_decides() -> None:
     assert len({*map(sp.default_sort_key, numbers)}) == 3
 
 
-X = sp.Symbol("x", positive=True)
-SIGNED = sp.Symbol("x", real=True)
-POWERS = [
-    X ** sp.Rational(power)
-    for power in ("1/2", "-1/2", "3/2", "-3/2", "5/2", "-1", "-2", "3", "-7/2")
-]
-ROOTS = sp.sqrt(3) + sp.sqrt(2 + sp.sqrt(5)) + Angle(0, SIGNED) + sp.sqrt(SIGNED**2) / 3
-
-
-@pytest.mark.parametrize(
-    ("expression", "x", "expected"),
-    [
-        *(
-            (f, F(17, 10), f.subs(X, sp.Rational(17, 10)))
-            for power in POWERS
-            for f in (power, 3 * power / (1 + X))
-        ),
-        (ROOTS, F(-3), ROOTS.subs(Angle(0, SIGNED), sp.pi).subs(SIGNED, -3)),
-    ],
-)
-def test_what_is_printed_has_its_value_in_every_arithmetic(
-    expression: sp.Expr, x: Fraction, expected: sp.Expr
-) -> None:
-    """Numbers without a symbol have roots and angles, too."""
-    source, lib, balls = print_python(expression), Mpmath(30), Balls()
-    found = [eval(source, {"lib": FLOATS, "x": float(x)})]
-    found.append(eval(source, {"lib": lib, "x": lib.mp.mpf(x.numerator) / x.denominator}))
-    with balls.working(100):
-        found.append(eval(source, {"lib": balls, "x": flint.arb(x.numerator) / x.denominator}))
-    names = {"sqrt": math.sqrt, "fabs": abs, "nonsmooth_angle": FLOATS.angle}
-    found.append(eval(print_c(expression), {**names, "x": float(x)}))
-    assert [*map(float, found)] == pytest.approx([float(expected)] * 4, rel=1e-15)
-
-
 @pytest.mark.parametrize(
     ("expression", "message"),
     [
-        (X ** sp.Rational(1, 3), "no kernel for the power"),
-        (sp.exp(X), "no kernel for the function exp"),
-        (sp.tan(X), "no kernel for the function tan"),
-        (X + sp.Symbol("y"), "y has no value"),
-        (X * sp.I, "no kernel holds I"),
+        (A ** sp.Rational(1, 3), "no kernel for the power"),
+        (sp.exp(A), "no kernel for the function exp"),
+        (sp.tan(A), "no kernel for the function tan"),
+        (A + sp.Symbol("y"), "y has no value"),
+        (A * sp.I, "no kernel holds I"),
     ],
     ids=str,
 )
 def test_what_no_kernel_can_hold_is_refused_by_name(expression: sp.Expr, message: str) -> None:
-    kernel = Kernel("probe", "", (Argument.vector("x", [X]),), (Output.of("f", expression),), ())
     with pytest.raises(DerivationError, match=message):
-        python_kernel(kernel, None)
+        executed(kernel_of(expression))
 
 
 # --- files that are cut, edited or foreign ----------------------------------------------
@@ -356,12 +335,11 @@ def test_formulas_that_differ_come_first_and_stamps_last(tmp_path: Path) -> None
     assert [text.split()[1] for text in changed] == ["e.md", "b.py", "a.c"]
     assert changed[0].splitlines()[2:] == ["line 2:", "+More."]
     for text, line, end in ((changed[1], 2, ""), (changed[2], 3, ";")):
-        place, found, wanted = (t for t in text.splitlines()[2:] if t[1:3] != "c ")
+        place, found, wanted = text.splitlines()[2:]
         assert place == f"line {line}:"
         assert (found[:5], wanted[:5]) == ("-... ", "+... ")
         assert found.endswith(f"x99 - y{end}")
         assert wanted.endswith(f"x99 + y{end}")
-    assert [text.count("\n") for text in changed] == [3, 4, 6]
 
 
 def test_stamps_are_known_by_what_stands_before_them(tmp_path: Path) -> None:

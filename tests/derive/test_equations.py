@@ -31,12 +31,11 @@ from nonsmooth.derive import (
     Transition,
     derive_equations,
 )
-from nonsmooth.derive.codegen.any_arithmetic import python_kernel
 from nonsmooth.derive.codegen.emit import emit_library
 from nonsmooth.derive.codegen.kernels import orbit_kernels, spectrum_kernel
 from nonsmooth.derive.systems import dry_friction, elastic_stop, rigid_stop
 from nonsmooth.runtime.core.arithmetic import Mpmath
-from tests.compiled_c import library_of, needs_compiler, pointer
+from tests.compiled_c import executed, library_of, needs_compiler, pointer
 
 LIB = Mpmath(60)
 MP = LIB.mp
@@ -197,7 +196,7 @@ class Derived:
         """One result at parameters, and at unknowns or the reduced ones."""
         kernel, place = self._found[name]
         if kernel.name not in self._functions:
-            exec(python_kernel(kernel, None), self._functions)
+            self._functions[kernel.name] = executed(kernel)
         point = {"parameters": values, "unknowns": unknowns, "reduced": unknowns}
         if kernel.name != "spectrum":
             own = [values[self.names.index(str(p))] for p in self.orbit.spectrum.parameters]
