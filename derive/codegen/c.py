@@ -229,7 +229,7 @@ def _for_one_lane(body: Body, function: str) -> list[str]:
 
 def _called(function: str, body: Body) -> list[str]:
     """C statement that computes a kernel for the only lane."""
-    given = [a.name for a in (*body.arguments, *body.outputs)]
+    given = [*(a.name for a in body.arguments), *(o.name for o in body.outputs)]
     return c_statement(lane_call(function, given, "1, 0"), "    ")
 
 

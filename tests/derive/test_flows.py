@@ -25,12 +25,11 @@ from nonsmooth.derive import (
     System,
     oscillator,
 )
-from nonsmooth.derive.codegen.any_arithmetic import python_kernel
 from nonsmooth.derive.codegen.kernels import flow_kernels, spectrum_kernel
 from nonsmooth.derive.codegen.simulation_form import SimulationForm
-from nonsmooth.derive.equations.program import Kernel
 from nonsmooth.derive.flows.modal import derive_flows
 from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
+from tests.compiled_c import executed
 
 DIGITS = 50
 F = Fraction
@@ -185,13 +184,6 @@ MANY_DIGITS = CASES | {
     for point in POINTS
     if name != "three" or point in ("critical", "resonance")
 }
-
-
-def executed(kernel: Kernel) -> Callable[..., Any]:
-    """The function that the emitted source of a kernel defines."""
-    namespace: dict[str, Any] = {}
-    exec(python_kernel(kernel, None), namespace)
-    return namespace[kernel.name.replace("-", "_")]
 
 
 @cache

@@ -12,7 +12,6 @@ from scipy.linalg import eigh
 from scipy.sparse.linalg import spsolve
 
 from nonsmooth.derive import DeclarationError, oscillator, read_matrices, reduce_structure
-from nonsmooth.derive.building import matrices
 from tests.beams import beam, cantilever
 
 METHODS = ("craig-bampton", "free-interface")
@@ -111,11 +110,9 @@ def test_a_free_beam_moves_as_a_rigid_body():
 
 
 def test_large_sparse_structures_go_by_lanczos(monkeypatch):
-    from nonsmooth.derive.building import structure_matrices
-
     mass, stiffness = grid(18)
     dense = reduce_structure(mass, stiffness, keep=[100], modes=6)
-    monkeypatch.setattr(structure_matrices, "_DENSE", 50)
+    monkeypatch.setattr("nonsmooth.derive.building.structure_matrices._DENSE", 50)
     lanczos = reduce_structure(mass, stiffness, keep=[100], modes=6)
     assert_allclose(lanczos.frequencies, dense.frequencies, rtol=1e-9)
     assert lanczos.cutoff == pytest.approx(dense.cutoff, rel=1e-9)
@@ -245,7 +242,7 @@ def test_bad_files_are_one_line(tmp_path):
 
 
 def test_what_a_small_file_unpacks_to_is_bounded(tmp_path, monkeypatch):
-    monkeypatch.setattr(matrices, "_SMALL", 1 << 20)
+    monkeypatch.setattr("nonsmooth.derive.building.matrices._SMALL", 1 << 20)
     names = ("large.npz", "large.mat", "large.mtx.gz")
     zeros = {"K": np.zeros((1000, 1000))}
     np.savez_compressed(tmp_path / names[0], **zeros)
