@@ -49,11 +49,7 @@ class _Printer(Ordered, StrPrinter):
         base = self.parenthesize(expr.base, PRECEDENCE["Pow"])
         if (2 * exponent).is_Integer and not exponent.is_Integer:
             exponent = 2 * exponent
-            # not every arithmetic has roots of plain integers
-            radicand = (
-                f"lib.rational({base}, 1)" if expr.base.is_Integer else self._print(expr.base)
-            )
-            base = f"lib.sqrt({radicand})"
+            base = f"lib.sqrt({self._print(expr.base)})"
         if not exponent.is_Integer:
             raise DerivationError(f"no kernel for the power {expr}")
         power = base if abs(exponent) == 1 else f"{base}**{abs(exponent)}"
