@@ -358,7 +358,7 @@ def test_stamps_are_known_by_what_stands_before_them(tmp_path: Path) -> None:
     assert re.search(r"^\+x = -0\.3333333333333334;$", difference, re.MULTILINE)
 
 
-def test_another_installation_than_that_of_the_place_is_named(
+def test_the_checkout_is_that_of_the_place_or_the_folder_must_be_named(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     inside = tmp_path / "runtime"
@@ -370,6 +370,9 @@ def test_another_installation_than_that_of_the_place_is_named(
     monkeypatch.chdir(GENERATED)
     checkout = regenerate.surrounding_checkout()
     assert checkout / "generated" == regenerate.find_generated()
+    monkeypatch.setattr(regenerate, "__file__", str(tmp_path / "a" / "b" / "c" / "regenerate.py"))
+    with pytest.raises(DerivationError, match=r"not a checkout of nonsmooth.*--out DIR"):
+        regenerate.find_generated()
 
 
 def test_the_check_refuses_another_sympy(copied: Path) -> None:
@@ -416,11 +419,3 @@ def test_compiled_kernels_of_another_derivation_are_named(monkeypatch: pytest.Mo
         assert door.load_system("dry-friction").compiled is None
     finally:
         door._system.cache_clear()
-
-
-def test_outside_a_checkout_the_folder_must_be_named(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(regenerate, "__file__", str(tmp_path / "a" / "b" / "c" / "regenerate.py"))
-    with pytest.raises(DerivationError, match=r"not a checkout of nonsmooth.*--out DIR"):
-        regenerate.find_generated()
