@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation dde498332098c3b5 */
+ * SymPy 1.14.0, derivation 8652a8f557172242 */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -573,11 +573,11 @@ static int add_all(PyObject *module)
         for (int k = u->inputs; k < u->count; ++k)
             ((PyUFuncObject *)made)->op_flags[k] = of_output;
     }
-    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "de1129661d58bd5a") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "e0db5a0cf84061ce") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "c25b7b1dc4f17316") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "34270e2de36ca60b") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "17c69fcb1a7b4a60") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "a9cad82ee1ca7804") < 0)
         return -1;
     return 0;
 }

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 17c69fcb1a7b4a60 */
+ * SymPy 1.14.0, derivation a9cad82ee1ca7804 */
 #ifndef NONSMOOTH_SYSTEM_DRY_FRICTION_H
 #define NONSMOOTH_SYSTEM_DRY_FRICTION_H
 

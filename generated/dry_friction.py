@@ -1,12 +1,12 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.dry_friction
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 17c69fcb1a7b4a60
+# SymPy 1.14.0, derivation a9cad82ee1ca7804
 """Kernels and tables of the system dry-friction, over any arithmetic ``lib``."""
 
 import json
 
-DERIVATION = "17c69fcb1a7b4a60"
+DERIVATION = "a9cad82ee1ca7804"
 
 SYSTEM = json.loads(r"""{
  "name": "dry-friction",
@@ -582,11 +582,6 @@ ORBITS = json.loads(r"""{
    "second-breaks-forward ends slip-stick"
   ],
   "reduced": ["tau", "tau1"],
-  "eliminated": {
-   "z20": "linear in: z2 vanishes halfway through slip-stick",
-   "z10": "linear in: second-breaks-forward ends slip-stick",
-   "v10": "linear in: z1 vanishes halfway through slip-slip"
-  },
   "rank": 2,
   "section": ["z20", "v10"],
   "conservative": false,
@@ -658,7 +653,6 @@ ORBITS = json.loads(r"""{
    "z20 returns"
   ],
   "reduced": ["tau", "tau1"],
-  "eliminated": {"z2_1": "linear in second-breaks-forward", "tau2": "first return", "ta": "linear in time"},
   "rank": 1,
   "section": ["z10", "z20"],
   "conservative": false,
@@ -739,7 +733,6 @@ ORBITS = json.loads(r"""{
    "z20 returns"
   ],
   "reduced": ["tau", "tau1", "e1"],
-  "eliminated": {"z2_1": "linear in second-breaks-forward", "tau2": "first return"},
   "rank": 1,
   "section": ["z10", "z20"],
   "conservative": false,

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation c25b7b1dc4f17316 */
+ * SymPy 1.14.0, derivation 34270e2de36ca60b */
 #include "elastic_stop.h"
 
 #include <math.h>

@@ -1,12 +1,12 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.elastic_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation c25b7b1dc4f17316
+# SymPy 1.14.0, derivation 34270e2de36ca60b
 """Kernels and tables of the system elastic-stop, over any arithmetic ``lib``."""
 
 import json
 
-DERIVATION = "c25b7b1dc4f17316"
+DERIVATION = "34270e2de36ca60b"
 
 SYSTEM = json.loads(r"""{
  "name": "elastic-stop",
@@ -76,11 +76,6 @@ ORBITS = json.loads(r"""{
    "v2 vanishes halfway through free"
   ],
   "reduced": ["tau"],
-  "eliminated": {
-   "y": "linear in: v1 vanishes halfway through contact; v2 vanishes halfway through contact; v1 vanishes halfway through free",
-   "u": "linear in: v1 vanishes halfway through contact; v2 vanishes halfway through contact; v1 vanishes halfway through free",
-   "w": "linear in: v1 vanishes halfway through contact; v2 vanishes halfway through contact; v1 vanishes halfway through free"
-  },
   "rank": 3,
   "section": ["y", "u", "w"],
   "conservative": true,

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation de1129661d58bd5a */
+ * SymPy 1.14.0, derivation e0db5a0cf84061ce */
 #include "rigid_stop.h"
 
 #include <math.h>

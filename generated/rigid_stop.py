@@ -1,12 +1,12 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.rigid_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation de1129661d58bd5a
+# SymPy 1.14.0, derivation e0db5a0cf84061ce
 """Kernels and tables of the system rigid-stop, over any arithmetic ``lib``."""
 
 import json
 
-DERIVATION = "de1129661d58bd5a"
+DERIVATION = "e0db5a0cf84061ce"
 
 SYSTEM = json.loads(r"""{
  "name": "rigid-stop",
@@ -76,10 +76,6 @@ ORBITS = json.loads(r"""{
   "durations": [{"T": 1}],
   "equations": ["v1 vanishes halfway through free", "v2 vanishes halfway through free"],
   "reduced": [],
-  "eliminated": {
-   "y": "linear in: v1 vanishes halfway through free; v2 vanishes halfway through free",
-   "u": "linear in: v1 vanishes halfway through free; v2 vanishes halfway through free"
-  },
   "rank": 3,
   "section": ["y", "u", "w"],
   "conservative": true,

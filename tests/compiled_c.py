@@ -1,24 +1,34 @@
-"""C that tests emit or write, compiled into a library and called."""
+"""C that tests emit or write, compiled into a library, and Python that is emitted: to be called."""
 
 from __future__ import annotations
 
 import ctypes
 import shutil
 import subprocess
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
+from nonsmooth.derive.codegen.any_arithmetic import python_kernel
+from nonsmooth.derive.equations.program import Kernel
 from tests.places import CHECKOUT
 
-__all__ = ["COMPILER", "SUPPORT", "library_of", "needs_compiler", "pointer"]
+__all__ = ["COMPILER", "SUPPORT", "executed", "library_of", "needs_compiler", "pointer"]
 
 COMPILER = shutil.which("gcc") or shutil.which("cc")
 SUPPORT = CHECKOUT / "derive" / "codegen" / "support"
 needs_compiler = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 STRICT = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off")
+
+
+def executed(kernel: Kernel) -> Callable[..., Any]:
+    """The function that the emitted source of a kernel defines."""
+    namespace: dict[str, Any] = {}
+    exec(python_kernel(kernel, None), namespace)
+    return namespace[kernel.name.replace("-", "_")]
 
 
 def library_of(source: Path, *flags: str, include: Path = SUPPORT) -> ctypes.CDLL:

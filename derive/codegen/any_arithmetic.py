@@ -7,6 +7,7 @@ mpmath and ball arithmetic.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import lru_cache
 from textwrap import wrap
 
@@ -48,11 +49,7 @@ class _Printer(Ordered, StrPrinter):
         base = self.parenthesize(expr.base, PRECEDENCE["Pow"])
         if (2 * exponent).is_Integer and not exponent.is_Integer:
             exponent = 2 * exponent
-            # not every arithmetic has roots of plain integers
-            radicand = (
-                f"lib.rational({base}, 1)" if expr.base.is_Integer else self._print(expr.base)
-            )
-            base = f"lib.sqrt({radicand})"
+            base = f"lib.sqrt({self._print(expr.base)})"
         if not exponent.is_Integer:
             raise DerivationError(f"no kernel for the power {expr}")
         power = base if abs(exponent) == 1 else f"{base}**{abs(exponent)}"
@@ -141,22 +138,22 @@ def _unpack(argument: Argument, used: frozenset[sp.Symbol]) -> list[str]:
     if not argument.shape or not set(argument.symbols) & used:
         return []
     names = [str(s) if s in used else "_" for s in argument.symbols]
-    if len(argument.shape) == 1:
-        return [f"    [{', '.join(names)}] = {argument.name}"]
-    columns = argument.shape[1]
-    rows = [f"[{', '.join(names[i : i + columns])}]" for i in range(0, len(names), columns)]
-    return [f"    [{', '.join(rows)}] = {argument.name}"]
+    return [f"    {_nested(names, argument.shape)} = {argument.name}"]
 
 
 def _pack(output: Output) -> str:
-    printed = [print_python(e) for e in output.expressions]
-    if not output.shape:
-        return printed[0]
-    if len(output.shape) == 1:
-        return f"[{', '.join(printed)}]"
-    count, columns = output.shape
-    rows = [printed[i * columns : (i + 1) * columns] for i in range(count)]
-    return "[" + ", ".join(f"[{', '.join(row)}]" for row in rows) + "]"
+    return _nested([print_python(e) for e in output.expressions], output.shape)
+
+
+def _nested(entries: Sequence[str], shape: tuple[int, ...]) -> str:
+    """Entries as a number, a list or a list of rows."""
+    if not shape:
+        return entries[0]
+    if len(shape) == 2:
+        rows, columns = shape
+        parts = (entries[i * columns : (i + 1) * columns] for i in range(rows))
+        entries = [_nested(part, (columns,)) for part in parts]
+    return f"[{', '.join(entries)}]"
 
 
 def _wrap(text: str, indent: str = "        ") -> list[str]:

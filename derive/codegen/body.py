@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence, Set
+from collections.abc import Callable, Iterable, Set
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from typing import Any
@@ -15,11 +15,11 @@ from nonsmooth.derive.declaration.real_numbers import (
     nearest_double,
     number_text,
 )
-from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, prune
+from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, required
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.symbols import meaning_of
 
-__all__ = ["Body", "Constant", "Line", "body_of", "needed", "split"]
+__all__ = ["Body", "Constant", "Line", "body_of", "split"]
 
 _Translation = Callable[[sp.Expr], sp.Expr]
 
@@ -246,9 +246,7 @@ def _eliminated(kernel: Kernel) -> Body:
         size = len(output.expressions)
         expressions = reduced[count : count + size]
         count += size
-        wanted = {
-            s for stage in prune(kernel.stages, output.expressions) for s, _ in stage.assignments
-        }
+        wanted = required(_assignments(kernel), output.expressions)
         for stage in kernel.stages:
             begin = len(lines)
             for symbol, _ in stage.assignments:
@@ -300,17 +298,6 @@ def split(body: Body, inputs: set[sp.Symbol]) -> tuple[tuple[Line, ...], tuple[L
         else:
             moving.append(line)
     return tuple(fixed), tuple(moving)
-
-
-def needed(lines: Sequence[Line], expressions: Iterable[sp.Expr]) -> tuple[Line, ...]:
-    """Those lines on which the expressions depend, in order."""
-    wanted: set[sp.Symbol] = set().union(*(e.free_symbols for e in expressions))
-    kept = []
-    for line in reversed(lines):
-        if line.symbol in wanted:
-            wanted |= line.expression.free_symbols
-            kept.append(line)
-    return tuple(reversed(kept))
 
 
 def _by_number(symbol: sp.Symbol) -> tuple[int, str]:

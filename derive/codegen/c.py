@@ -5,16 +5,20 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from functools import lru_cache
-from textwrap import wrap
 
 import sympy as sp
 from sympy.printing.c import C99CodePrinter
 from sympy.printing.precedence import PRECEDENCE
 
 from nonsmooth.derive.codegen.any_arithmetic import Ordered
-from nonsmooth.derive.codegen.body import Body, Constant, Line, body_of, needed, split
-from nonsmooth.derive.codegen.function import c_declaration, function_of_kernel, listed
-from nonsmooth.derive.equations.program import Argument, Kernel, Output
+from nonsmooth.derive.codegen.body import Body, Constant, Line, body_of, split
+from nonsmooth.derive.codegen.function import (
+    c_declaration,
+    c_statement,
+    function_of_kernel,
+    listed,
+)
+from nonsmooth.derive.equations.program import Argument, Kernel, Output, required
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.entire import ExponentialDifference
 
@@ -24,6 +28,7 @@ __all__ = [
     "count_of_fixed",
     "fixed_part",
     "in_lane",
+    "lane_call",
     "line_sources",
     "print_c",
 ]
@@ -205,10 +210,10 @@ def c_kernel(kernel: Kernel, system: str, orbit: str | None) -> str:
         comment += [*_for_one_lane(fixed, fixed_part(function)), ""]
         public += [
             f"    double fixed[{count_of_fixed(kernel)}];",
-            *_call(fixed_part(function), fixed),
+            *_called(fixed_part(function), fixed),
         ]
     return "\n".join(
-        [*comment, *_for_one_lane(moving, function), "", *public, *_call(function, moving), "}"]
+        [*comment, *_for_one_lane(moving, function), "", *public, *_called(function, moving), "}"]
     )
 
 
@@ -222,11 +227,15 @@ def _for_one_lane(body: Body, function: str) -> list[str]:
     return [f"static NONSMOOTH_INLINE {declared}", "{", *unused, *statements, "}"]
 
 
-def _call(function: str, body: Body) -> list[str]:
+def _called(function: str, body: Body) -> list[str]:
     """C statement that computes a kernel for the only lane."""
-    given = ", ".join([*(a.name for a in body.arguments), *(o.name for o in body.outputs)])
-    call, indent = f"{in_lane(function)}(1, 0, {given});", " " * 4
-    return wrap(call, 100, initial_indent=indent, subsequent_indent=2 * indent)
+    given = [*(a.name for a in body.arguments), *(o.name for o in body.outputs)]
+    return c_statement(lane_call(function, given, "1, 0"), "    ")
+
+
+def lane_call(function: str, given: Iterable[str], lane: str = "lanes, lane") -> str:
+    """C statement that computes a kernel, of which this is the function, for one lane."""
+    return f"{in_lane(function)}({lane}, {', '.join(given)});"
 
 
 @lru_cache(maxsize=64)
@@ -246,7 +255,8 @@ def _parts(kernel: Kernel) -> tuple[Body | None, Body]:
     if not iterated or not carried:
         return None, body
     values = Output("fixed", (len(carried),), carried)
-    lines = needed(fixed, carried)
+    needed = required([(line.symbol, line.expression) for line in fixed], carried)
+    lines = tuple(line for line in fixed if line.symbol in needed)
     return (
         Body(given, lines, (values,), (len(lines),)),
         replace(rest, arguments=(*given, Argument("fixed", values.shape, carried), *iterated)),

@@ -113,15 +113,20 @@ def derive_system(
     _check_orbits(system, orbits)
     name = system.name
     progress(f"{name}: flows")
-    form = _form_of(system)
-    flows: tuple[Kernel, ...] = ()
-    if form.flows is not None:
-        motions = flow_kernels(system, form.spectrum, form.flows)
-        flows = (spectrum_kernel(form.spectrum), *motions)
-    kernels = _printed((*flows, *form.kernels()), None)
+    open_form, kernels = None, list[DerivedKernel]()
+    try:
+        spectrum, flows = derive_flows(system)
+    except DerivationError as problem:
+        form, open_form = SimulationForm(system), " ".join(str(problem).split())
+    else:
+        form = SimulationForm(system, spectrum, flows)
+        kernels += _printed(
+            (spectrum_kernel(spectrum), *flow_kernels(system, spectrum, flows)), None
+        )
+    kernels += _printed(form.kernels(), None)
     found: list[EquationSystem | Underived] = []
     for orbit in orbits:
-        reason, many = _obstacle(form, orbit), False
+        reason, many = open_form or _obstacle(orbit), False
         if reason is None and use is not Use.ANYTHING:
             reason = _too_long(orbit)
         if reason is None and use is Use.FIRST_ANSWER:
@@ -181,22 +186,8 @@ def _composable(orbit: Itinerary) -> bool:
     return not special
 
 
-def _form_of(system: System) -> SimulationForm:
-    """The system in the form for simulation, with flows if all have a closed form."""
-    try:
-        spectrum, flows = derive_flows(system)
-    except DerivationError:
-        return SimulationForm(system)
-    return SimulationForm(system, spectrum, flows)
-
-
-def _obstacle(form: SimulationForm, orbit: Itinerary) -> str | None:
+def _obstacle(orbit: Itinerary) -> str | None:
     """The reason why an orbit's equations are not derived, as its declaration shows, or None."""
-    if form.flows is None:
-        try:
-            derive_flows(form.system)
-        except DerivationError as problem:
-            return " ".join(str(problem).split())
     if orbit.symmetry:
         return "it is known by a part and a symmetry"
     if moves_freely(orbit.system):

@@ -16,6 +16,7 @@ __all__ = [
     "Array",
     "Function",
     "c_declaration",
+    "c_statement",
     "function_of_kernel",
     "function_of_orbit",
     "listed",
@@ -77,6 +78,11 @@ def _declared(array: Array, *, optional: bool) -> str:
 def c_declaration(name: str, parameters: Iterable[str]) -> str:
     """C declaration of a function without a result, without the semicolon."""
     return "\n".join([f"void {name}(", *listed("", parameters, "", "    ", "    ")]) + ")"
+
+
+def c_statement(text: str, indent: str) -> list[str]:
+    """Lines of a C statement."""
+    return wrap(text, 100, initial_indent=indent, subsequent_indent=indent + "    ")
 
 
 def listed(

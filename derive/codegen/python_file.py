@@ -208,7 +208,6 @@ def orbit_table(orbit: EquationSystem) -> dict[str, Any]:
         "durations": [_linear(link.duration) for link in orbit.chain.links],
         "equations": [meaning for meaning, _ in orbit.equations],
         "reduced": reduced_names(orbit),
-        "eliminated": {str(e.unknown): e.rule for e in reduction.eliminations},
         "rank": reduction.rank,
         "section": list(map(str, orbit.chain.coordinates)),
         "conservative": orbit.conservative,

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import difflib
 import json
 import re
 from collections.abc import Callable, Mapping, Sequence
-from itertools import takewhile
+from itertools import zip_longest
+from os.path import commonprefix
 from pathlib import Path
 
 import sympy as sp
@@ -28,7 +28,7 @@ __all__ = [
 _STAMP = re.compile(r"((?:derivation|sha256)\w*\W{1,4})(?:[0-9a-f]{64}|[0-9a-f]{16})\b", re.I)
 # files by how easily a formula is read in them
 _READABLE = (".md", ".py", ".h", ".c")
-_SHOWN_LINES, _SHOWN_CHARACTERS = 8, 160
+_SHOWN_CHARACTERS = 160
 
 
 def find_generated(*, writing: bool = True) -> Path:
@@ -113,7 +113,7 @@ def check(
 def differences(folder: Path, wanted: Mapping[str, str]) -> tuple[str, ...]:
     """Differences between the files of a folder and the wanted texts, one for each file.
 
-    Missing files come first, then the first difference of each file, those with readable
+    Missing files come first, then the first line that differs of each file, those with readable
     formulas before others, and last the names of files in which no line but stamps differs.
     """
     missing, changed, stamped = [], [], []
@@ -138,25 +138,18 @@ def _readability(path: Path) -> int:
 
 
 def _first_difference(name: str, lines: list[str], derived: list[str]) -> str:
-    """The first lines of a file that differ from those that are derived, cut where they do."""
-    pairs = zip(lines, derived, strict=False)
-    shorter = min(len(lines), len(derived))
-    first = next((place for place, (a, b) in enumerate(pairs) if a != b), shorter)
-    old, new = lines[first:], derived[first:]
-    pairs = zip(*(part[0] if part else "" for part in (old, new)), strict=False)
-    same = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], pairs))
-
-    def cut(number: int, line: str) -> str:
-        begin = 0 if number else max(0, same - _SHOWN_CHARACTERS // 2)
-        part = line[begin : begin + _SHOWN_CHARACTERS]
-        return f"{'... ' if begin else ''}{part}{' ...' if line[begin:] != part else ''}"
-
-    shown, wanted = ([*map(cut, range(_SHOWN_LINES), part)] for part in (old, new))
-    labels = f"{name} (found)", f"{name} (derived)"
-    told = list(difflib.unified_diff(shown, wanted, *labels, n=0, lineterm=""))
-    told[2] = f"line {first + 1}:"
-    following = [place for place, line in enumerate(told) if line.startswith("@@ ")]
-    return "\n".join(told[: following[0]] if following else told)
+    """The first line of a file that differs from what is derived, cut where they differ."""
+    pairs = enumerate(zip_longest(lines, derived), start=1)
+    number, (found, wanted) = next((n, pair) for n, pair in pairs if pair[0] != pair[1])
+    same = commonprefix([found or "", wanted or ""])  # noqa: RUF071 - of characters, no path
+    begin = max(0, len(same) - _SHOWN_CHARACTERS // 2)
+    told = [f"--- {name} (found)", f"+++ {name} (derived)", f"line {number}:"]
+    for sign, line in (("-", found), ("+", wanted)):
+        if line is not None:
+            end = begin + _SHOWN_CHARACTERS
+            cut = f"{'... ' * (begin > 0)}{line[begin:end]}{' ...' * (end < len(line))}"
+            told.append(f"{sign}{cut}")
+    return "\n".join(told)
 
 
 def _wanted(

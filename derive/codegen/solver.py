@@ -12,12 +12,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from string import Template
-from textwrap import wrap
 
 import sympy as sp
 
-from nonsmooth.derive.codegen.c import count_of_fixed, fixed_part, in_lane, print_c
-from nonsmooth.derive.codegen.function import Array, Function, function_of_orbit
+from nonsmooth.derive.codegen.c import count_of_fixed, fixed_part, lane_call, print_c
+from nonsmooth.derive.codegen.function import Array, Function, c_statement, function_of_orbit
 from nonsmooth.derive.codegen.kernels import reduced_kernel
 from nonsmooth.derive.codegen.naming import c_function, constant
 from nonsmooth.derive.equations.equation_system import EquationSystem
@@ -158,13 +157,13 @@ def solve_source(orbit: EquationSystem) -> str:
     (spectrum,), lines = _lanes_of_spectrum(orbit, ["spectrum"])
     point = ["parameter", spectrum]
     if fixed:
-        lines += _loop_over_lanes([_lane_call(fixed_part(function), [*point, "fixed"])])
+        lines += _loop_over_lanes([lane_call(fixed_part(function), [*point, "fixed"])])
     taken = [*point, *(["fixed"] if fixed else []), *(["x"] if count else [])]
 
     def computed(results: Mapping[str, str]) -> str:
         """Statement that computes results of the kernel, each into an array."""
         given = [results.get(output.name, "NULL") for output in kernel.outputs]
-        return _lane_call(function, [*taken, *given])
+        return lane_call(function, [*taken, *given])
 
     equations = {"reduced_residual": "equation"}
     if count:
@@ -183,7 +182,7 @@ def solve_source(orbit: EquationSystem) -> str:
     lines += _loop_over_lanes(
         [
             computed({"unknowns": "unknown", "determinants": "determinant", **equations}),
-            _lane_call(c_function(system, "trace", name), trace),
+            lane_call(c_function(system, "trace", name), trace),
         ]
     )
     sizes = {
@@ -228,16 +227,12 @@ def _status(orbit: EquationSystem) -> list[str]:
         "not_finite": "doubt[lane] != 0.0",
         "singular": f"({singular})" if singular else "",
     }
-    indent = _INDENT + "    "
     return [
         line
         for name, condition in conditions.items()
         if condition
-        for line in wrap(
-            f"code = {condition} ? {constant(orbit.system.name, name)} : code;",
-            100,
-            initial_indent=indent,
-            subsequent_indent=indent + "    ",
+        for line in c_statement(
+            f"code = {condition} ? {constant(orbit.system.name, name)} : code;", _INDENT + "    "
         )
     ]
 
@@ -271,7 +266,7 @@ def directions_source(orbit: EquationSystem) -> str:
     point = ("parameter", spectrum[0], "unknown", spectrum[1], "NULL")
     for kernel, results in (("equations", ("jacobian", "moved")), ("trace", ("slope",))):
         function = c_function(orbit.system.name, kernel, name)
-        lines += _loop_over_lanes([_lane_call(function, [*point, *results])])
+        lines += _loop_over_lanes([lane_call(function, [*point, *results])])
     return _DIRECTIONS.substitute(
         n=n, p=p, prototype=directions_function(orbit).prototype, kernels="\n".join(lines)
     )
@@ -297,23 +292,14 @@ def _lanes_of_spectrum(orbit: EquationSystem, wanted: Sequence[str]) -> tuple[li
         lines.append(f"{indent}nonsmooth_load(lanes, 1, {given});")
     function = c_function(orbit.system.name, "spectrum", None)
     taken = "own" if parameters else "NULL"
-    lines += _loop_over_lanes([_lane_call(function, [taken, *arrays])])
+    lines += _loop_over_lanes([lane_call(function, [taken, *arrays])])
     return arrays[: len(wanted)], lines
-
-
-def _lane_call(kernel: str, arguments: Sequence[str]) -> str:
-    """C statement that computes a kernel for one lane; `kernel` is the name of its function."""
-    return f"{in_lane(kernel)}(lanes, lane, {', '.join(arguments)});"
 
 
 def _loop_over_lanes(statements: Sequence[str], indent: str = _INDENT) -> list[str]:
     """C lines that make statements for each lane."""
     inner, head = indent + "    ", f"{indent}for (int lane = 0; lane < lanes; ++lane)"
-    lines = [
-        line
-        for statement in statements
-        for line in wrap(statement, 100, initial_indent=inner, subsequent_indent=inner + "    ")
-    ]
+    lines = [line for statement in statements for line in c_statement(statement, inner)]
     if len(statements) == 1:
         return [f"{indent}NONSMOOTH_SIMD", head, *lines]
     return [f"{indent}NONSMOOTH_SIMD", f"{head} {{", *lines, f"{indent}}}"]

@@ -23,7 +23,7 @@ from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.equations.chain import Chain, Link, name_functions
 from nonsmooth.derive.equations.elimination import solve_linear
 from nonsmooth.derive.equations.program import Equation, Stage, assign_matrix, prune
-from nonsmooth.derive.equations.section import coordinates_of, is_zero
+from nonsmooth.derive.equations.section import coordinates_of, is_zero, multiple_of
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.symbols import Symbol, derivative
 
@@ -148,13 +148,7 @@ def derive_period_map(
 def _only_states_its_exit(link: Link) -> bool:
     """Whether a transition changes the state by multiples of its boundary's function alone."""
     changes = link.landing - sp.eye(link.landing.rows)
-    return all(_vanishes_with(changes[i, :], link.row) for i in range(changes.rows))
-
-
-def _vanishes_with(one: sp.Matrix, other: sp.Matrix) -> bool:
-    """Whether an affine function is a multiple of another one."""
-    pivot = next(i for i, entry in enumerate(other) if entry != 0)
-    return is_zero(one * other[pivot] - other * one[pivot])
+    return all(multiple_of(changes[i, :], link.row) is not None for i in range(changes.rows))
 
 
 def _tested(
@@ -169,9 +163,9 @@ def _tested(
         carried = relation * link.landing if index in resets else relation
         if is_zero(carried):
             return None
-        if _vanishes_with(carried, link.row):
+        if multiple_of(carried, link.row) is not None:
             return index
-        if not all(_vanishes_with(f, relation) for f in (carried, relation * link.field)):
+        if any(multiple_of(f, relation) is None for f in (carried, relation * link.field)):
             raise DerivationError(
                 f"{where}: phase {index + 1} changes what the section knows, and no"
                 " switching condition behind it does"

@@ -33,6 +33,7 @@ __all__ = [
     "merged",
     "name_parts",
     "prune",
+    "required",
 ]
 
 
@@ -286,17 +287,20 @@ def partial_derivative(expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
 
 def prune(stages: Sequence[Stage], wanted: Iterable[sp.Expr]) -> tuple[Stage, ...]:
     """The stages, without assignments that the wanted expressions do not need."""
-    needed: set[sp.Symbol] = set().union(*(sp.sympify(e).free_symbols for e in wanted))
-    kept = []
-    for stage in reversed(stages):
-        assignments = []
-        for symbol, expression in reversed(stage.assignments):
-            if symbol in needed:
-                needed |= expression.free_symbols
-                assignments.append((symbol, expression))
-        if assignments:
-            kept.append(Stage(stage.title, tuple(reversed(assignments))))
-    return tuple(reversed(kept))
+    needed = required([a for stage in stages for a in stage.assignments], wanted)
+    kept = (Stage(s.title, tuple(a for a in s.assignments if a[0] in needed)) for s in stages)
+    return tuple(stage for stage in kept if stage.assignments)
+
+
+def required(
+    assignments: Sequence[tuple[sp.Symbol, sp.Expr]], wanted: Iterable[sp.Expr]
+) -> set[sp.Symbol]:
+    """Symbols on which expressions depend, directly or through assignments."""
+    found: set[sp.Symbol] = set().union(*(sp.sympify(e).free_symbols for e in wanted))
+    for symbol, expression in reversed(assignments):
+        if symbol in found:
+            found |= expression.free_symbols
+    return found
 
 
 def merged(first: Sequence[Stage], second: Sequence[Stage]) -> tuple[Stage, ...]:

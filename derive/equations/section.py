@@ -26,6 +26,7 @@ __all__ = [
     "bordered",
     "coordinates_of",
     "is_zero",
+    "multiple_of",
     "passages_of",
     "reset_matrix",
     "row_of",
@@ -131,6 +132,12 @@ def simplified(matrix: sp.Matrix) -> sp.Matrix:
 def is_zero(matrix: sp.Matrix) -> bool:
     """Whether a matrix is zero."""
     return bool(simplified(matrix).is_zero_matrix)
+
+
+def multiple_of(one: sp.Matrix, other: sp.Matrix) -> sp.Expr | None:
+    """Factor by which a matrix is a multiple of another one; None if it is none."""
+    ratio = next((cancel(a / b) for a, b in zip(one, other, strict=True) if b != 0), None)
+    return ratio if ratio is not None and is_zero(one - ratio * other) else None
 
 
 def reset_matrix(

@@ -21,6 +21,7 @@ from nonsmooth.derive.equations.section import (
     Passage,
     bordered,
     is_zero,
+    multiple_of,
     passages_of,
     row_of,
     section_of,
@@ -97,10 +98,8 @@ def _positive(
 
 def _positive_factor(one: sp.Matrix, other: sp.Matrix, system: System) -> bool:
     """Whether one function is shown to be a positive multiple of another."""
-    ratio = next((cancel(a / b) for a, b in zip(one, other, strict=True) if b != 0), None)
-    if ratio is None or not _not_negative(ratio, system):
-        return False
-    return is_zero(one - ratio * other)
+    ratio = multiple_of(one, other)
+    return ratio is not None and _not_negative(ratio, system)
 
 
 def _opposed(one: sp.Matrix, other: sp.Matrix, system: System) -> bool:

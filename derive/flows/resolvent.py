@@ -93,17 +93,7 @@ def resolvent(
 
 def _blocks(matrix: sp.Matrix) -> list[list[int]]:
     """Strongly connected sets of coordinates; those that drive others come first."""
-    found = sp.Matrix(matrix).strongly_connected_components()
-    blocks = [sorted(block) for block in found]
-    ordered: list[list[int]] = []
-    while blocks:
-        for block in blocks:
-            others = [j for other in blocks if other is not block for j in other]
-            if matrix.extract(block, others).is_zero_matrix:
-                ordered.append(block)
-                blocks.remove(block)
-                break
-    return ordered
+    return [sorted(block) for block in matrix.strongly_connected_components()]
 
 
 def _exact(matrix: sp.Matrix) -> DomainMatrix:

@@ -8,6 +8,7 @@ import subprocess
 import sysconfig
 from dataclasses import replace
 from functools import cache
+from importlib import import_module
 from pathlib import Path
 
 import numpy as np
@@ -57,6 +58,11 @@ def compiled(compiler: str, source: Path, folder: Path, *flags: str) -> Path:
     return target
 
 
+def quick(stem: str) -> tuple[str, ...]:
+    """GCC takes seconds to optimise what is long; of the shortest it warns as it optimises."""
+    return () if stem == "rigid_stop" else ("-O0",)
+
+
 def ran(compiler: str, text: str, other: Path, folder: Path, include: Path = GENERATED) -> str:
     """What a program writes that is linked with another object."""
     source, program = folder / f"main-{compiler}.c", folder / f"main-{compiler}"
@@ -73,6 +79,40 @@ def example_of(header: str) -> str:
     return re.sub(r"^ \*(?: {5})?", "", after.partition("\n */\n")[0], flags=re.MULTILINE)
 
 
+@pytest.mark.skipif(shutil.which("nm") is None, reason="there is no nm")
+@pytest.mark.parametrize("stem", ["rigid_stop", "dry_friction"])
+def test_public_c_symbols_have_the_name_of_their_system(stem: str, folder: Path) -> None:
+    kernels = compiled(COMPILERS[0], GENERATED / f"{stem}.c", folder, *quick(stem))
+    command = ["nm", "-g", "--defined-only", kernels]
+    listing = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    # clones for several processors carry a suffix; a resolver has the name itself
+    symbols = {line.split()[-1] for line in listing.splitlines() if line}
+    assert {s for s in symbols if not s.startswith((f"{stem}_", "nonsmooth_"))} == set()
+    header = (GENERATED / f"{stem}.h").read_text(encoding="utf-8")
+    declared = set(re.findall(r"^void (\w+)\(", header, re.MULTILINE))
+    assert declared == {s.partition(".")[0] for s in symbols}
+    kernels_of = import_module(f"nonsmooth.generated.{stem}").KERNELS
+    assert {f"{stem}_{kernel}" for kernel in kernels_of} <= declared
+
+
+@pytest.mark.skipif(shutil.which("g++") is None, reason="there is no g++")
+def test_the_headers_are_cplusplus_too_and_go_together() -> None:
+    names = 2 * [f"{stem}.h" for stem in SYSTEMS.values()]
+    text = "".join(f'#include "{name}"\n' for name in names) + "int main() { return 0; }\n"
+    command = [
+        "g++",
+        "-x",
+        "c++",
+        *STRICT[1:],
+        "-std=c++11",
+        "-fsyntax-only",
+        f"-I{GENERATED}",
+        "-",
+    ]
+    done = subprocess.run(command, input=text, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
 @pytest.mark.slow
 @each_compiler
 @pytest.mark.parametrize("name", SYSTEMS)
@@ -80,9 +120,7 @@ def test_the_example_of_a_header_solves_an_orbit(compiler: str, name: str, folde
     stem = SYSTEMS[name]
     program = example_of((GENERATED / f"{stem}.h").read_text(encoding="utf-8"))
     solver = re.findall(rf"\b{stem}_(\w+)_solve\(", program)[0].replace("_", "-")
-    # GCC takes seconds to optimise what is long; of the shortest it warns as it optimises
-    quick = () if name == "rigid-stop" else ("-O0",)
-    kernels = compiled(compiler, GENERATED / f"{stem}.c", folder, *quick)
+    kernels = compiled(compiler, GENERATED / f"{stem}.c", folder, *quick(stem))
     written = ran(compiler, program, kernels, folder)
     first, *unknowns = written.splitlines()
     orbit = ns.solve(f"{name}/{solver}")

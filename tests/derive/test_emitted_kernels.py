@@ -4,35 +4,24 @@ from __future__ import annotations
 
 import random
 import re
-import shutil
-import subprocess
 from collections.abc import Callable
 from fractions import Fraction
-from functools import cache
 from importlib import import_module
 from itertools import product
 from math import prod
-from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 import flint
 import numpy as np
 import pytest
-from numpy.testing import assert_array_equal
+from numpy.testing import assert_allclose, assert_array_equal
 
 from nonsmooth.derive import Itinerary
-from nonsmooth.derive.codegen.naming import python_function
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
 from nonsmooth.runtime.core.values import parse
 from nonsmooth.runtime.model.kernels import SystemKernels
-from tests.places import CHECKOUT
-
-GENERATED = CHECKOUT / "generated"
-compiler = shutil.which("gcc") or shutil.which("cc")
-needs_compiler = pytest.mark.skipif(compiler is None, reason="there is no C compiler")
-FLAGS = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-fopenmp-simd", "-ffp-contract=off"]
 
 MODULES = {name: import_module(f"nonsmooth.generated.{stem}") for name, stem in SYSTEMS.items()}
 ORBITS = {f"{name}/{o.name}": o for name in SYSTEMS for o in declaration(name).orbits}
@@ -47,18 +36,16 @@ PHYSICAL = {
 }
 
 
+def identifier(name: str) -> str:
+    return name.replace("-", "_")
+
+
 def orbit_of(system: str, kernel: str) -> Itinerary | None:
     """The orbit that a kernel is of; None for one of the system."""
     for orbit in declaration(system).orbits:
-        if kernel.startswith(python_function("", orbit.name)):
+        if kernel.startswith(f"{identifier(orbit.name)}_"):
             return orbit
     return None
-
-
-def is_flow(system: str, kernel: str) -> bool:
-    """Of a configuration, in physical coordinates or in those of the orbit."""
-    orbit = orbit_of(system, kernel)
-    return kernel.startswith("flow_" if orbit is None else python_function("flow_", orbit.name))
 
 
 def spectral(system: str, kernel: str) -> list[int]:
@@ -89,45 +76,41 @@ def point(system: str, kernel: str, seed: int) -> list[list[Fraction]]:
         known = {n: near(repr(float(parse(text)))) for n, text in texts.items()}
         table = module.ORBITS[orbit.name]
         parameters = [known[p["name"]] for p in table["parameters"]]
-    if kernel in ("fields", "rows", "resets"):
-        return [parameters]
-    if kernel == "modes":
-        return [parameters, []]
-    if is_flow(system, kernel):
+    taken = module.KERNELS[kernel][0]
+    late = [[]] if any(since for _, since in taken) else []  # derivatives of the spectrum
+    if len(taken) == 4 and not late:
         state = [Fraction(source.randint(-30, 30), 10) for _ in range(4)]
         return [parameters, [], [Fraction(source.randint(1, 60), 10)], state]
-    names = table["reduced" if kernel.endswith("_reduced") else "unknowns"]
-    moved = [[]] if len(module.KERNELS[kernel][0]) == 4 else []
+    names = table["reduced" if kernel.endswith("_reduced") else "unknowns"] if orbit else []
     unknowns = [[known[n] for n in names]] if names else []
-    return [parameters, [], *unknowns, *moved]
+    return [parameters, [], *unknowns, *late][: len(taken)]
+
+
+def arguments_of(
+    system: str, kernel: str, seed: int, number: Callable[[Fraction], Any], lib: Any
+) -> list[Any]:
+    """Arguments of a kernel in one arithmetic, which computes the spectrum itself."""
+    module, (taken, _) = MODULES[system], MODULES[system].KERNELS[kernel]
+    numbers: list[Any] = [[number(v) for v in a] for a in point(system, kernel, seed)]
+    if len(taken) > 1:
+        chosen = [numbers[0][i] for i in spectral(system, kernel)]
+        numbers[1], derivatives = module.spectrum(chosen, lib=lib)
+        if any(since for _, since in taken):
+            numbers[3] = derivatives
+    return [n if shape else n[0] for n, (shape, _) in zip(numbers, taken, strict=True)]
 
 
 def run(
-    system: str,
-    kernel: str,
-    arguments: list[list[Fraction]],
-    number: Callable[[Fraction], Any],
-    lib: Any,
-    count: int | None = None,
+    system: str, kernel: str, seed: int, number: Callable[[Fraction], Any], lib: Any, **wanted: int
 ) -> list[Any]:
-    """The first results of an emitted kernel in one arithmetic, flat; the spectrum is its own."""
-    module = MODULES[system]
-    given_shapes = [shape for shape, _ in module.KERNELS[kernel][0]]
-    shapes = [shape for _, shape in module.KERNELS[kernel][1]][:count]
-    numbers = [[number(v) for v in a] for a in arguments]
-    if len(given_shapes) > 1:
-        chosen = [numbers[0][i] for i in spectral(system, kernel)]
-        numbers[1], derivatives = module.spectrum(chosen, lib=lib)
-        if len(given_shapes) == 4 and not is_flow(system, kernel):
-            numbers[3] = derivatives
-    passed = [n if shape else n[0] for n, shape in zip(numbers, given_shapes, strict=True)]
-    wanted = {} if count is None else {"outputs": count}
-    found = getattr(module, kernel)(*passed, lib=lib, **wanted)
-    flat = []
-    for value, shape in zip(found if len(shapes) > 1 else (found,), shapes, strict=True):
-        rows = [value] if not shape else value
-        flat += [e for row in rows for e in row] if len(shape) == 2 else list(rows)
-    return flat
+    """The first results of an emitted kernel in one arithmetic, flat."""
+    given = arguments_of(system, kernel, seed, number, lib)
+    found = getattr(MODULES[system], kernel)(*given, lib=lib, **wanted)
+    return [e for value in outputs(found) for e in np.array(value, dtype=object).ravel()]
+
+
+def outputs(found: Any) -> tuple[Any, ...]:
+    return found if isinstance(found, tuple) else (found,)
 
 
 def in_mpmath(lib: Mpmath) -> Callable[[Fraction], Any]:
@@ -138,33 +121,24 @@ def in_mpmath(lib: Mpmath) -> Callable[[Fraction], Any]:
 def test_floats_mpmath_and_balls_agree(system: str, kernel: str) -> None:
     lib, precise, balls = Mpmath(50), Mpmath(80), Balls()
     for seed in range(2):
-        arguments = point(system, kernel, seed)
-        exact = run(system, kernel, arguments, in_mpmath(precise), precise)
-        middle = run(system, kernel, arguments, in_mpmath(lib), lib)
-        double = run(system, kernel, arguments, float, FLOATS)
+        exact = run(system, kernel, seed, in_mpmath(precise), precise)
+        middle = run(system, kernel, seed, in_mpmath(lib), lib)
+        double = run(system, kernel, seed, float, FLOATS)
         scale = max(1, *(abs(e) for e in exact))
         for a, b, c in zip(exact, middle, double, strict=True):
             assert abs(a - b) <= scale * precise.mp.mpf(10) ** -45
             assert abs(a - float(c)) <= float(scale) * 1e-12
         with balls.working(200):
             enclosed = run(
-                system, kernel, arguments, lambda v: flint.arb(v.numerator) / v.denominator, balls
+                system, kernel, seed, lambda v: flint.arb(v.numerator) / v.denominator, balls
             )
-            for a, ball in zip(exact, enclosed, strict=True):
-                ball = flint.arb(ball)
+            for a, ball in zip(exact, map(flint.arb, enclosed), strict=True):
                 assert ball.overlaps(flint.arb(precise.mp.nstr(precise.mp.mpf(a), 78), "1e-70"))
                 assert ball.rad() < 1e-40
-
-
-@every_kernel
-def test_the_first_results_are_those_of_the_whole(system: str, kernel: str) -> None:
     shapes = [shape for _, shape in MODULES[system].KERNELS[kernel][1]]
-    arguments = point(system, kernel, 3)
-    whole = run(system, kernel, arguments, float, FLOATS)
     for count in range(1, len(shapes)):
-        first = run(system, kernel, arguments, float, FLOATS, count)
-        assert first == whole[: len(first)]
-        assert len(first) == sum(prod(shape) for shape in shapes[:count])
+        first = run(system, kernel, 1, float, FLOATS, outputs=count)
+        assert first == double[: sum(prod(shape) for shape in shapes[:count])]
 
 
 # --- C ----------------------------------------------------------------------------------
@@ -184,45 +158,34 @@ def built(system: str, kernel: str, count: int | None = None) -> Callable[..., A
 
 def arrays_for(system: str, kernel: str, count: int) -> list[np.ndarray]:
     """Arguments of a kernel for several points, stacked along the first axis."""
-    module, stacked = MODULES[system], []
-    for seed in range(count):
-        arguments: list[Any] = [[float(v) for v in a] for a in point(system, kernel, seed)]
-        if len(arguments) > 1:
-            chosen = [arguments[0][i] for i in spectral(system, kernel)]
-            spectrum, derivatives = module.spectrum(chosen, lib=FLOATS)
-            arguments[1] = [float(s) for s in spectrum]
-            if len(arguments) == 4 and not is_flow(system, kernel):
-                arguments[3] = np.array(derivatives, dtype=float)
-        shapes = [shape for shape, _ in module.KERNELS[kernel][0]]
-        stacked.append([np.reshape(a, shape) for a, shape in zip(arguments, shapes, strict=True)])
-    return [np.stack(column) for column in zip(*stacked, strict=True)]
+    points = (arguments_of(system, kernel, seed, float, FLOATS) for seed in range(count))
+    return [np.array(column, dtype=float) for column in zip(*points, strict=True)]
 
 
-def outputs(found: Any) -> list[np.ndarray]:
-    return list(found) if isinstance(found, tuple) else [np.asarray(found)]
-
-
-def close_in_ulps(plain: np.ndarray, compiled: np.ndarray) -> None:
-    """Equal within 300 ulps of the largest entry: sine and cosine differ in the last bit."""
-    assert plain.shape == compiled.shape
-    scale = max(1.0, float(np.max(np.abs(plain), initial=0.0)))
-    error = float(np.max(np.abs(plain - compiled), initial=0.0))
-    assert error <= 300 * np.finfo(float).eps * scale
+def cores(function: np.ufunc) -> list[list[tuple[int, ...]]]:
+    """Shapes of one point's arguments and results."""
+    return [
+        [tuple(int(size) for size in core.split(",") if size) for core in found]
+        for found in (re.findall(r"\((.*?)\)", side) for side in function.signature.split("->"))
+    ]
 
 
 @pytest.mark.compiled
 @every_kernel
 def test_compiled_kernels_are_the_numpy_ones(system: str, kernel: str) -> None:
+    """Within 300 ulps of the largest entry: sine and cosine differ in the last bit."""
     arrays = arrays_for(system, kernel, 7)
     module = MODULES[system]
-    shapes = [shape for _, shape in module.KERNELS[kernel][1]]
-    plain = SystemKernels(system, module, None).function(kernel)(*arrays)
+    taken, given = module.KERNELS[kernel]
+    plain = outputs(SystemKernels(system, module, None).function(kernel)(*arrays))
     compiled = outputs(built(system, kernel)(*arrays))
-    for a, b in zip(outputs(plain), compiled, strict=True):
-        close_in_ulps(a, b)
-    for count in range(1, len(shapes)):
-        taken = [since < count for _, since in module.KERNELS[kernel][0]]
-        first = built(system, kernel, count)(*(a for a, t in zip(arrays, taken, strict=True) if t))
+    for a, b in zip(plain, compiled, strict=True):
+        scale = max(1.0, float(np.max(np.abs(a), initial=0.0)))
+        assert np.shape(a) == np.shape(b)
+        assert_allclose(b, a, rtol=0, atol=300 * np.finfo(float).eps * scale)
+    for count in range(1, len(given)):
+        some = [array for array, (_, since) in zip(arrays, taken, strict=True) if since < count]
+        first = built(system, kernel, count)(*some)
         for a, b in zip(outputs(first), compiled, strict=False):
             assert_array_equal(a, b)
 
@@ -231,10 +194,9 @@ def test_compiled_kernels_are_the_numpy_ones(system: str, kernel: str) -> None:
 @every_kernel
 def test_compiled_kernels_broadcast_over_any_strides(system: str, kernel: str) -> None:
     function = built(system, kernel)
-    shapes = [[s for s, _ in arrays] for arrays in MODULES[system].KERNELS[kernel][:1]]
-    shapes += [[s for _, s in MODULES[system].KERNELS[kernel][1]]]
+    taken, given = cores(function)
     arrays = arrays_for(system, kernel, 6)
-    plain = function(*arrays)
+    plain = outputs(function(*arrays))
     # every second of a longer array, backwards in memory, in Fortran order, and read-only
     strided, reversed_, fortran = [], [], []
     for array in arrays:
@@ -246,25 +208,21 @@ def test_compiled_kernels_broadcast_over_any_strides(system: str, kernel: str) -
         copy.setflags(write=False)
         fortran.append(copy)
     for other in (strided, reversed_, fortran):
-        for a, b in zip(outputs(plain), outputs(function(*other)), strict=True):
+        for a, b in zip(plain, outputs(function(*other)), strict=True):
             assert_array_equal(a, b)
     # a 3 x 2 grid, with the last argument the same along one axis
-    grid = [a.reshape(3, 2, *a.shape[1:]) for a in arrays]
+    grid = [a.reshape(3, 2, *core) for a, core in zip(arrays, taken, strict=True)]
     if len(grid) > 1:
         grid[-1] = grid[-1][:, :1]
-    wanted = np.broadcast_shapes(
-        *(a.shape[: a.ndim - len(s)] for a, s in zip(grid, shapes[0], strict=True))
-    )
     full = [
-        np.broadcast_to(a, (*wanted, *s)).reshape(-1, *s)
-        for a, s in zip(grid, shapes[0], strict=True)
+        np.broadcast_to(a, (3, 2, *core)).reshape(-1, *core)
+        for a, core in zip(grid, taken, strict=True)
     ]
     for a, b in zip(outputs(function(*grid)), outputs(function(*full)), strict=True):
         assert_array_equal(a.reshape(b.shape), b)
     # no points at all
-    empty = outputs(function(*(a[:0] for a in arrays)))
-    for array, shape in zip(empty, shapes[1], strict=True):
-        assert array.shape == (0, *shape)
+    for array, core in zip(outputs(function(*(a[:0] for a in arrays))), given, strict=True):
+        assert array.shape == (0, *core)
 
 
 def views(array: np.ndarray) -> dict[str, tuple[np.ndarray, np.ndarray]]:
@@ -280,14 +238,6 @@ def views(array: np.ndarray) -> dict[str, tuple[np.ndarray, np.ndarray]]:
         "backwards": (backwards, backwards[::-1]),
         "from the second on": (moved, wide[3, 1 : size + 1]),
     }
-
-
-def cores(function: np.ufunc) -> list[list[tuple[int, ...]]]:
-    """Shapes of one point's arguments and results."""
-    return [
-        [tuple(int(size) for size in core.split(",") if size) for core in found]
-        for found in (re.findall(r"\((.*?)\)", side) for side in function.signature.split("->"))
-    ]
 
 
 @pytest.mark.compiled
@@ -331,57 +281,4 @@ def test_the_extension_is_of_this_derivation_and_holds_every_kernel(system: str)
     assert {f"{stem}_{k}_1" for k in MODULES[system].KERNELS} <= set(names)
     for orbit in MODULES[system].ORBITS:
         for kernel in ("solve", "admissible"):
-            assert f"{stem}_{python_function(kernel, orbit)}" in names
-
-
-@cache
-def _library(system: str, folder: Path) -> Path:
-    stem = SYSTEMS[system]
-    target = folder / f"{stem}.o"
-    # the compiler warns of more where it optimises, which takes long where much is emitted
-    level = "-O1" if system == "rigid-stop" else "-O0"
-    command = [compiler, *FLAGS, level, "-c", str(GENERATED / f"{stem}.c"), "-o", str(target)]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
-    return target
-
-
-@pytest.fixture(scope="module")
-def library(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
-    """The emitted C of a system, compiled as strict C99 without one warning."""
-    folder = tmp_path_factory.mktemp("c")
-    return lambda system: _library(system, folder)
-
-
-@needs_compiler
-@pytest.mark.skipif(shutil.which("nm") is None, reason="there is no nm")
-@pytest.mark.parametrize("system", ["rigid-stop", "dry-friction"])
-def test_public_c_symbols_have_the_name_of_their_system(
-    system: str, library: Callable[[str], Path]
-) -> None:
-    stem = SYSTEMS[system]
-    listing = subprocess.run(
-        ["nm", "-g", "--defined-only", str(library(system))],
-        capture_output=True,
-        text=True,
-        check=True,
-    ).stdout
-    # clones for several processors carry a suffix; a resolver has the name itself
-    symbols = {line.split()[-1] for line in listing.splitlines() if line}
-    assert {s for s in symbols if not s.startswith((f"{stem}_", "nonsmooth_"))} == set()
-    header = (GENERATED / f"{stem}.h").read_text(encoding="utf-8")
-    declared = set(re.findall(r"^void (\w+)\(", header, re.MULTILINE))
-    assert declared == {s.partition(".")[0] for s in symbols}
-    assert {f"{stem}_{k}" for k in MODULES[system].KERNELS} <= declared
-
-
-@pytest.mark.skipif(shutil.which("g++") is None, reason="there is no g++")
-def test_the_headers_are_cplusplus_too_and_go_together() -> None:
-    names = 2 * [f"{stem}.h" for stem in SYSTEMS.values()]
-    text = "".join(f'#include "{name}"\n' for name in names) + "int main() { return 0; }\n"
-    done = subprocess.run(
-        ["g++", "-x", "c++", "-std=c++11", "-Wall", "-Wextra", "-Werror", "-pedantic",
-         "-fsyntax-only", f"-I{GENERATED}", "-"],
-        input=text, capture_output=True, text=True, check=False,
-    )  # fmt: skip
-    assert done.returncode == 0, done.stderr
+            assert f"{stem}_{identifier(orbit)}_{kernel}" in names

@@ -5,7 +5,7 @@ import pytest
 import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth.derive import DerivationError, EquationSystem, Itinerary, derive_equations
+from nonsmooth.derive import DerivationError, EquationSystem
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from tests.latex_reader import written_of
 
@@ -40,6 +40,9 @@ def test_expanded_expressions_have_the_values_of_the_kernels(name: str) -> None:
 
 def test_stages_are_inserted_one_by_one() -> None:
     equations = equations_of("dry-friction/global-stick")
+    assert repr(equations) == (
+        "EquationSystem dry-friction/global-stick: 6 equations in z10, z20, ta, tau, tau1, tau2"
+    )
     titles = [stage.title for stage in equations.stages_of("residual")]
     assert titles[0] == "spectrum"
     assert len(set(titles)) == len(titles)
@@ -55,13 +58,6 @@ def test_stages_are_inserted_one_by_one() -> None:
         equations.expand("Jacobian")
 
 
-def test_it_is_shown_in_a_line() -> None:
-    shown = repr(equations_of("dry-friction/global-stick"))
-    assert shown == (
-        "EquationSystem dry-friction/global-stick: 6 equations in z10, z20, ta, tau, tau1, tau2"
-    )
-
-
 @pytest.mark.parametrize("name", ORBITS)
 def test_latex_has_the_names_of_the_document(name: str) -> None:
     equations, naming = equations_of(name), written_of(name).notation
@@ -69,8 +65,3 @@ def test_latex_has_the_names_of_the_document(name: str) -> None:
         assert equations.latex(expression) == naming.latex(expression)
         assert "_on_" not in equations.latex(expression)
         assert ",on," not in equations.latex(expression)
-
-
-def test_what_is_no_itinerary_is_refused() -> None:
-    assert isinstance(ORBITS["rigid-stop/one-impact"], Itinerary)
-    assert derive_equations(ORBITS["rigid-stop/one-impact"]).map.shape == (3, 3)

@@ -34,14 +34,12 @@ from nonsmooth.derive import (
     System,
     oscillator,
 )
-from nonsmooth.derive.codegen.any_arithmetic import python_kernel
 from nonsmooth.derive.codegen.c import c_kernel
 from nonsmooth.derive.codegen.kernels import flow_kernels, spectrum_kernel
-from nonsmooth.derive.codegen.naming import c_function
 from nonsmooth.derive.equations.program import Kernel
 from nonsmooth.derive.flows.modal import derive_flows
 from nonsmooth.runtime.core.arithmetic import FLOATS, Mpmath
-from tests.compiled_c import COMPILER, library_of
+from tests.compiled_c import COMPILER, executed, library_of
 
 UNIT, DIGITS = 2.0**-53, 50
 property_test = settings(max_examples=8, phases=[Phase.generate])
@@ -126,15 +124,12 @@ def case(name: str) -> Case:
     spectrum, flows = derive_flows(system)
     first, flow = next(iter(flows.items()))
     kernels = (spectrum_kernel(spectrum), *flow_kernels(system, spectrum, {first: flow}))
-    namespace: dict[str, Any] = {}
-    for kernel in kernels:
-        exec(python_kernel(kernel, None), namespace)
     symbols = [p.symbol for p in system.parameters]
     return Case(
         tuple(map(str, symbols)),
         tuple(map(str, spectrum.parameters)),
         kernels,
-        tuple(namespace[kernel.name.replace("-", "_")] for kernel in kernels),
+        tuple(map(executed, kernels)),
         sp.lambdify(symbols, sp.Matrix.hstack(*flow.field).tolist(), "mpmath"),
     )
 
@@ -161,7 +156,7 @@ def compiled(
         return (ctypes.c_double * max(1, len(numbers)))(*numbers)
 
     def function(kernel: Kernel) -> Any:
-        return library[c_function(name.replace(" ", "_"), kernel.name, None)]
+        return library[f"{name} {kernel.name}".replace(" ", "_").replace("-", "_")]
 
     known = case(name)
     first, second = known.kernels

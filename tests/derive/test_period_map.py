@@ -10,11 +10,11 @@ import sympy as sp
 
 import nonsmooth as ns
 from nonsmooth.derive import DerivationError, EquationSystem, derive_equations
-from nonsmooth.derive.codegen.any_arithmetic import python_kernel
 from nonsmooth.derive.codegen.kernels import period_map_kernel
 from nonsmooth.derive.equations.program import evaluate
 from nonsmooth.derive.systems import dry_friction
 from nonsmooth.runtime.orbits.orbit import Orbit
+from tests.compiled_c import executed
 from tests.latex_reader import REVERSIBLE, written_of
 
 NAME = "dry-friction/global-stick"
@@ -71,13 +71,11 @@ def test_other_starts_have_maps_of_their_own(by: int) -> None:
     """Behind phase 1 the section ties the positions; behind phase 2 a velocity is sought."""
     orbit = refined()
     equations = derive_equations(dry_friction.global_stick.rotated(by))
-    namespace: dict[str, Any] = {}
-    exec(python_kernel(period_map_kernel(equations), None), namespace)
     turn = equations.period_map
     expected = [orbit.values[str(t)] for t in turn.unknowns]
     expected += [orbit.states[by][place] for place in turn.sought]
     guess = [orbit.arithmetic.mp.mpf("1.001") * t for t in expected[: len(turn.unknowns)]]
-    times, start = solved(orbit, equations, namespace["period_map"], guess)
+    times, start = solved(orbit, equations, executed(period_map_kernel(equations)), guess)
     assert all(abs(a - b) < 1e-50 for a, b in zip([*times, *start], expected, strict=True))
 
 

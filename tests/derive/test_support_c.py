@@ -213,61 +213,39 @@ def cases(count):
         yield frequency, rows, duration, generator.choice([-math.inf, 0, 0.5, 1e3], sums)
 
 
-def agree(vector, frequency, rows, duration, floor):
-    """Assert that C and Python agree, and return the maxima."""
-    values, times = maxima(vector.maxima_plain, frequency, rows, duration, floor)
-    for value, time, row, least in zip(values, times, np.atleast_2d(rows), floor, strict=True):
-        function = as_sum(frequency, row)
-        tolerance = rounding(frequency, row, duration)
-        expected = maximum(function, duration, float(least))
-        assert abs(value - expected.value) <= tolerance
-        assert math.isnan(time) == (value == least)
-        if value > least:
-            assert 0 <= time <= duration
-            assert abs(function(time) - value) <= tolerance
-    return values
+def hard_cases():
+    """Long windows of which the first or last cell decides, grazing peaks, flat sums, a zero."""
+    for drift in (-1e-3, 0.0, 1e-3):
+        yield [1.0, 2.3], [[0.0, drift, 1.0, 0.5, -0.3, 0.8]], 3000.0, [-math.inf]
+    generator = np.random.default_rng(3)
+    for at, exponent in zip(generator.uniform(0.1, 2.9, 180), 20 * [*range(6, 15)], strict=True):
+        row = [10.0**-exponent - 1.0, 0.0, math.cos(2 * at), math.sin(2 * at)]
+        yield [2.0], [row], 3.0, [0.0]
+    for end in generator.uniform(0.1, 3.0, 200):
+        row = [-math.sin(end / 2), 0.0, 0.0, 1.0]
+        for floor in (rounding([0.5], row, end), -math.inf):
+            yield [0.5], [row], end, [floor]
+    flat = [[-3.0, 0.0, 4.0, -1.0, 0.0, 0.0], [0.0, 0.0, 1.0, -0.0, 0.0, 0.0]]
+    yield [1.0, 2.0], flat, 7.0, [-math.inf, 0.0]
+    yield [1.0, 1.0], [[0.0, 0.0, 1.0, -1.0, 0.5, -0.5]], 1.0, [-math.inf]
+    # the Hermite interpolant is zero: only the bound on its error tells of the bump
+    frequency, row, duration = bump_between_flat_ends()
+    yield frequency, [row], duration, [0.99]
 
 
 def test_maxima_are_those_of_python(vector):
-    for case in cases(500):
-        agree(vector, *case)
-
-
-def test_long_windows_keep_their_accuracy(vector):
-    """Slowly falling and rising sums, so that the first and the last of many cells decide."""
-    for drift in (-1e-3, 0.0, 1e-3):
-        agree(vector, [1.0, 2.3], [[0.0, drift, 1.0, 0.5, -0.3, 0.8]], 3000.0, [-math.inf])
-
-
-@pytest.mark.parametrize("exponent", range(6, 15))
-def test_grazing_peaks_are_found(vector, exponent):
-    peak = 10.0**-exponent
-    for at in np.random.default_rng(exponent).uniform(0.1, 2.9, 20):
-        row = [peak - 1.0, 0.0, math.cos(2 * at), math.sin(2 * at)]
-        (value,) = agree(vector, [2.0], [row], 3.0, [0.0])
-        assert abs(value - peak) <= rounding([2.0], row, 3.0)
-
-
-def test_flat_sums_end_and_are_right(vector):
-    rows = [[-3.0, 0.0, 4.0, -1.0, 0.0, 0.0], [0.0, 0.0, 1.0, -0.0, 0.0, 0.0]]
-    agree(vector, [1.0, 2.0], rows, 7.0, [-math.inf, 0.0])
-    agree(vector, [1.0, 1.0], [[0.0, 0.0, 1.0, -1.0, 0.5, -0.5]], 1.0, [-math.inf])
-
-
-def test_a_bump_between_flat_ends_is_found(vector):
-    """The Hermite interpolant is zero: only the bound on its error tells of the bump."""
-    frequency, row, duration = bump_between_flat_ends()
-    assert agree(vector, frequency, [row], duration, [0.99])[0] == pytest.approx(1)
-
-
-def test_an_exact_zero_at_the_end_is_no_violation(vector):
-    for end in np.random.default_rng(3).uniform(0.1, 3.0, 200):
-        row = [-math.sin(end / 2), 0.0, 0.0, 1.0]
-        tolerance = rounding([0.5], row, end)
-        value, time = maxima(vector.maxima_plain, [0.5], [row], end, [tolerance])[:, 0]
-        assert value == tolerance
-        assert math.isnan(time)
-        assert abs(agree(vector, [0.5], [row], end, [-math.inf])[0]) <= tolerance
+    """Whose laws are measured in tests/events."""
+    for frequency, rows, duration, floor in (*cases(500), *hard_cases()):
+        values, times = maxima(vector.maxima_plain, frequency, rows, duration, floor)
+        for value, time, row, least in zip(values, times, rows, floor, strict=True):
+            function = as_sum(frequency, row)
+            tolerance = rounding(frequency, row, duration)
+            expected = maximum(function, duration, float(least))
+            assert abs(value - expected.value) <= tolerance
+            assert math.isnan(time) == (value == least)
+            if value > least:
+                assert 0 <= time <= duration
+                assert abs(function(time) - value) <= tolerance
 
 
 def test_rounding_is_that_of_all_terms(vector):
@@ -280,33 +258,24 @@ def test_rounding_is_that_of_all_terms(vector):
             assert value == pytest.approx(rounding(frequency, row, duration), rel=1e-14)
 
 
-GOOD = ([1.0], [0.5, 0.1, 1.0, 1.0], 2.0, 0.0)
-
-
-@pytest.mark.parametrize("bad", [math.nan, math.inf])
-@pytest.mark.parametrize("place", range(6))
-def test_data_that_are_not_numbers_give_nan(vector, place, bad):
-    """Only the sum that holds them; a frequency or the duration spoils every sum."""
-    frequency, row, duration, floor = GOOD
-    rows = np.array([row, row])
-    if place < 4:
-        rows[1, place] = bad
-    else:
-        frequency, duration = ([bad], duration) if place == 4 else (frequency, bad)
-    values, times = maxima(vector.maxima_plain, frequency, rows, duration, [floor, floor])
-    assert np.isnan([values[1], times[1]]).all()
-    assert math.isnan(values[0]) == (place >= 4)
-
-
 @pytest.mark.parametrize(
-    ("frequency", "duration", "floor"),
-    [(1.0, -1e-9, 0.0), (-1.0, 2.0, 0.0), (1.0, 1.001e5, 0.0), (1.0, 2.0, math.nan)],
+    ("change", "lost"),
+    [
+        *(({place: bad}, 1) for place in range(4) for bad in (math.nan, math.inf)),
+        *(({what: bad}, 0) for what in ("frequency", "duration") for bad in (math.nan, math.inf)),
+        *[({"duration": -1e-9}, 0), ({"duration": 1.001e5}, 0), ({"frequency": -1.0}, 0)],
+        *[({"floor": math.nan}, 0), ({"terms": 9}, 0)],
+    ],
+    ids=str,
 )
-def test_where_there_is_no_guarantee_there_is_nan(vector, frequency, duration, floor):
-    row = GOOD[1]
-    assert np.isnan(maxima(vector.maxima_plain, [frequency], [row], duration, [floor])).all()
-
-
-def test_more_terms_than_there_is_room_for_give_nan(vector):
-    row = [0.1] * 20
-    assert np.isnan(maxima(vector.maxima_plain, [1.0] * 9, [row], 1.0, [0.0])).all()
+def test_where_there_is_no_guarantee_there_is_nan(vector, change, lost):
+    """For all sums from the `lost` one on; nine terms are too many."""
+    given = {"frequency": 1.0, "duration": 2.0, "floor": 0.0, "terms": 1} | change
+    row = [0.5, 0.1, *[1.0] * 2 * given["terms"]]
+    rows = np.array([row, row])
+    for place in change.keys() & set(range(4)):
+        rows[1, place] = change[place]
+    frequencies = [given["frequency"]] * given["terms"]
+    found = maxima(vector.maxima_plain, frequencies, rows, given["duration"], [given["floor"]] * 2)
+    assert np.isnan(found[:, lost:]).all()
+    assert not np.isnan(found[0, :lost]).any()

@@ -18,6 +18,7 @@ from nonsmooth.derive import (
     Transition,
 )
 from nonsmooth.derive.equations.energy import keeps_volume
+from tests.differences import in_doubles
 
 X, Y, V, W = STATES = sp.symbols("x y v w", real=True)
 TURN = sp.Matrix([[3, 4], [-4, 3]]) / 5
@@ -87,9 +88,7 @@ def volume_across(itinerary: Itinerary, state: np.ndarray) -> float:
         time = brentq(lambda t: level(moved(fields[0], t, start)), 0, 2 * row, xtol=1e-15)
         return moved(fields[1], 2 * row - time, reset @ moved(fields[0], time, start))
 
-    start, step = moved(fields[0], -row, state), 1e-5
-    columns = [across(start + d) - across(start - d) for d in step * np.eye(4)]
-    return float(np.linalg.det(np.array(columns).T / (2 * step)))
+    return float(np.linalg.det(in_doubles(across, moved(fields[0], -row, state), 1e-5)))
 
 
 @pytest.mark.parametrize("seed", range(4))

@@ -11,7 +11,7 @@ import numpy as np
 from nonsmooth.derive.declaration.itinerary import dwell_symbol
 from nonsmooth.derive.document.blocks import Document, Formula, Paragraph, Table
 from nonsmooth.derive.document.cycle import Cycle
-from nonsmooth.runtime.orbits import orbit as solved_orbits
+from nonsmooth.runtime.orbits.orbit import Orbit as SolvedOrbit
 from tests.differences import in_doubles
 from tests.formulas.latex import read_latex
 from tests.formulas.law import Broken, Facts, Motion, SystemLaw, relations_of
@@ -30,7 +30,7 @@ SECTIONS = (
 class Orbit:
     """A periodic orbit that a solver found, made exact by Newton's method on exponentials."""
 
-    def __init__(self, cycle: Cycle, facts: Facts, solved: solved_orbits.Orbit) -> None:
+    def __init__(self, cycle: Cycle, facts: Facts, solved: SolvedOrbit) -> None:
         self.cycle, self.facts = cycle, facts
         self.phases = cycle.itinerary.phases
         self.passings = [cycle.passings[cycle.number(k) - 1] for k in range(1, cycle.count + 1)]
@@ -154,9 +154,9 @@ class CycleLaw(SystemLaw):
             say(naming.notation.symbol(dwell_symbol(phase.dwell_time)), time)
             passage, remainder = reset @ phi @ passage, reset @ (phi @ remainder + forcing) + jump
             normal = orbit.number(passing.normal)
-            a, b = facts.field(phase.configuration)
+            a, b = facts.fields[phase.configuration]
             before = a @ orbit.ends[k] + b
-            a, b = facts.field(passing.transition.target)
+            a, b = facts.fields[passing.transition.target]
             after = a @ orbit.behind[k + 1] + b
             rate = (normal @ before)[0, 0]
             saltation = reset + (after - reset @ before) @ normal / rate
@@ -178,7 +178,7 @@ class CycleLaw(SystemLaw):
         say(letters.remainder, remainder)
         say(letters.jacobian, inverse @ local @ embedding)
         say(r"\mathcal{M}", monodromy)
-        a, b = facts.field(orbit.phases[0].configuration)
+        a, b = facts.fields[orbit.phases[0].configuration]
         say(letters.matrix, a)
         say(letters.offset, b)
         if cycle.itinerary.period is not None:

@@ -19,10 +19,10 @@ from nonsmooth.derive.document.blocks import Document, Formula, Heading, Paragra
 from nonsmooth.derive.document.wording import Naming, letters_of
 from nonsmooth.derive.flows.modal import Spectrum
 from tests.formulas.latex import read_latex
-from tests.formulas.layout import Accent, Atom, Item, Row, Script, Unreadable, plain
+from tests.formulas.layout import Accent, Atom, Item, Row, Unreadable, core_of, plain
 from tests.formulas.pages import inline
 from tests.formulas.responses import response_functions
-from tests.formulas.values import UNIT, Reading, Unit, name_of, split, without_spaces
+from tests.formulas.values import UNIT, Reading, Unit, divided, name_of, split, without_spaces
 
 __all__ = ["Broken", "Facts", "Motion", "SystemLaw", "drawn"]
 
@@ -109,12 +109,9 @@ class Facts:
             for name, (matrix, offset) in found.items()
         }
 
-    def field(self, name: str) -> tuple[np.ndarray, np.ndarray]:
-        return self.fields[name]
-
     def flow(self, name: str, time: float) -> tuple[np.ndarray, np.ndarray]:
         """Phi and what does not depend on the state."""
-        a, b = self.field(name)
+        a, b = self.fields[name]
         found = expm(np.block([[a, b], [np.zeros((1, len(a) + 1))]]) * time)
         return found[:-1, :-1], found[:-1, -1:]
 
@@ -150,7 +147,7 @@ class Facts:
         size = len(system.states)
         state = self.held_state(configuration)
         found |= {name_of(notation.symbol(s)): v for s, v in zip(system.states, state, strict=True)}
-        a, b = self.field(configuration)
+        a, b = self.fields[configuration]
         rates = a @ state + b[:, 0]
         dynamics = system.configuration(configuration).dynamics
         for i, symbol in enumerate(system.states):
@@ -244,7 +241,7 @@ class Facts:
 
     def one_cluster(self, configuration: str) -> dict[str, Any]:
         """All eigenvalues as one cluster: what is said of clusters holds for it too."""
-        a, _ = self.field(configuration)
+        a, _ = self.fields[configuration]
         letters = letters_of(self.naming, (*self.system.states, *self.naming.notation.constants))
         return {
             f"{name_of(letters.centre)}_{{1}}": float(np.trace(a)) / (len(a) + 1),
@@ -672,16 +669,8 @@ def parts_of(row: Row) -> list[Row]:
 
 def relations_of(row: Row) -> tuple[list[Row], list[str]]:
     """Sides and signs of a chain of relations."""
-    sides = [without_spaces(side) for side in split(row, _RELATIONS)]
-    signs, depth = [], 0
-    for item in row:
-        text = item.text if isinstance(item, Atom) and item.kind == "sign" else ""
-        core = item.base if isinstance(item, Script) else item
-        sign = core.text if isinstance(core, Atom) and core.kind == "sign" else ""
-        depth += (sign in ("(", "[")) - (sign in (")", "]"))
-        if depth == 0 and text and text in _RELATIONS:
-            signs.append(text)
-    return sides, signs
+    sides, signs = divided(row, _RELATIONS)
+    return [without_spaces(side) for side in sides], signs
 
 
 def called(reading: Reading, row: Row) -> str:
@@ -694,7 +683,7 @@ def is_name(row: Row) -> bool:
     if not row:
         return False
     *whole, last = row
-    core = last.base if isinstance(last, Script) else last
+    core = core_of(last)
     if whole:
         spelt = all(isinstance(w, Atom) and w.kind == "upright" for w in whole)
         return spelt and isinstance(core, Atom) and core.kind == "upright"

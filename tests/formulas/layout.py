@@ -18,13 +18,15 @@ __all__ = [
     "Script",
     "Table",
     "Unreadable",
+    "core_of",
+    "is_number",
     "plain",
     "row_of",
     "scripted",
 ]
 
 PRIME = "′"
-OPENING, CLOSING = "([", ")]"
+OPENING, CLOSING = {"(", "["}, {")", "]"}
 
 
 class Unreadable(AssertionError):
@@ -83,13 +85,18 @@ Item = Atom | Script | Fraction | Root | Accent | Table
 Row = tuple[Item, ...]
 
 
+def core_of(item: Item | None) -> Item | None:
+    """An item without what stands below and above it."""
+    return item.base if isinstance(item, Script) else item
+
+
 def row_of(items: Iterable[Item]) -> Row:
     """A row as the eye takes it: digits side by side are one number."""
     found: list[Item] = []
     for item in items:
         last = found[-1] if found else None
-        core = item.base if isinstance(item, Script) else item
-        if _is_number(last) and _is_number(core):
+        core = core_of(item)
+        if is_number(last) and is_number(core):
             joined = Atom(last.text + core.text, "number")
             found[-1] = (
                 Script(joined, item.below, item.above) if isinstance(item, Script) else joined
@@ -112,7 +119,7 @@ def scripted(base: Row, below: Row, above: Row) -> Row:
     return (*before, Script(last.base, last.below or below, last.above + above))
 
 
-def _is_number(item: Item | None) -> bool:
+def is_number(item: Item | None) -> bool:
     return isinstance(item, Atom) and item.kind == "number"
 
 

@@ -25,10 +25,12 @@ from tests.formulas.layout import (
     Script,
     Table,
     Unreadable,
+    core_of,
+    is_number,
     plain,
 )
 
-__all__ = ["UNIT", "Reading", "name_of", "split", "without_spaces"]
+__all__ = ["UNIT", "Reading", "divided", "name_of", "split", "without_spaces"]
 
 _FUNCTIONS: dict[str, Callable[..., Any]] = {
     "cos": np.cos,
@@ -193,7 +195,7 @@ class _Walk:
                 return value
             if sign == "·":
                 self.place += 1
-            elif _is_number(item):
+            elif is_number(core_of(item)):
                 raise Unreadable(f"a number behind a factor: {plain(self.row)}")
             value = _times(value, self.factor())
 
@@ -213,9 +215,8 @@ class _Walk:
         self.place += 1
         if plain((item,)) in reading.names:
             return self.applied(reading.names[plain((item,))])
-        core = item.base if isinstance(item, Script) else item
-        sign = _sign(item)
-        if sign in OPENING and sign:
+        core, sign = core_of(item), _sign(item)
+        if sign in OPENING:
             self.place = start
             return self.bracket()
         if sign == "|":
@@ -233,18 +234,14 @@ class _Walk:
         if isinstance(item, Script):
             return self.applied(self.scripted(item))
         if isinstance(item, Fraction):
-            return (
-                _scalar(reading(item.above)) / _scalar(reading(item.below))
-                if not _is_array(reading(item.above))
-                else reading(item.above) / _scalar(reading(item.below))
-            )
+            return reading(item.above) / reading(item.below)
         if isinstance(item, Root):
             degree = reading(item.degree) if item.degree else 2
-            inside = _scalar(reading(item.inside))
+            inside = reading(item.inside)
             return np.emath.sqrt(inside) if degree == 2 else inside ** (1 / degree)
         if isinstance(item, Table):
             return self.matrix(item)
-        if _is_number(item):
+        if is_number(item):
             return float(item.text)
         raise Unreadable(f"unknown: {plain((item,))} in {plain(self.row)}")
 
@@ -268,13 +265,13 @@ class _Walk:
         sign = self.sign()
         if callable(value):
             while callable(value):
-                if not self.sign() or self.sign() not in OPENING:
+                if self.sign() not in OPENING:
                     if isinstance(value, np.ndarray | float):
                         return np.asarray(value) if isinstance(value, np.ndarray) else float(value)
                     raise Unreadable(f"a function of nothing: {plain(self.row)}")
                 value = value(*self.arguments())
             return value
-        if sign and sign in OPENING:
+        if sign in OPENING:
             inside, end = self.enclosed(self.place)
             raised = isinstance(self.row[end - 1], Script)
             if len(inside) == 1 and not raised and not isinstance(inside[0], Table | Fraction):
@@ -290,7 +287,7 @@ class _Walk:
         depth = 0
         for end in range(place, len(self.row)):
             sign = _sign(self.row[end])
-            depth += (sign in OPENING) - (sign in CLOSING) if sign else 0
+            depth += (sign in OPENING) - (sign in CLOSING)
             if depth == 0:
                 return tuple(self.row[place + 1 : end]), end + 1
         raise Unreadable(f"an open bracket: {plain(self.row)}")
@@ -375,12 +372,9 @@ class _Walk:
             raise Unreadable(f"unknown function {name}")
         self.spaces()
         sign = self.sign()
-        if sign and sign in OPENING and not isinstance(self.item(), Script):
+        if sign in OPENING and not isinstance(self.item(), Script):
             inside, end = self.enclosed(self.place)
-            if name in ("det", "tr") or len(split(inside, ",")) == 1:
-                value = known(reading(inside))
-            else:
-                value = known(*(reading(part) for part in split(inside, ",")))
+            value = known(*(reading(part) for part in split(inside, ",")))
             closing, self.place = self.row[end - 1], end
             if isinstance(closing, Script):
                 raise Unreadable(f"power of what? {plain(self.row)}")
@@ -396,7 +390,7 @@ class _Walk:
         end, depth = self.place, 0
         while end < len(self.row):
             sign = _sign(self.row[end])
-            depth += ((sign in OPENING) - (sign in CLOSING)) if sign else 0
+            depth += (sign in OPENING) - (sign in CLOSING)
             if depth < 0 or (depth == 0 and sign in ("+", "-", ",")):
                 break
             end += 1
@@ -428,19 +422,24 @@ class _Walk:
         return letter, range(first, end + 1) if text == "∑" else range(first, end - 1, -1)
 
 
-def split(row: Row, signs: str, space: str | None = None) -> list[Row]:
-    """Parts of a row between signs, or spaces of a width, outside all brackets."""
+def divided(row: Row, signs: str, space: str | None = None) -> tuple[list[Row], list[str]]:
+    """Parts of a row between signs, or spaces of a width, outside all brackets; those signs."""
     parts: list[list[Item]] = [[]]
-    depth = 0
+    found, depth = [], 0
     for item in row:
         sign = _sign(item)
-        depth += ((sign in OPENING) - (sign in CLOSING)) if sign else 0
-        wide = space is not None and item == Atom(space, "space")
-        if depth == 0 and ((sign and sign in signs) or wide):
+        depth += (sign in OPENING) - (sign in CLOSING)
+        if depth == 0 and (sign in [*signs] or (space and item == Atom(space, "space"))):
             parts.append([])
+            found.append(sign)
         else:
             parts[-1].append(item)
-    return [tuple(part) for part in parts]
+    return [tuple(part) for part in parts], found
+
+
+def split(row: Row, signs: str, space: str | None = None) -> list[Row]:
+    """Those parts alone."""
+    return divided(row, signs, space)[0]
 
 
 def without_spaces(row: Row) -> Row:
@@ -454,18 +453,13 @@ def without_spaces(row: Row) -> Row:
 
 
 def _sign(item: Item | None) -> str:
-    core = item.base if isinstance(item, Script) else item
+    core = core_of(item)
     return core.text if isinstance(core, Atom) and core.kind == "sign" else ""
-
-
-def _is_number(item: Item) -> bool:
-    core = item.base if isinstance(item, Script) else item
-    return isinstance(core, Atom) and core.kind == "number"
 
 
 def _in_argument(item: Item) -> bool:
     """Whether an item behind a function without brackets belongs to what it is of."""
-    core = item.base if isinstance(item, Script) else item
+    core = core_of(item)
     if isinstance(core, Atom):
         return core.kind in ("letter", "upright", "number")
     return isinstance(core, Accent)
