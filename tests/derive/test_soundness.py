@@ -132,10 +132,10 @@ WRONG: list[tuple[str, Callable[[], Any], str]] = [
     ("mass NaN", lambda: SecondOrder([[math.nan]], [[1]]), "mass holds nan, which is no finite"),
     ("stiffness infinite", lambda: SecondOrder([[1]], [[math.inf]]), "stiffness holds oo"),
     ("load infinite", lambda: SecondOrder([[1]], [[1]], (-math.inf,)), "load holds -oo"),
-    ("damping complex", lambda: SecondOrder([[1]], [[1]], damping=[[1j]]), "damping holds .*I"),
+    ("damping complex", lambda: SecondOrder([[1]], [[1]], damping=[[1j]]), "damping: I is no real"),
     ("held NaN", lambda: SecondOrder([[1]], [[1]], held={X: math.nan}), "velocity of x holds nan"),
     ("matrix NaN", lambda: FirstOrder([[math.nan]]), "matrix holds nan"),
-    ("ragged", lambda: SecondOrder([[1, 0], [1]], sp.eye(2)), "mass is no matrix of numbers"),
+    ("ragged", lambda: SecondOrder([[1, 0], [1]], sp.eye(2)), "mass is no matrix"),
     (
         "boundary NaN",
         lambda: system((replace(FREE, boundaries=(Boundary("hits", X - math.nan),)),), ()),
