@@ -9,7 +9,6 @@ import scipy.sparse
 import sympy as sp
 
 from nonsmooth.derive import (
-    DeclarationError,
     Harmonic,
     RigidStop,
     SoftStop,
@@ -72,49 +71,6 @@ def test_directions_and_forces_may_be_vectors():
     assert by_names.fingerprint() == of([1, 0, 0.25], [0, 0.5, 0]).fingerprint()
     arrays = of(np.array([1, 0, 0.25]), np.array([0, 0.5, 0]))
     assert by_names.fingerprint() == arrays.fingerprint()
-
-
-@pytest.mark.parametrize(
-    ("change", "message"),
-    [
-        ({"mass": np.eye(3)[:2]}, "mass is 2 x 3, not 3 x 3 as there are coordinates"),
-        ({"mass": scipy.sparse.eye_array(4)}, "mass is 4 x 4, not 3 x 3 as there are coordinates"),
-        ({"mass": np.ones(3)}, "mass is no matrix: its shape is (3,)"),
-        ({"mass": 1j * np.eye(3)}, "mass holds what is no real number"),
-        ({"mass": np.diag([1, -1, 1])}, "mass is not positive definite"),
-        ({"mass": np.ones((3, 3))}, "mass is not positive definite"),
-        ({"mass": np.eye(3) + np.eye(3, k=1) / 4}, "mass is not symmetric"),
-        ({"stiffness": np.diag([1, np.inf, 1])}, "stiffness holds an entry that is not finite"),
-        ({"damping": np.diag([1, np.nan, 1])}, "damping holds an entry that is not finite"),
-        ({"load": np.ones(2)}, "load has 2 values for 3 coordinates"),
-        ({"load": np.ones((3, 1))}, "load is no row of numbers: its shape is (3, 1)"),
-        ({"load": np.array([1, 0, np.nan])}, "load holds an entry that is not finite"),
-        (
-            {"elements": [SoftStop("tip", at=1, stiffness=1)]},
-            "element 'tip-upper': unknown coordinate 'tip' (known: x1, x2, x3)",
-        ),
-    ],
-)
-def test_bad_arrays_are_one_line(change, message):
-    given = {"mass": MASS, "stiffness": STIFFNESS} | change
-    with pytest.raises(DeclarationError) as caught:
-        oscillator("s", NAMES, **given)
-    assert str(caught.value) == message
-
-
-def test_a_vector_needs_a_name_for_its_element():
-    with pytest.raises(DeclarationError, match="whose direction is a vector needs a name"):
-        SoftStop(np.ones(3), at=1, stiffness=1)
-    with pytest.raises(DeclarationError, match="element 'stop' holds an entry that is not finite"):
-        SoftStop(np.array([1, np.nan]), at=1, stiffness=1, name="stop")
-
-
-def test_of_many_coordinates_only_some_are_listed():
-    with pytest.raises(DeclarationError) as caught:
-        oscillator(
-            "s", [f"x{i}" for i in range(200)], np.eye(200), np.eye(200), load={"tip": 1}
-        )  # fmt: skip
-    assert str(caught.value).endswith("x10, x11, ...)")
 
 
 def test_positive_definite_by_cholesky_is_never_wrong():

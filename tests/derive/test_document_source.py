@@ -2,13 +2,11 @@
 
 import random
 import re
-from dataclasses import replace
 from itertools import chain
 
 import numpy as np
 import pytest
 
-from nonsmooth.derive import DeclarationError, Itinerary, Source
 from nonsmooth.derive.document.blocks import Document, Formula, Heading, Paragraph, Table
 from nonsmooth.derive.systems import declaration
 from tests.documents import document_of, labels_by_section
@@ -61,39 +59,6 @@ def test_equations_are_numbered_by_sections(name: str) -> None:
     cited = {m for t in texts(document) for m in re.findall(r"(?:^|\s)\((\d[\d.]*)\)(?! of)", t)}
     assert labels
     assert cited - {"2011"} <= set(labels)
-
-
-def sourced(**changes: object) -> Itinerary:
-    """The global stick orbit with another source."""
-    orbit = declaration("dry-friction").global_stick
-    return replace(orbit, source=replace(orbit.source, misprints={}, **changes))
-
-
-@pytest.mark.parametrize(
-    ("changes", "message"),
-    [
-        ({"equations": {"phase 5": "(1)"}}, r"place of 'phase 5', which is unknown \(known: .*end"),
-        ({"equations": {"flow free": "(1)"}}, "place of 'flow free', which is unknown"),
-        ({"flows": {"free": "H"}}, "letter for the flow of 'free', which is unknown"),
-        ({"states": tuple("abcdef")}, "letters for 6 states, but the start and 4 phases have 5"),
-    ],
-)
-def test_a_source_with_what_the_orbit_does_not_have_is_refused(
-    changes: dict[str, object], message: str
-) -> None:
-    with pytest.raises(DeclarationError, match=message):
-        sourced(**changes)
-
-
-def test_a_misprint_belongs_to_a_place_that_is_named() -> None:
-    with pytest.raises(DeclarationError, match=r"a misprint at '\(3\)', which no equation names"):
-        Source("Pascal (2011)", {"start": "(2)"}, misprints={"(3)": "which prints nothing"})
-
-
-def test_a_rotated_orbit_has_no_source() -> None:
-    orbit = declaration("dry-friction").global_stick
-    assert orbit.rotated(0).source == orbit.source
-    assert orbit.rotated(1).source is None
 
 
 @pytest.mark.parametrize("name", ["dry-friction", *(n for n in ORBITS if "friction" in n)])

@@ -172,12 +172,6 @@ def test_matrices_of_any_kind_are_read_alike(given: Any) -> None:
     assert system.configurations[0].dynamics.mass == wanted
 
 
-def test_no_dampers_are_not_all_dampers() -> None:
-    assert "has 2 dampers, not 0" in refusal(
-        "chain_matrices", right("chain_matrices") | {"dampers": []}
-    )
-
-
 def test_numbers_of_numpy_are_numbers() -> None:
     parameter = nd.Parameter("a", "", np.array(0.5), np.float64(0.75), np.True_, np.bool_(False))
     assert (parameter.lower, parameter.upper) == (sp.S.Half, sp.Rational(3, 4))
