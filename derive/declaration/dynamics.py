@@ -51,9 +51,7 @@ class SecondOrder:
         damping = (
             sp.zeros(size, size) if self.damping is None else _square(self.damping, "damping", size)
         )
-        load = _column(self.load, size, "load")
-        if load.shape != (size, 1):
-            raise DeclarationError(f"load has {load.rows} values where mass is {size} x {size}")
+        load = _column(self.load, "load", size, "mass")
         if not is_surely_positive_definite(frozen(mass)) and mass.det() == 0:
             raise DeclarationError("mass is singular")
         for symbol, velocity in self.held.items():
@@ -171,11 +169,7 @@ class FirstOrder:
 
     def __post_init__(self) -> None:
         matrix = _square(self.matrix, "matrix")
-        offset = _column(self.offset, matrix.rows, "offset")
-        if offset.shape != (matrix.rows, 1):
-            raise DeclarationError(
-                f"offset has {offset.rows} values where matrix is {matrix.rows} x {matrix.rows}"
-            )
+        offset = _column(self.offset, "offset", matrix.rows, "matrix")
         set_fields(self, matrix=frozen(matrix), offset=frozen(offset))
 
     def field(self, states: Sequence[sp.Symbol]) -> tuple[sp.Matrix, sp.Matrix]:
@@ -214,11 +208,14 @@ def _square(matrix: Any, what: str, size: int | None = None) -> sp.Matrix:
     return matrix
 
 
-def _column(values: Any, size: int, what: str) -> sp.Matrix:
-    """Column (size x 1) of the values; zeros if there are none."""
+def _column(values: Any, what: str, size: int, matrix: str) -> sp.Matrix:
+    """Column (size x 1) of the values beside a matrix; zeros if there are none."""
     values = made(tuple[Any, ...], values, what)
     rows = [each if isinstance(each, list | tuple | np.ndarray) else [each] for each in values]
-    return _finite(rows_of(rows, what), what) if rows else sp.zeros(size, 1)
+    column = _finite(rows_of(rows, what), what) if rows else sp.zeros(size, 1)
+    if column.shape != (size, 1):
+        raise DeclarationError(f"{what} has {column.rows} values where {matrix} is {size} x {size}")
+    return column
 
 
 def _finite(matrix: sp.Matrix, what: str) -> sp.Matrix:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import random
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from itertools import product
 from typing import Any
 
 import numpy as np
@@ -190,32 +189,6 @@ def test_resets_first_order_motions_and_new_parameters_are_shifted_too(seed: int
 
 
 # --- dry friction -----------------------------------------------------------------------
-
-REGIMES = ("slip", "stick", "overshoot")
-EVENTS = {"stick": ("breaks-forward", "breaks-backward")}
-
-
-def test_nine_configurations_and_a_transition_for_every_set_of_boundaries() -> None:
-    system = dry_friction.system
-    names = {"-".join(pair) for pair in product(REGIMES, REGIMES)}
-    assert {c.name for c in system.configurations} == names
-    expected = set()
-    for pair in product(REGIMES, REGIMES):
-        events = [
-            [None, *(f"{mass}-{e}" for e in EVENTS.get(regime, ("reaches-belt",)))]
-            for mass, regime in zip(("first", "second"), pair, strict=True)
-        ]
-        source = "-".join(pair)
-        known = {b.name for b in system.configuration(source).boundaries}
-        assert known == {e for group in events for e in group if e}
-        expected |= {(source, frozenset(filter(None, s))) for s in product(*events) if any(s)}
-    reached: dict[Any, list[Transition]] = {}
-    for transition in system.transitions:
-        reached.setdefault((transition.source, transition.boundaries), []).append(transition)
-    assert set(reached) == expected
-    for group in reached.values():
-        assert group[-1].conditions == ()
-        assert len({(t.target, t.conditions) for t in group}) == len(group)
 
 
 def field(configuration: str, values: dict[str, float]) -> Callable[[np.ndarray], np.ndarray]:
