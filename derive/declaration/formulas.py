@@ -56,6 +56,9 @@ def formula(text: str) -> sp.Expr:
         raise
     except (RecursionError, MemoryError):
         raise DeclarationError("it is nested too deeply") from None
+    except (TypeError, ValueError, NotImplementedError, sp.PolynomialError) as problem:
+        reason = " ".join(str(problem).split())
+        raise DeclarationError(f"a function does not take what it is given: {reason}") from None
     except SyntaxError as problem:
         raise DeclarationError(problem.msg.partition(";")[0].partition(". ")[0]) from None
 
@@ -98,21 +101,12 @@ def _value(node: ast.expr) -> Any:
         case ast.Call(func=ast.Name(id=name)) if name not in _FUNCTIONS:
             raise DeclarationError(f"the function {name} is not known in it")
         case ast.Call(func=ast.Name(id=name), args=arguments, keywords=[]):
-            value = _called(name, [_value(each) for each in arguments])
+            value = _FUNCTIONS[name](*map(_value, arguments))
         case _:
             raise DeclarationError(f"{ast.unparse(node)!r} is not allowed in it")
     for apply, right in reversed(steps):
         value = apply(value, right)
     return value
-
-
-def _called(name: str, arguments: list[Any]) -> Any:
-    """A function of some values."""
-    try:
-        return _FUNCTIONS[name](*arguments)
-    except (TypeError, ValueError, NotImplementedError, sp.PolynomialError) as problem:
-        reason = " ".join(str(problem).split())
-        raise DeclarationError(f"{name} does not take what it is given: {reason}") from None
 
 
 def _power(base: Any, exponent: Any) -> Any:
