@@ -170,7 +170,11 @@ def inferred_parameters(
     restitutions = {
         exact(element.restitution) for element in elements if isinstance(element, RigidStop)
     }
-    for symbol in _symbols([*sources, *elements]):
+    try:
+        symbols = list(_symbols([*sources, *elements]))
+    except RecursionError:
+        raise DeclarationError("a matrix, a load or an element is nested too deeply") from None
+    for symbol in symbols:
         if symbol.name not in found:
             found[symbol.name] = _inferred(symbol, symbol.name in map(str, restitutions))
     return tuple(p for p in found.values() if p is not None)

@@ -14,7 +14,7 @@ from typing import Any, BinaryIO, Literal
 import numpy as np
 import sympy as sp
 
-from nonsmooth.derive.declaration.fields import exact, made, shown
+from nonsmooth.derive.declaration.fields import exact, made, rows_of, shown
 from nonsmooth.derive.errors import DeclarationError
 
 __all__ = ["chain_matrices", "is_array", "read_matrices", "square", "values_of_doubles"]
@@ -63,7 +63,8 @@ def chain_matrices(
     links = count + _MORE_LINKS[fixed]
     if count == 0:
         raise DeclarationError("a chain needs a mass")
-    dampers = made(tuple[sp.Expr, ...] | None, dampers, "dampers") or (sp.S.Zero,) * links
+    dampers = (sp.S.Zero,) * links if dampers is None else dampers
+    dampers = made(tuple[sp.Expr, ...], dampers, "dampers")
     for what, values in (("springs", springs), ("dampers", dampers)):
         if len(values) != links:
             raise DeclarationError(
@@ -90,13 +91,13 @@ def _joined(links: Sequence[Any], count: int, left: int) -> sp.Matrix:
 
 
 def is_array(given: Any) -> bool:
-    """Whether a value is a NumPy array or SciPy sparse matrix of numbers, not of expressions.
+    """Whether a value is a NumPy array or SciPy sparse matrix of numbers alone.
 
     DeclarationError refuses an array of which a mask leaves out values.
     """
     if np.ma.is_masked(given):
         raise DeclarationError(f"{shown(given)} has masked values")
-    return hasattr(given, "dtype") and hasattr(given, "shape") and given.dtype.kind != "O"
+    return hasattr(given, "dtype") and hasattr(given, "shape") and given.dtype.kind not in "OU"
 
 
 def values_of_doubles(given: Any, what: str) -> list[sp.Rational]:
@@ -108,15 +109,7 @@ def values_of_doubles(given: Any, what: str) -> list[sp.Rational]:
 
 def square(given: Any, what: str, size: int, resolved: Any = exact) -> sp.Matrix:
     """A matrix of the given size, each entry passed through `resolved`."""
-    if is_array(given):
-        matrix = _matrix_of_doubles(given, what)
-    else:
-        if not isinstance(given, sp.MatrixBase):
-            given = made(tuple[tuple[sp.Expr, ...], ...], given, what)
-        try:
-            matrix = sp.Matrix(given)
-        except (TypeError, ValueError):
-            raise DeclarationError(f"{what} is no matrix: {shown(given)}") from None
+    matrix = _matrix_of_doubles(given, what) if is_array(given) else rows_of(given, what)
     if matrix.shape != (size, size):
         raise DeclarationError(
             f"{what} is {matrix.rows} x {matrix.cols}, not {size} x {size} as there are coordinates"
@@ -133,6 +126,7 @@ def _matrix_of_doubles(given: Any, what: str) -> sp.Matrix:
         entries.sum_duplicates()
         rows, columns, values = entries.row, entries.col, entries.data
     else:
+        given = np.asarray(given)
         rows, columns = given.nonzero()
         values = given[rows, columns]
     places = zip(rows.tolist(), columns.tolist(), strict=True)

@@ -16,10 +16,10 @@ from nonsmooth.derive.building.elements import Element, Harmonic
 from nonsmooth.derive.building.frame import Frame, inferred_parameters
 from nonsmooth.derive.building.growing import GrowingSystem, is_large, whole
 from nonsmooth.derive.building.matrices import square
-from nonsmooth.derive.declaration.algebra import frozen, is_surely_positive_definite
+from nonsmooth.derive.declaration.algebra import frozen
 from nonsmooth.derive.declaration.fields import made, shown
 from nonsmooth.derive.declaration.parameter import Parameter
-from nonsmooth.derive.declaration.soundness import check_unique
+from nonsmooth.derive.declaration.soundness import check_unique, fault_of_mass
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.errors import DeclarationError
 
@@ -118,7 +118,9 @@ def oscillator(
         parameters, states, elements, matrix, stiffness, damping, load, list(forcing)
     )
     frame = Frame(positions, velocities, others, declared, matrix)
-    frame = replace(frame, mass=_mass(frame.matrix(matrix, "mass")))
+    frame = replace(frame, mass=frozen(frame.matrix(matrix, "mass")))
+    if fault := fault_of_mass(frame.mass, declared):
+        raise DeclarationError(f"mass {fault}")
     if stiffness is None:
         raise DeclarationError("stiffness is missing")
     forces = (
@@ -168,19 +170,6 @@ def _check_list(argument: str, given: Any, kinds: tuple[type, ...], written: str
     for entry in given:
         if not isinstance(entry, kinds):
             raise DeclarationError(f"{argument} cannot hold {shown(entry)}: {written}")
-
-
-def _mass(matrix: sp.Matrix) -> sp.Matrix:
-    if matrix != matrix.T:
-        raise DeclarationError("mass is not symmetric")
-    matrix = frozen(matrix)
-    if (
-        not is_surely_positive_definite(matrix)
-        and not matrix.free_symbols
-        and not matrix.is_positive_definite
-    ):
-        raise DeclarationError("mass is not positive definite")
-    return matrix
 
 
 def _check_independence(assembly: Assembly) -> None:

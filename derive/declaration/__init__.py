@@ -1,6 +1,8 @@
 """What an oscillator is and which orbit is meant: frozen records, checked when they are made.
 
 ===============  ==============================================================
+`fields`         what a record is given, made what its annotations say
+`formulas`       texts of formulas, read without executing them
 `algebra`        normal forms of rational expressions
 `real_numbers`   irrational numbers: whether they are real, and their texts
 `parameter`      parameters with domains; what is positive on a whole domain

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import field
 from typing import Any
 
+import numpy as np
 import sympy as sp
 
 from nonsmooth.derive.declaration.algebra import (
@@ -15,7 +16,7 @@ from nonsmooth.derive.declaration.algebra import (
     is_surely_positive_definite,
     symbols_of,
 )
-from nonsmooth.derive.declaration.fields import declared, exact, made, set_fields
+from nonsmooth.derive.declaration.fields import declared, made, rows_of, set_fields
 from nonsmooth.derive.declaration.parameter import check_finite
 from nonsmooth.derive.errors import DeclarationError
 
@@ -50,9 +51,7 @@ class SecondOrder:
         damping = (
             sp.zeros(size, size) if self.damping is None else _square(self.damping, "damping", size)
         )
-        load = _column(self.load, size, "load")
-        if load.shape != (size, 1):
-            raise DeclarationError(f"load has {load.rows} values where mass is {size} x {size}")
+        load = _column(self.load, "load", size, "mass")
         if not is_surely_positive_definite(frozen(mass)) and mass.det() == 0:
             raise DeclarationError("mass is singular")
         for symbol, velocity in self.held.items():
@@ -170,11 +169,7 @@ class FirstOrder:
 
     def __post_init__(self) -> None:
         matrix = _square(self.matrix, "matrix")
-        offset = _column(self.offset, matrix.rows, "offset")
-        if offset.shape != (matrix.rows, 1):
-            raise DeclarationError(
-                f"offset has {offset.rows} values where matrix is {matrix.rows} x {matrix.rows}"
-            )
+        offset = _column(self.offset, "offset", matrix.rows, "matrix")
         set_fields(self, matrix=frozen(matrix), offset=frozen(offset))
 
     def field(self, states: Sequence[sp.Symbol]) -> tuple[sp.Matrix, sp.Matrix]:
@@ -206,36 +201,26 @@ Dynamics = SecondOrder | FirstOrder
 
 
 def _square(matrix: Any, what: str, size: int | None = None) -> sp.Matrix:
-    matrix = _matrix(matrix, what)
+    matrix = _finite(rows_of(matrix, what), what)
     if matrix.rows != matrix.cols or (size is not None and matrix.rows != size):
         expected = "square" if size is None else f"{size} x {size}"
         raise DeclarationError(f"{what} is {matrix.rows} x {matrix.cols}, not {expected}")
     return matrix
 
 
-def _column(values: Any, size: int, what: str) -> sp.Matrix:
-    """Column (size x 1) of the values; zeros if there are none."""
+def _column(values: Any, what: str, size: int, matrix: str) -> sp.Matrix:
+    """Column (size x 1) of the values beside a matrix; zeros if there are none."""
     values = made(tuple[Any, ...], values, what)
-    return _matrix(values, what) if values else sp.zeros(size, 1)
+    rows = [each if isinstance(each, list | tuple | np.ndarray) else [each] for each in values]
+    column = _finite(rows_of(rows, what), what) if rows else sp.zeros(size, 1)
+    if column.shape != (size, 1):
+        raise DeclarationError(f"{what} has {column.rows} values where {matrix} is {size} x {size}")
+    return column
 
 
-def _matrix(entries: Any, what: str) -> sp.Matrix:
-    """A matrix of finite, exact entries."""
-    try:
-        given = entries if isinstance(entries, sp.MatrixBase) else sp.Matrix(entries)
-    except (ValueError, TypeError):
-        raise DeclarationError(f"{what} is no matrix of numbers and symbols") from None
-    changed = False
-    for entry in given.todok().values():
-        if getattr(entry, "is_Rational", False):
-            continue
-        changed = True
-        try:
-            check_finite(exact(entry), what)
-        except DeclarationError as problem:
-            if str(problem).startswith(what):
-                raise
-            raise DeclarationError(f"{what} holds {entry}: {problem}") from None
-        except (ValueError, TypeError):
-            raise DeclarationError(f"{what} is no matrix of numbers and symbols") from None
-    return given.applyfunc(exact) if changed else given
+def _finite(matrix: sp.Matrix, what: str) -> sp.Matrix:
+    """The matrix itself; refused if an entry is not finite or not real."""
+    for entry in matrix.todok().values():
+        if not entry.is_Rational:
+            check_finite(entry, what)
+    return matrix

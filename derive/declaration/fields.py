@@ -6,8 +6,8 @@ dictionaries; a record of another kind, and a value where several have to stand,
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Mapping, Set
+import math
+from collections.abc import Iterable, Mapping, MappingView, Set
 from dataclasses import dataclass, field, is_dataclass
 from functools import lru_cache
 from reprlib import repr
@@ -24,21 +24,18 @@ from typing import (
     get_type_hints,
 )
 
+import numpy as np
 import sympy as sp
+from sympy.matrices.expressions.matexpr import MatrixExpr
 
+from nonsmooth.derive.declaration.formulas import formula
 from nonsmooth.derive.declaration.real_numbers import settled
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["declared", "exact", "made", "set_fields", "shown"]
+__all__ = ["declared", "exact", "made", "rows_of", "set_fields", "shown"]
 
 _Class = TypeVar("_Class", bound=type)
 
-_NUMBER = r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
-_FORMULA = re.compile(rf"(?:\s|{_NUMBER}|[^\W\d]\w*|\*\*|[-+*/(),^])*")
-_FUNCTIONS = {
-    *("sqrt", "exp", "log", "sin", "cos", "tan", "cot", "asin", "acos", "atan", "sinh", "cosh"),
-    *("tanh", "Rational", "root", "cbrt"),
-}
 _WORDS = {bool: "True or False", int: "an integer", sp.Symbol: "a symbol", str: "a text"}
 
 
@@ -53,11 +50,15 @@ def declared(cls: _Class) -> _Class:
 
     def finish(self: Any) -> None:
         called = f" {self.name!r}" if isinstance(getattr(self, "name", None), str) else ""
-        for name, annotation in _annotations(cls).items():
-            where = f"{name} of {cls.__name__}{called}"
-            set_fields(self, **{name: made(annotation, getattr(self, name), where)})
-        if check is not None:
-            check(self)
+        try:
+            for name, annotation in _annotations(cls).items():
+                where = f"{name} of {cls.__name__}{called}"
+                set_fields(self, **{name: made(annotation, getattr(self, name), where)})
+            if check is not None:
+                check(self)
+        except RecursionError:
+            told = f"what {cls.__name__}{called} is given is nested too deeply"
+            raise DeclarationError(told) from None
 
     cls.__post_init__ = finish  # type: ignore[attr-defined]  # which dataclasses look for
     return cast(_Class, dataclass(frozen=True)(cls))
@@ -76,6 +77,7 @@ def made(annotation: Any, given: Any, where: str) -> Any:
     other kinds than records are told apart by what takes them, and are left as they are, as are
     matrices and what may be anything.
     """
+    given = _without_axes(given)
     if type(given) is annotation:
         return given
     kind, inner = _parts(annotation)
@@ -111,7 +113,7 @@ def made(annotation: Any, given: Any, where: str) -> Any:
         several = isinstance(given, Iterable | sp.MatrixBase)
         if not several or isinstance(given, str | bytes | Mapping):
             raise DeclarationError(f"{where} is {shown(given)}, not several values")
-        if isinstance(given, Set) and kind is not frozenset:
+        if isinstance(given, Set) and not (kind is frozenset or isinstance(given, MappingView)):
             raise DeclarationError(f"{where} is {shown(given)}, which has no order")
         listed = tuple(given)
         if kind is not tuple or inner[-1] is Ellipsis:
@@ -139,22 +141,81 @@ def exact(expression: Any) -> Any:
     Its irrational numbers are as `settled` gives them. DeclarationError refuses what is no
     number and no expression.
     """
-    if isinstance(expression, str) and not _is_formula(expression):
-        raise DeclarationError(f"{shown(expression)} is not the text of a formula")
     try:
-        found = sp.sympify(expression)
-    except (sp.SympifyError, TypeError, AttributeError):
+        found = _expression(_without_axes(expression))
+        return settled(found.xreplace({f: _decimal(f) for f in found.atoms(sp.Float)}))
+    except RecursionError:
+        raise DeclarationError(f"{shown(expression)} is nested too deeply") from None
+
+
+def _expression(given: Any) -> sp.Expr:
+    """What is given as SymPy has it; a text is read, not executed."""
+    if isinstance(given, str):
+        try:
+            return formula(given)
+        except DeclarationError as problem:
+            raise DeclarationError(
+                f"{shown(given)} is not the text of a formula: {problem}"
+            ) from None
+    try:
+        found = sp.sympify(given, strict=True)
+    except (sp.SympifyError, TypeError, AttributeError, OverflowError):
         found = None
     if not isinstance(found, sp.Expr) or found.is_Matrix:
-        raise DeclarationError(f"{shown(expression)} is neither a number nor an expression")
-    floats = found.atoms(sp.Float)
-    return settled(found.xreplace({f: sp.Rational(repr(float(f))) for f in floats}))
+        raise DeclarationError(f"{shown(given)} is neither a number nor an expression")
+    return found
 
 
-def _is_formula(text: str) -> bool:
-    """Whether a text has numbers, names, operators and known functions alone: it is evaluated."""
-    called = re.findall(r"([^\W\d]\w*)\s*\(", text)
-    return bool(_FORMULA.fullmatch(text)) and set(called) <= _FUNCTIONS
+def _decimal(number: sp.Float) -> sp.Rational:
+    """The shortest decimal that a number prints as; refused if no double comes near it."""
+    try:
+        double = float(number)
+    except OverflowError:
+        double = math.inf
+    if not math.isfinite(double) or (double == 0 and not number.is_zero):
+        raise DeclarationError(f"{shown(number)} is beyond the range of doubles")
+    return sp.Rational(repr(double))
+
+
+def rows_of(given: Any, what: str) -> sp.Matrix:
+    """A matrix of exact entries: of SymPy, an array, or rows of numbers, expressions and texts.
+
+    DeclarationError refuses anything else, and an array of which a mask leaves out values.
+    """
+    try:
+        if np.ma.is_masked(given):
+            raise DeclarationError(f"{shown(given)} has masked values")
+        if isinstance(given, MatrixExpr):
+            if given.has(sp.MatrixSymbol):
+                raise DeclarationError(f"{shown(given)} has no entries")
+            given = given.as_explicit()
+        if not isinstance(given, sp.MatrixBase):
+            given = given.toarray() if hasattr(given, "toarray") else given
+            given = np.asarray(given).tolist() if hasattr(given, "__array__") else given
+            rows = made(tuple[tuple[Any, ...], ...], given, what)
+            given = sp.Matrix([[_block(entry, what) for entry in row] for row in rows])
+        if all(entry.is_Rational for entry in given.todok().values()):
+            return given
+        return given.applyfunc(exact)
+    except DeclarationError as problem:
+        told = str(problem)
+        raise DeclarationError(told if told.startswith(what) else f"{what}: {told}") from None
+    except (TypeError, ValueError, AttributeError, RecursionError):
+        raise DeclarationError(f"{what} is no matrix: {shown(given)}") from None
+
+
+def _block(entry: Any, what: str) -> Any:
+    """An entry of a matrix, which may be a matrix itself."""
+    return rows_of(entry, what) if isinstance(entry, sp.MatrixBase | MatrixExpr) else exact(entry)
+
+
+def _without_axes(given: Any) -> Any:
+    """A number or text of NumPy, also one in an array without axes, as Python has it."""
+    if not isinstance(given, np.generic | np.ndarray) or given.shape != ():
+        return given
+    if np.ma.is_masked(given):
+        raise DeclarationError("a masked value is no number")
+    return given.item()
 
 
 def shown(value: Any) -> str:

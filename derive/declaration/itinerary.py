@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from decimal import Decimal
 from functools import cached_property
 from keyword import iskeyword
-from types import NoneType
+from numbers import Real
 from typing import Any
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.fields import declared, made, set_fields
+from nonsmooth.derive.declaration.fields import declared, made, set_fields, shown
 from nonsmooth.derive.declaration.parameter import Parameter
 from nonsmooth.derive.declaration.presentation import Presentation
 from nonsmooth.derive.declaration.soundness import check_name
@@ -62,10 +63,10 @@ class Reference:
         for name in ("parameters", "guess"):
             given = made(Mapping[str, Any], getattr(self, name), f"{name} of Reference")
             for key, value in given.items():
-                if isinstance(value, bool | NoneType) or (
-                    hasattr(value, "__len__") and not isinstance(value, str)
-                ):
-                    raise DeclarationError(f"{key} of Reference: {value!r} is no number or text")
+                if not _is_text_or_number(value):
+                    raise DeclarationError(
+                        f"{key} of Reference: {shown(value)} is no number or text"
+                    )
             set_fields(self, **{name: {key: str(value) for key, value in given.items()}})
 
 
@@ -333,6 +334,13 @@ class Itinerary:
             others = (self.duration(k) for k in range(index))
             return self.period.symbol - sp.Add(*others)
         return symbols[index]
+
+
+def _is_text_or_number(value: Any) -> bool:
+    """Whether a value is a text, or a real number of Python, NumPy, SymPy or mpmath."""
+    if isinstance(value, str | Real | Decimal):
+        return not isinstance(value, bool)
+    return isinstance(value, sp.Expr) and bool(value.is_extended_real and value.is_number)
 
 
 def dwell_symbol(name: str) -> sp.Symbol:

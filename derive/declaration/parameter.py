@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from functools import cached_property, lru_cache
 from keyword import iskeyword
-from typing import Any
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.fields import declared, exact, set_fields
+from nonsmooth.derive.declaration.fields import declared
 from nonsmooth.derive.errors import DeclarationError
 
 __all__ = [
@@ -55,25 +54,19 @@ class Parameter:
 
     name: str
     description: str
-    lower: Any = 0
-    upper: Any = sp.oo
+    lower: sp.Expr = 0
+    upper: sp.Expr = sp.oo
     closed: bool = False
     upper_closed: bool = False
 
     def __post_init__(self) -> None:
         if not self.name.isidentifier() or iskeyword(self.name):
             raise DeclarationError(f"parameter name {self.name!r} is not an identifier")
-        for end in ("lower", "upper"):
-            given = getattr(self, end)
-            try:
-                value = exact(given)
-            except DeclarationError:
-                value = sp.nan
-            if not (value.is_number and value.is_extended_real):
+        for end in (self.lower, self.upper):
+            if not (end.is_number and end.is_extended_real):
                 raise DeclarationError(
-                    f"parameter {self.name}: the end {given} of its domain is not a real number"
+                    f"parameter {self.name}: the end {end} of its domain is not a real number"
                 )
-            set_fields(self, **{end: value})
         if not self.lower < self.upper:
             raise DeclarationError(f"parameter {self.name}: the domain is empty")
 

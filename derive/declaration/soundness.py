@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from nonsmooth.derive.declaration.system import System
     from nonsmooth.derive.declaration.transition import Transition
 
-__all__ = ["check_name", "check_system", "check_unique", "named"]
+__all__ = ["check_name", "check_system", "check_unique", "fault_of_mass", "named"]
 
 _Named = TypeVar("_Named", "Boundary", "Configuration")
 
@@ -220,13 +220,13 @@ def _check_names(system: System) -> None:
 
 def _check_mass(configuration: Configuration, parameters: tuple[Parameter, ...]) -> None:
     if isinstance(configuration.dynamics, SecondOrder):
-        fault = _fault(configuration.dynamics.mass, parameters)
+        fault = fault_of_mass(configuration.dynamics.mass, parameters)
         if fault:
             raise DeclarationError(f"configuration {configuration.name!r}: mass {fault}")
 
 
 @lru_cache(maxsize=256)
-def _fault(mass: sp.ImmutableMatrix, parameters: tuple[Parameter, ...]) -> str:
+def fault_of_mass(mass: sp.ImmutableMatrix, parameters: tuple[Parameter, ...]) -> str:
     """Why a mass matrix is not symmetric and positive definite; empty if that is not shown."""
     if is_surely_positive_definite(mass):
         return ""

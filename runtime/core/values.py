@@ -161,7 +161,10 @@ def as_value(number: object) -> Value:
                 raise InputError(f"{inner!r} is not a real number")
             return as_value(inner)
         case _ if getattr(number, "is_number", False) and getattr(number, "is_real", False):
-            return parse(str(number))  # a number of SymPy, such as pi/3
+            symbolic: Any = number  # of SymPy, such as pi/3
+            if any(hasattr(part, "_mpf_") for part in symbolic.atoms()):  # it prints 15 digits
+                return as_value(float(symbolic))
+            return parse(str(symbolic))
         case _:
             raise InputError(f"{' '.join(repr(number).split())[:60]} is not a real number")
     try:
@@ -215,7 +218,10 @@ def real_array(label: str, given: Any) -> "np.ndarray":
         if array.dtype.kind in "iuf":
             return array.astype(float)
         if array.dtype.kind in "OUT":
-            numbers = [float(as_value(number)) for number in array.ravel().tolist()]
+            numbers = [
+                number if isinstance(number, float) else float(as_value(number))
+                for number in array.ravel().tolist()
+            ]
             return np.array(numbers).reshape(array.shape)
         raise InputError(f"{array.dtype} is no type of real numbers")
     except (TypeError, ValueError) as problem:

@@ -9,12 +9,19 @@ from fractions import Fraction
 import mpmath
 import numpy as np
 import pytest
+import sympy as sp
 from flint import arb, ctx
 from hypothesis import given
 from hypothesis import strategies as st
 
 from nonsmooth import InputError
-from nonsmooth.runtime.core.values import as_value, decimal_string, parse, parse_assignment
+from nonsmooth.runtime.core.values import (
+    as_value,
+    decimal_string,
+    parse,
+    parse_assignment,
+    real_array,
+)
 
 finite = st.floats(allow_nan=False, allow_infinity=False)
 
@@ -279,6 +286,19 @@ def test_what_is_no_finite_real_number_is_refused(number: object) -> None:
 def test_a_value_that_is_exactly_zero_in_disguise() -> None:
     assert float(parse("sin(pi)")) == 0.0
     assert abs(parse("sqrt(2)**2 - 2").mpf(50)) < mpmath.mpf(10) ** -2000
+
+
+@given(finite, finite)
+def test_arrays_of_objects_hold_the_doubles_that_arrays_of_doubles_hold(x: float, y: float) -> None:
+    for numbers in ([x, y], [x, math.nan], [math.inf, -math.inf]):
+        array = np.array(numbers)
+        np.testing.assert_array_equal(real_array("", array.astype(object)), array)
+
+
+@given(st.floats(-1e9, 1e9))
+def test_a_number_of_sympy_with_a_double_in_it_has_the_digits_of_a_double(number: float) -> None:
+    symbolic = sp.Float(number) * sp.sqrt(2)
+    assert float(as_value(symbolic)) == float(symbolic)
 
 
 def test_assignment() -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from itertools import product
 from typing import Any
 
@@ -17,13 +16,11 @@ from nonsmooth.derive import (
     Friction,
     Harmonic,
     Parameter,
-    Regions,
     RigidStop,
     SecondOrder,
     Slider,
     SoftStop,
     System,
-    Terms,
     Transition,
     chain_matrices,
     oscillator,
@@ -309,64 +306,6 @@ def test_domains_are_inferred() -> None:
         "load": (-sp.oo, sp.oo, False, False),
         "r": (0, 1, True, True),
     }
-
-
-def given(stiffness: Any = 1, **others: Any) -> Callable[[], System]:
-    """One coordinate x, and what is said of it."""
-    return lambda: oscillator("given", ["x"], [[1]], [[stiffness]], **others)
-
-
-def one(*elements: Any, **changes: Any) -> Callable[[], System]:
-    parts: dict[str, Any] = {"coordinates": ["x1", "x2"], "mass": sp.eye(2), "stiffness": sp.eye(2)}
-    return lambda: oscillator("wrong", elements=elements, **(parts | changes))
-
-
-WRONG: dict[str, tuple[Callable[[], Any], str]] = {
-    "coordinate": (one(Friction("x3", 1)), "unknown coordinate 'x3' .known: x1, x2"),
-    "direction": (one(Friction({"x1": 0}, 1)), "'x1': its direction is zero"),
-    "restitution": (lambda: RigidStop("x1", 1, 1.5), r"'x1-upper' is not in \[0, 1\]: 1.5"),
-    "static": (lambda: Friction("x1", 2, 1), "'x1': kinetic friction 2 is above static 1"),
-    "friction": (lambda: Friction("x1", -1), "kinetic friction of 'x1' is negative: -1"),
-    "stiffness": (lambda: SoftStop("x1", 1, -2), "stiffness of 'x1-upper' is negative: -2"),
-    "limit": (lambda: Slider("x1", 1, 0), "limit of 'x1' is not positive: 0"),
-    "frequency": (lambda: Harmonic(0, (1,)), "frequency is not positive: 0"),
-    "number": (lambda: Slider("x1", sp.oo, 1), "stiffness of 'x1' is not a real number: oo"),
-    "side": (lambda: RigidStop("x1", 1, 1, "above"), "side of RigidStop .*is 'above'"),
-    "release": (lambda: SoftStop("x1", 1, 1, released="late"), "released of SoftStop .*is 'late'"),
-    "names": (one(Friction("x1", 1), Friction("x1", 2, velocity=1)), "'x1' is declared twice"),
-    "mass shape": (one(mass=[[1]]), "mass is 1 x 1, not 2 x 2"),
-    "stiffness shape": (one(stiffness=sp.eye(3)), "stiffness is 3 x 3, not 2 x 2"),
-    "damping shape": (one(damping=[[1]]), "damping is 1 x 1, not 2 x 2"),
-    "load": (one(load=[1]), "load has 1 values for 2 coordinates"),
-    "amplitudes": (one(forcing=[Harmonic(1, (1,))]), "cosine amplitudes has 1 values"),
-    "symmetry": (one(mass=[[1, 0.5], [0, 1]]), "mass is not symmetric"),
-    "definite": (one(mass=[[1, 2], [2, 1]]), "mass is not positive definite"),
-    "coordinates": (one(coordinates=["x1", "x1"]), "coordinate 'x1' is declared twice"),
-    "normal": (one(Friction("x1", 1, normal=sp.Symbol("x2") ** 2)), "'x1'.*not affine"),
-    "belt": (one(Friction("x1", 1, velocity=sp.Symbol("v2"))), "'x1': the velocity of the belt"),
-    "region": (one(Regions(sp.Symbol("a"), name="side")), "'side': a does not depend"),
-    "terms": (one(Regions(sp.Symbol("x1"), Terms([[1]]))), "below: stiffness is 1 x 1, not 2 x 2"),
-    "alike": (one(Friction("x1", 1), Friction("x1", 1, name="b")), "'x1' and 'b' rub in one"),
-    "chain": (lambda: chain_matrices([1, 1], [1]), "has 2 springs, not 1"),
-    "ends": (lambda: chain_matrices([1], [1], fixed="top"), "fixed is 'top'"),
-    "bare forcing": (given(forcing=Harmonic(2, [1])), r"forcing is a Harmonic, not.*=\[Harmonic"),
-    "bare element": (given(elements=Friction("x", 1)), r"elements is a Friction.*=\[Friction"),
-    "force": (given(forcing=[sp.cos(sp.Symbol("t"))]), r"forcing cannot hold cos.*Harmonic\("),
-    "bare force": (given(forcing=sp.cos(2)), r"forcing is cos\(2\), not a list.*Harmonic\("),
-    "no element": (given(elements=[Harmonic(2)]), "elements cannot hold Harmonic.*: RigidStop"),
-    "no domain": (given(parameters=sp.Symbol("k")), r"parameters is k, not a list: Parameter\("),
-    "time": (given(1 + sp.cos(sp.Symbol("t"))), "stiffness depends on the time.*not supp.*Harm"),
-    "push": (given(load=[sp.sin(sp.Symbol("t"))]), "load depends on the time.*not supp.*Harmon"),
-    "cubic": (given(1 + sp.Symbol("x") ** 2), "stiffness depends on the state x.*not.*SoftStop"),
-    "clock": (lambda: oscillator("s", ["t"], [[1]], [[1]]), "'t' is kept for the time: choose"),
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("name", WRONG)
-def test_wrong_declarations_are_refused(name: str) -> None:
-    build, message = WRONG[name]
-    with pytest.raises(DeclarationError, match=message):
-        build()
 
 
 @pytest.mark.parametrize(("names", "words"), [("x", "1 coordinate"), ("xy", "2 coordinates")])

@@ -13,7 +13,7 @@ from typer.testing import CliRunner
 
 import nonsmooth as ns
 from nonsmooth import InputError, solve
-from nonsmooth.derive import DeclarationError, Friction, RigidStop, Slider, SoftStop, oscillator
+from nonsmooth.derive import Friction, RigidStop, Slider, SoftStop, oscillator
 from nonsmooth.derive.codegen.python_file import system_table
 from nonsmooth.derive.codegen.simulation_form import SimulationForm
 from nonsmooth.runtime.cli.program import app
@@ -89,30 +89,6 @@ def test_elements_need_what_their_laws_need(name: str) -> None:
     assert {sp.expand(c) for c in system.constraints} == {
         sp.expand(expression.subs(given)) for expression in needed
     }
-
-
-STATE, STOP = sp.Symbol("x"), RigidStop("x", 1, 0.5, name="wall")
-REFUSED: dict[str, tuple[Any, str]] = {
-    "negative load": (Friction("x", 1, normal=-a), "'x': its normal load -a is not positive"),
-    "no load": (Friction("x", 1, normal=0), "'x': its normal load 0 is not positive"),
-    "rigid stop": (Friction("x", 1, normal="wall"), "the rigid stop 'wall' is no normal load"),
-    "other rigid stop": (Friction("x", 1, normal=RigidStop("x", 2, 1)), "is no soft stop"),
-    "unknown stop": (Friction("x", 1, normal="wal"), r"'wal' is no soft stop .*known: none"),
-    "kinetic": (Friction("x", 1 + STATE), "kinetic friction depends on the state"),
-    "slope": (Friction("x", 1, falling=STATE), "the slope of falling friction depends on the"),
-    "nothing to fall": (Friction("x", 0, 1, falling=1), "kinetic friction is zero, it cannot"),
-    "unknown sign": (Friction("x", 1, normal=sp.cos(a)), r"cos\(a\), of unknown sign"),
-    "slider": (Slider("x", 1, 1 - STATE), "'x': limit depends on the state"),
-    "stop": (SoftStop("x", 1, -a, name="soft"), "'soft': stiffness is negative: -a"),
-}
-
-
-@pytest.mark.parametrize("name", REFUSED)
-def test_laws_outside_their_field_are_refused_in_one_line(name: str) -> None:
-    element, message = REFUSED[name]
-    with pytest.raises(DeclarationError, match=message) as refusal:
-        oscillator("wrong", ["x"], [[1]], [[1]], elements=[element, STOP])
-    assert "\n" not in str(refusal.value)
 
 
 def test_orbits_with_kernels_keep_them_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

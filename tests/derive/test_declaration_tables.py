@@ -1,6 +1,5 @@
 """Rows, fields, resets and modes as the kernels give them, against the declarations."""
 
-import itertools
 from functools import cache
 
 import numpy as np
@@ -9,7 +8,7 @@ import sympy as sp
 from numpy.testing import assert_allclose, assert_array_equal
 from scipy.linalg import expm
 
-from nonsmooth.derive import Boundary, Configuration, Parameter, SecondOrder, System, Transition
+from nonsmooth.derive import RigidStop, chain_matrices, oscillator
 from nonsmooth.derive.codegen.simulation_form import SimulationForm
 from nonsmooth.derive.flows.modal import TIME, derive_flows
 from nonsmooth.derive.systems import SYSTEMS, declaration
@@ -55,22 +54,39 @@ def affine(name, expression, values):
     ]
 
 
+def check_rows(name, found, declared, values):
+    """Rows of a table, given with the functions that are declared, are these functions."""
+    rows, functions = zip(*declared, strict=True)
+    wanted = numbers(name, functions, values)
+    assert_allclose(found.rows[list(rows)], wanted, rtol=1e-14, atol=1e-15)
+
+
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.usefixtures("backend")
-def test_boundary_rows_are_the_declared_functions(name):
-    system, structure = declaration(name).system, structure_of(name)
+def test_boundaries_constraints_and_contacts_are_the_declared_ones(name):
+    system, structure, declared = declaration(name).system, structure_of(name), []
+    states, size = system.states, len(system.states) // 2
+    assert [*structure.configurations] == [c.name for c in system.configurations]
+    for place, configuration in enumerate(system.configurations):
+        held = configuration.dynamics.held
+        functions = [states[size + states.index(x)] - velocity for x, velocity in held.items()]
+        functions += configuration.constraints
+        declared += zip(structure.constraints[place], functions, strict=True)
+        assert structure.held[place] == tuple(map(states.index, held))
+        for shape, boundary in zip(
+            structure.boundaries[place], configuration.boundaries, strict=True
+        ):
+            reached = boundary.acts_when == "reached"
+            assert (shape.name, shape.reached) == (boundary.name, reached)
+            declared.append((shape.row, boundary.function))
+    for shape, contact in zip(structure.contacts, system.contacts, strict=True):
+        assert shape.name == contact.name
+        forces = {structure.configurations[c]: row for c, row in shape.forces.items()}
+        assert forces.keys() == contact.forces.keys()
+        declared += [(shape.velocity, contact.velocity), (shape.surface, contact.surface)]
+        declared += [(row, contact.forces[where]) for where, row in forces.items()]
     for values in points(name):
-        found = at(name, values)
-        for place, configuration in enumerate(system.configurations):
-            assert structure.configurations[place] == configuration.name
-            shapes = structure.boundaries[place]
-            assert [s.name for s in shapes] == [b.name for b in configuration.boundaries]
-            assert [s.reached for s in shapes] == [
-                b.acts_when == "reached" for b in configuration.boundaries
-            ]
-            wanted = numbers(name, [b.function for b in configuration.boundaries], values)
-            rows = found.rows[[s.row for s in shapes]]
-            assert_allclose(rows, wanted, rtol=1e-14, atol=1e-15)
+        check_rows(name, at(name, values), declared, values)
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -125,38 +141,7 @@ def test_transitions_and_resets_are_the_declared_ones(name):
                 ):
                     assert structure.configurations[along] == condition.along
                     assert holds is condition.holds
-                    (function,) = numbers(name, [condition.function], values)
-                    assert_allclose(found.rows[row], function, atol=1e-15)
-
-
-@pytest.mark.parametrize("name", NAMES)
-@pytest.mark.usefixtures("backend")
-def test_constraints_and_contacts_are_the_declared_ones(name):
-    system, structure = declaration(name).system, structure_of(name)
-    size = len(system.states) // 2
-    for values in points(name, 2):
-        found = at(name, values)
-        for place, configuration in enumerate(system.configurations):
-            held = configuration.dynamics.held
-            functions = [
-                system.states[size + system.states.index(x)] - velocity
-                for x, velocity in held.items()
-            ]
-            wanted = numbers(name, [*functions, *configuration.constraints], values)
-            rows = found.rows[list(structure.constraints[place])]
-            assert_allclose(rows, wanted.reshape(rows.shape), atol=1e-15)
-            assert structure.held[place] == tuple(system.states.index(x) for x in held)
-        for shape, contact in zip(structure.contacts, system.contacts, strict=True):
-            assert shape.name == contact.name
-            (velocity,) = numbers(name, [contact.velocity], values)
-            assert_allclose(found.rows[shape.velocity], velocity, atol=1e-15)
-            (surface,) = numbers(name, [contact.surface], values)
-            assert_allclose(found.rows[shape.surface], surface, atol=1e-15)
-            forces = {structure.configurations[c]: row for c, row in shape.forces.items()}
-            assert forces.keys() == contact.forces.keys()
-            for where, row in forces.items():
-                (force,) = numbers(name, [contact.forces[where]], values)
-                assert_allclose(found.rows[row], force, atol=1e-15)
+                    check_rows(name, found, [(row, condition.function)], values)
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -191,46 +176,16 @@ def test_numbers_of_many_points_are_those_of_each(name):
 # --- a system without modes in closed form
 
 
-def chain(size):
+def form_of(size):
     """So many masses in a row, the first in front of a stop."""
-    stiffness = Parameter("k", "stiffness")
-    positions = sp.symbols(f"x1:{size + 1}", real=True)
-    velocities = sp.symbols(f"v1:{size + 1}", real=True)
-    matrix = sp.zeros(size)
-    for i, j in itertools.product(range(size), repeat=2):
-        matrix[i, j] = {0: 2 * stiffness.symbol + i, 1: -stiffness.symbol}.get(abs(i - j), 0)
-    free = Configuration(
-        "free",
-        SecondOrder(sp.eye(size), matrix),
-        (Boundary("first-reaches-stop", positions[0] - 1),),
-    )
-    return System(
-        name=f"chain-of-{size}",
-        description="masses in a row",
-        states=(*positions, *velocities),
-        parameters=(stiffness,),
-        configurations=(free,),
-        transitions=(
-            Transition(
-                "free",
-                frozenset({"first-reaches-stop"}),
-                "free",
-                (),
-                {velocities[0]: -velocities[0]},
-            ),
-        ),
-    )
-
-
-@cache
-def entire():
-    system = chain(3)
+    names = [f"x{i}" for i in range(1, size + 1)]
+    mass, stiffness, _ = chain_matrices(range(1, size + 1), [sp.Symbol("k")] * size)
+    system = oscillator("row", names, mass, stiffness, elements=[RigidStop("x1", 1, 1)])
     return SimulationForm(system, *derive_flows(system))
 
 
 def test_two_masses_have_modes():
-    system = chain(2)
-    found = SimulationForm(system, *derive_flows(system))
+    found = form_of(2)
     assert found.table()["modes"] is not None
     modes = found.modes["free"]
     assert [(m.oscillates, m.length) for m in modes if m.oscillates] == [(True, 1)] * 2
@@ -240,7 +195,7 @@ def test_two_masses_have_modes():
 
 
 def test_entire_functions_are_no_modes():
-    found = entire()
+    found = form_of(3)
     assert found.flows["free"].modes is None
     assert found.modes is None
     assert found.table()["modes"] is None

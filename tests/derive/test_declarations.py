@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import math
 import random
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from fractions import Fraction
-from itertools import product
 from typing import Any
 
 import numpy as np
@@ -20,11 +17,8 @@ from nonsmooth.derive import (
     Boundary,
     Condition,
     Configuration,
-    DeclarationError,
     FirstOrder,
-    Itinerary,
     Parameter,
-    Phase,
     Presentation,
     SecondOrder,
     System,
@@ -41,250 +35,26 @@ STRANGER = sp.Symbol("stranger")
 PROPERTY = settings(max_examples=40)
 
 
-def swing(boundaries: Sequence[Boundary] = (), **changes: Any) -> Configuration:
-    """One mass on a spring; keywords replace parts of its dynamics."""
-    parts = {"mass": [[1]], "stiffness": [[KS]], "load": (GS,)} | changes
-    return Configuration("swing", SecondOrder(**parts), tuple(boundaries))
-
-
-def oscillator(**changes: Any) -> System:
-    """One mass that switches between two springs at x = 1; keywords replace its parts."""
-    parts: dict[str, Any] = {
-        "name": "oscillator",
-        "description": "one mass",
-        "states": (X, V),
-        "parameters": (K, G),
-        "configurations": (
-            swing([Boundary("far", X - 1)]),
-            Configuration("stiff", SecondOrder([[1]], [[4]]), (Boundary("near", 1 - X),)),
-        ),
-        "transitions": (
-            Transition("swing", {"far"}, "stiff"),
-            Transition("stiff", {"near"}, "swing", (), {V: V - GS}),
-        ),
-    }
-    return System(**(parts | changes))
-
-
-def changed_transition(*arguments: Any) -> Callable[[], System]:
-    return lambda: oscillator(transitions=(Transition(*arguments),))
-
-
-def changed_swing(*arguments: Any, **changes: Any) -> Callable[[], System]:
-    return lambda: oscillator(configurations=(swing(*arguments, **changes),), transitions=())
-
-
-WRONG: list[tuple[str, Callable[[], Any], str]] = [
-    ("boundary kind", lambda: Boundary("far", X - 1, "touched"), "'far'.*'touched'"),
-    ("mass not square", lambda: SecondOrder([[1, 0]], [[1]]), "mass is 1 x 2, not square"),
-    ("stiffness shape", lambda: SecondOrder([[1]], sp.eye(2)), "stiffness is 2 x 2, not 1 x 1"),
-    (
-        "damping shape",
-        lambda: SecondOrder([[1]], [[1]], damping=sp.eye(2)),
-        "damping is 2 x 2, not 1 x 1",
-    ),
-    ("load length", lambda: SecondOrder([[1]], [[1]], (1, 2)), "load has 2 values"),
-    (
-        "singular mass",
-        lambda: SecondOrder([[KS, KS], [KS, KS]], sp.eye(2)),
-        "mass is singular",
-    ),
-    ("matrix not square", lambda: FirstOrder([[1, 0]]), "matrix is 1 x 2, not square"),
-    ("offset length", lambda: FirstOrder(sp.eye(2), (1,)), "offset has 1 values"),
-    (
-        "boundary twice",
-        lambda: swing([Boundary("far", X - 1), Boundary("far", X - 2)]),
-        "boundary of configuration 'swing' 'far' is declared twice",
-    ),
-    ("state twice", lambda: oscillator(states=(X, X)), "state 'x' is declared twice"),
-    (
-        "parameter twice",
-        lambda: oscillator(parameters=(K, K, G)),
-        "parameter 'k' is declared twice",
-    ),
-    (
-        "state named as a parameter",
-        lambda: oscillator(parameters=(K, G, Parameter("v", ""))),
-        "name 'v' is declared twice",
-    ),
-    (
-        "name of the time",
-        lambda: oscillator(parameters=(K, G, Parameter("t", ""))),
-        "name 't' is kept for the time",
-    ),
-    (
-        "configuration twice",
-        lambda: oscillator(configurations=(swing(), swing()), transitions=()),
-        "configuration 'swing' is declared twice",
-    ),
-    (
-        "states too many",
-        lambda: oscillator(states=STATES),
-        "configuration 'swing': mass is 1 x 1, but the system has 4 states",
-    ),
-    (
-        "matrix too small",
-        lambda: oscillator(
-            configurations=(Configuration("swing", FirstOrder([[1]]), ()),), transitions=()
-        ),
-        "configuration 'swing': matrix is 1 x 1, but the system has 2 states",
-    ),
-    ("held velocity", changed_swing(held={V: 1}), "'swing': held coordinate v is not a position"),
-    (
-        "free mass singular",
-        lambda: System(
-            "pair",
-            "",
-            STATES,
-            (),
-            (Configuration("odd", SecondOrder([[0, 1], [1, 0]], sp.eye(2), held={Y: 1}), ()),),
-        ),
-        "'odd': mass of the free coordinates is singular",
-    ),
-    (
-        "undeclared in a load",
-        changed_swing(load=(STRANGER,)),
-        "configuration 'swing': symbol stranger is not a parameter",
-    ),
-    (
-        "undeclared in a held velocity",
-        changed_swing(held={X: STRANGER}),
-        "configuration 'swing': symbol stranger is not a parameter",
-    ),
-    ("state in a matrix", changed_swing(stiffness=[[X]]), "'swing': symbol x is not a parameter"),
-    (
-        "undeclared in a boundary",
-        changed_swing([Boundary("far", X - STRANGER)]),
-        "'swing', boundary 'far': symbol stranger is neither a state nor a parameter",
-    ),
-    (
-        "boundary not affine",
-        changed_swing([Boundary("far", X * V - 1)]),
-        r"'swing', boundary 'far': v\*x - 1 is not affine",
-    ),
-    (
-        "boundary not smooth",
-        changed_swing([Boundary("far", abs(X) - 1)]),
-        r"'swing', boundary 'far': Abs\(x\) - 1 is not affine",
-    ),
-    (
-        "undeclared in a constraint",
-        lambda: oscillator(constraints=(KS - STRANGER,)),
-        "constraint k - stranger >= 0: symbol stranger is not a parameter",
-    ),
-    ("unknown source", changed_transition("jump", {"far"}, "stiff"), "no configuration 'jump'"),
-    ("unknown target", changed_transition("swing", {"far"}, "jump"), "no configuration 'jump'"),
-    (
-        "no boundary",
-        changed_transition("swing", set(), "stiff"),
-        "transition 'swing' -> 'stiff': no boundary is named",
-    ),
-    (
-        "boundary of another configuration",
-        changed_transition("swing", {"near"}, "stiff"),
-        r"configuration 'swing' has no boundary 'near' \(it has: far\)",
-    ),
-    (
-        "condition along nothing",
-        changed_transition("swing", {"far"}, "stiff", (Condition(X, "jump"),)),
-        "no configuration 'jump'",
-    ),
-    (
-        "condition not affine",
-        changed_transition("swing", {"far"}, "stiff", (Condition(V**2, "stiff"),)),
-        r"'swing' -> 'stiff': v\*\*2 is not affine",
-    ),
-    (
-        "reset of a stranger",
-        changed_transition("swing", {"far"}, "stiff", (), {Y: 0}),
-        "'swing' -> 'stiff': reset of y, which is not a state",
-    ),
-    (
-        "reset not affine",
-        changed_transition("swing", {"far"}, "stiff", (), {V: V**2}),
-        "reset of v: .* is not affine",
-    ),
-    ("parameter name", lambda: Parameter("k 1", ""), "'k 1' is not an identifier"),
-    ("parameter keyword", lambda: Parameter("lambda", ""), "'lambda' is not an identifier"),
-    ("empty domain", lambda: Parameter("k", "", 1, 1), "k: the domain is empty"),
-    ("inverted domain", lambda: Parameter("k", "", upper=-1), "k: the domain is empty"),
-    ("domain NaN", lambda: Parameter("k", "", math.nan), "k: the end nan .* not a real number"),
-    ("domain complex", lambda: Parameter("k", "", sp.I), "k: the end I .* not a real number"),
-    ("domain symbolic", lambda: Parameter("k", "", GS), "k: the end g .* not a real number"),
-    (
-        "origins missing",
-        lambda: Presentation((X, V), (0,)),
-        "presentation has 2 states but 1 origins",
-    ),
-    (
-        "presentation of another size",
-        lambda: Presentation(STATES, (0, 0, 0, 0)).present(oscillator()),
-        "presentation has 4 states, system has 2",
-    ),
-    (
-        "shifted velocity",
-        lambda: Presentation((Y, W), (0, 1)).present(oscillator()),
-        "presentation shifts a velocity",
-    ),
-]
-
-
-@pytest.mark.parametrize(("make", "message"), [w[1:] for w in WRONG], ids=[w[0] for w in WRONG])
-def test_a_wrong_declaration_is_refused_by_name(make: Callable[[], Any], message: str) -> None:
-    with pytest.raises(DeclarationError, match=message) as caught:
-        make()
-    assert isinstance(caught.value, ValueError)
-    assert "\n" not in str(caught.value)
-
-
-CYCLE = (Phase("swing", "far", "ta"), Phase("stiff", "near", "tb"))
-WRONG_ITINERARIES = [
-    ("empty", (), "itinerary 'loop' has no phases"),
-    ("dwell time twice", (CYCLE[0], replace(CYCLE[1], dwell_time="ta")), "'ta' is named twice"),
-    ("configuration", (replace(CYCLE[0], configuration="jump"),), "no configuration 'jump'"),
-    ("boundary", (replace(CYCLE[0], boundary="near"), CYCLE[1]), "'swing' has no boundary 'near'"),
-    ("no transition", CYCLE[:1], "no transition leads from 'swing' by 'far' to 'swing'"),
-    ("dwell time is a state", (replace(CYCLE[0], dwell_time="x"), CYCLE[1]), "'x' has the name"),
-    (
-        "dwell time is a parameter",
-        (replace(CYCLE[0], dwell_time="k"), CYCLE[1]),
-        "'k' has the name",
-    ),
-    ("dwell time is no name", (replace(CYCLE[0], dwell_time="t a"), CYCLE[1]), "not an identifier"),
-]
-
-
-@pytest.mark.parametrize(
-    ("phases", "message"), [w[1:] for w in WRONG_ITINERARIES], ids=[w[0] for w in WRONG_ITINERARIES]
-)
-def test_a_wrong_itinerary_is_refused_by_name(phases: Any, message: str) -> None:
-    with pytest.raises(DeclarationError, match=message) as caught:
-        Itinerary("loop", oscillator(), phases)
-    assert "\n" not in str(caught.value)
-
-
-def test_a_dwell_time_may_not_be_a_new_parameter_of_the_presentation() -> None:
-    shifted = Presentation((Y, W), (GS / KS, 0), (Parameter("ta", ""),), {GS: 1})
-    with pytest.raises(DeclarationError, match="dwell time 'ta' has the name"):
-        Itinerary("loop", oscillator(), CYCLE, shifted)
-
-
-def test_rotations_of_an_itinerary_are_cyclic() -> None:
-    loop = Itinerary("loop", oscillator(), CYCLE)
-    assert loop.rotated(1).phases == CYCLE[::-1]
-    assert loop.rotated(2) == loop == loop.rotated(-2)
-    assert loop.rotated(1).rotated(1) == loop
+def test_rotations_of_an_itinerary_are_cyclic_and_have_no_source() -> None:
+    orbit = dry_friction.global_stick
+    count = len(orbit.phases)
+    assert orbit.rotated(count) == orbit == orbit.rotated(-count)
+    assert orbit.rotated(1).phases == (*orbit.phases[1:], orbit.phases[0])
+    assert orbit.rotated(1).rotated(2) == orbit.rotated(3)
+    assert orbit.source is not None
+    assert orbit.rotated(1).source is None
 
 
 def test_declarations_are_frozen_and_floats_are_decimals() -> None:
-    configuration = swing([Boundary("far", 0.1 * X - 0.3)], stiffness=[[0.2]], load=(1e-3,))
+    motion = SecondOrder([[1]], [[0.2]], (1e-3,))
     tenth, fifth, thousandth = sp.Rational(1, 10), sp.Rational(1, 5), sp.Rational(1, 1000)
-    assert configuration.boundaries[0].function == tenth * X - sp.Rational(3, 10)
-    assert configuration.dynamics.stiffness == sp.Matrix([[fifth]])
-    assert configuration.dynamics.load == sp.Matrix([thousandth])
+    boundary = Boundary("far", 0.1 * X - 0.3)
+    assert boundary.function == tenth * X - sp.Rational(3, 10)
+    assert motion.stiffness == sp.Matrix([[fifth]])
+    assert motion.load == sp.Matrix([thousandth])
     assert Parameter("k", "", 0.5, 1).lower == sp.Rational(1, 2)
     with pytest.raises(AttributeError):
-        configuration.name = "other"
+        boundary.name = "other"
 
 
 # --- signs on whole domains -------------------------------------------------------------
@@ -405,50 +175,20 @@ def test_the_shifted_dry_friction_is_the_same_motion() -> None:
 @pytest.mark.parametrize("seed", range(3))
 def test_resets_first_order_motions_and_new_parameters_are_shifted_too(seed: int) -> None:
     double = Parameter("double", "twice the load", closed=True)
-    system = oscillator(
-        configurations=(
-            swing([Boundary("far", X - KS)], damping=[[1]]),
-            Configuration("stiff", FirstOrder([[0, 1], [-KS, -1]], (GS, 1)), ()),
-        ),
-        transitions=(
-            Transition(
-                "swing", {"far"}, "stiff", (Condition(X - GS, "stiff"),), {X: -X + 1, V: 2 * X - V}
-            ),
-        ),
-        constraints=(KS - GS,),
+    swing = Configuration(
+        "swing", SecondOrder([[1]], [[KS]], (GS,), [[1]]), (Boundary("far", X - KS),)
     )
+    stiff = Configuration("stiff", FirstOrder([[0, 1], [-KS, -1]], (GS, 1)), ())
+    over = Transition(
+        "swing", {"far"}, "stiff", (Condition(X - GS, "stiff"),), {X: -X + 1, V: 2 * X - V}
+    )
+    system = System("one", "", (X, V), (K, G), (swing, stiff), (over,), (KS - GS,))
     presentation = Presentation((Y, W), (GS / KS, 0), (double,), {GS: double.symbol / 2})
     same_system_shifted(system, presentation, seed)
     assert GS not in {p.symbol for p in presentation.present(system).parameters}
 
 
 # --- dry friction -----------------------------------------------------------------------
-
-REGIMES = ("slip", "stick", "overshoot")
-EVENTS = {"stick": ("breaks-forward", "breaks-backward")}
-
-
-def test_nine_configurations_and_a_transition_for_every_set_of_boundaries() -> None:
-    system = dry_friction.system
-    names = {"-".join(pair) for pair in product(REGIMES, REGIMES)}
-    assert {c.name for c in system.configurations} == names
-    expected = set()
-    for pair in product(REGIMES, REGIMES):
-        events = [
-            [None, *(f"{mass}-{e}" for e in EVENTS.get(regime, ("reaches-belt",)))]
-            for mass, regime in zip(("first", "second"), pair, strict=True)
-        ]
-        source = "-".join(pair)
-        known = {b.name for b in system.configuration(source).boundaries}
-        assert known == {e for group in events for e in group if e}
-        expected |= {(source, frozenset(filter(None, s))) for s in product(*events) if any(s)}
-    reached: dict[Any, list[Transition]] = {}
-    for transition in system.transitions:
-        reached.setdefault((transition.source, transition.boundaries), []).append(transition)
-    assert set(reached) == expected
-    for group in reached.values():
-        assert group[-1].conditions == ()
-        assert len({(t.target, t.conditions) for t in group}) == len(group)
 
 
 def field(configuration: str, values: dict[str, float]) -> Callable[[np.ndarray], np.ndarray]:

@@ -20,10 +20,13 @@ from nonsmooth.derive import (
     Itinerary,
     Parameter,
     Phase,
+    RigidStop,
     SecondOrder,
     System,
     Transition,
+    chain_matrices,
     derive_equations,
+    oscillator,
 )
 from nonsmooth.derive.document.blocks import (
     Document,
@@ -45,7 +48,8 @@ from nonsmooth.derive.document.printer import Notation
 from nonsmooth.derive.symbols import Symbol, derivative
 from nonsmooth.derive.systems import SYSTEMS
 from tests.declared_documents import impacts, one_mass, rattle, switching
-from tests.documents import declarations, document_of, marked, names
+from tests.documents import declarations, document_of, labels_by_section, marked, names
+from tests.formulas.pages import texts_of
 from tests.latex_reader import ORBITS, written_of
 
 VOID = {"meta", "br", "hr", "img", "link"}
@@ -67,66 +71,36 @@ def drop() -> Itinerary:
 
 
 def masses(count: int) -> System:
-    """Masses between two springs that may be absent: eigenvalues without a closed form."""
-    k = Parameter("k", "stiffness", lower=-sp.oo)
-    positions = sp.symbols(f"x1:{count + 1}", real=True)
-    velocities = sp.symbols(f"v1:{count + 1}", real=True)
-    stiffness = sp.diag(*(k.symbol + i for i in range(count)))
-    for i in range(count - 1):
-        stiffness[i, i + 1] = stiffness[i + 1, i] = -k.symbol
-    free = Configuration(
-        "free", SecondOrder(sp.eye(count), stiffness), (Boundary("stops", velocities[0]),)
-    )
-    return System("masses", "masses & springs", (*positions, *velocities), (k,), (free,))
+    """Masses in a row whose first spring may push: their frequencies may be imaginary."""
+    k = sp.Symbol("k", real=True)
+    mass, stiffness, _ = chain_matrices([1] * count, [k, *[1] * (count - 1)])
+    stop = RigidStop("x1", at=1, restitution=1, name="stop")
+    names = [f"x{i}" for i in range(1, count + 1)]
+    description = "masses & springs"
+    return oscillator("masses", names, mass, stiffness, elements=[stop], description=description)
 
 
-@pytest.fixture(scope="module")
-def two_masses() -> Document:
-    return describe_system(masses(2))
-
-
-@pytest.fixture(scope="module")
-def three_masses() -> Document:
-    return describe_system(masses(3))
-
-
-def system_of(name: str) -> Document:
-    return document_of(name)[0]
-
-
-@pytest.fixture(scope="module")
-def ball() -> Document:
-    return describe_orbit(derive_equations(drop()))
-
-
-OTHERS = ("ball", "two_masses", "three_masses")
 ZETA, OMEGA = sp.symbols("zeta omega", positive=True)
-DECLARED: dict[str, Callable[[], Document]] = {
-    "forced": lambda: document_of("forced")[0],
+MADE: dict[str, Callable[[], Document]] = {
+    "ball": lambda: describe_orbit(derive_equations(drop())),
+    "two masses": lambda: describe_system(masses(2)),
+    "three masses": lambda: describe_system(masses(3)),
     "one impact": lambda: describe_orbit(impacts(1)),
-    "two impacts": lambda: document_of("two-impacts")[0],
-    "chain": lambda: document_of("chain")[0],
-    "rattle": lambda: document_of("rattle")[0],
     "undamped rattle": lambda: describe_orbit(rattle(0)),
     "one mass": lambda: describe_system(one_mass(ZETA * OMEGA, OMEGA**2)),
-    "switching": lambda: document_of("switching")[0],
     "many turns": lambda: describe_orbit(switching(7)),
 }
+DECLARED = ("forced", "two-impacts", "chain", "rattle", "switching")
 
 
 @cache
-def declared(name: str) -> Document:
-    return DECLARED[name]()
+def made(name: str) -> Document:
+    return MADE[name]() if name in MADE else document_of(name)[0]
 
 
-@pytest.fixture(params=[*marked((*SYSTEMS, *DECLARED), "undamped rattle"), *OTHERS, *ORBITS])
+@pytest.fixture(params=[*marked((*SYSTEMS, *DECLARED, *MADE), "undamped rattle"), *ORBITS])
 def document(request: pytest.FixtureRequest) -> Document:
-    name = str(request.param)
-    if name in DECLARED:
-        return declared(name)
-    if name in OTHERS:
-        return request.getfixturevalue(name)
-    return written_of(name).document if "/" in name else system_of(name)
+    return made(str(request.param))
 
 
 def test_what_a_user_writes_is_one_paragraph() -> None:
@@ -202,69 +176,52 @@ def test_sentences_end(document: Document) -> None:
         assert dollars.count("*") % 2 == 0
 
 
-@pytest.mark.parametrize(
-    ("name", "latex"),
-    [
-        ("tau1", r"\tau_{1}"),
-        ("ta", "t_{a}"),
-        ("z10", "z_{10}"),
-        ("us1", "u_{s1}"),
-        ("gap1", r"\Delta_{1}"),
-        ("V", "V"),
-        ("k_c", "k_{c}"),
-        ("stiffness2", r"\mathrm{stiffness}_{2}"),
-    ],
-)
-def test_notation_of_a_declaration(name: str, latex: str) -> None:
-    symbol = sp.Symbol(name, real=True)
-    assert written_of("dry-friction/global-stick").notation.symbol(symbol) == latex
-
-
 Z1, X1, X2, Y = sp.symbols("z1 x1 x2 y", real=True)
 TAU, TAU1, TAU2 = sp.symbols("tau tau1 tau2", positive=True)
 RIGHT = Symbol("times", Symbol("right", 1), Y)
+WRITTEN: dict[str, dict[sp.Symbol, str]] = {
+    "dry-friction/global-stick": {
+        **{
+            sp.Symbol(name, real=True): latex
+            for name, latex in {
+                "tau1": r"\tau_{1}", "ta": "t_{a}", "z10": "z_{10}", "us1": "u_{s1}",
+                "gap1": r"\Delta_{1}", "V": "V", "k_c": "k_{c}",
+                "stiffness2": r"\mathrm{stiffness}_{2}",
+            }.items()
+        },
+        Symbol("state", Z1, 3): "z_{1}^{(3)}",
+        Symbol("reset", Z1, 3): "z_{1}^{(3)+}",
+        derivative(Symbol("state", Z1, 3), TAU): r"\partial_{\tau} z_{1}^{(3)}",
+        Symbol("amplitude", TAU2): r"A_{\tau_{2}}",
+        derivative(Symbol("amplitude", TAU2), TAU1): r"\partial_{\tau_{1}} A_{\tau_{2}}",
+        Symbol("function", "cos_omega1_tau1"): r"\cos \omega_{1} \tau_{1}",
+    },
+    # with half phases
+    "elastic-stop/one-contact": {
+        Y: "y",
+        Symbol("coefficient", "11"): "a_{11}",
+        Symbol("coefficient", "1_12"): "a_{1,12}",
+        Symbol("without", Symbol("coefficient", "12"), 2): "a_{12}^{[2]}",
+        RIGHT: "b_{1,y}",
+        Symbol("without", RIGHT, 2): "b_{1,y}^{[2]}",
+        Symbol("constant", Y): r"\bar{y}",
+        Symbol("divisor", Symbol("state", X1, 0)): "a_{x_{1}^{(0)}}",
+        Symbol("part", 0, Y, TAU): "x_{1,y}^{(1)}",
+        Symbol("part", 1, 1, TAU1): r"\bar{x}_{2}^{(2)}",
+        Symbol("right", 1): "b_{1}",
+        Symbol("numerator", 2): "N_{2}",
+        Symbol("determinant"): "D",
+        Symbol("function", "cos_omega3_half_tau1"): r"\cos(\omega_{3} \tau_{1}/2)",
+        Symbol("reset", X1, 1): "x_{1}^{(1)+}",
+        Symbol("half", TAU, positive=True): r"\frac{\tau}{2}",
+    },
+}  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    ("symbol", "latex"),
-    [
-        (Symbol("state", Z1, 3), "z_{1}^{(3)}"),
-        (Symbol("reset", Z1, 3), "z_{1}^{(3)+}"),
-        (derivative(Symbol("state", Z1, 3), TAU), r"\partial_{\tau} z_{1}^{(3)}"),
-        (Symbol("amplitude", TAU2), r"A_{\tau_{2}}"),
-        (derivative(Symbol("amplitude", TAU2), TAU1), r"\partial_{\tau_{1}} A_{\tau_{2}}"),
-        (Symbol("function", "cos_omega1_tau1"), r"\cos \omega_{1} \tau_{1}"),
-    ],
-    ids=str,
-)
-def test_notation_of_a_chain(symbol: Symbol, latex: str) -> None:
-    assert written_of("dry-friction/global-stick").notation.symbol(symbol) == latex
-
-
-@pytest.mark.parametrize(
-    ("symbol", "latex"),
-    [
-        (Y, "y"),
-        (Symbol("coefficient", "11"), "a_{11}"),
-        (Symbol("coefficient", "1_12"), "a_{1,12}"),
-        (Symbol("without", Symbol("coefficient", "12"), 2), "a_{12}^{[2]}"),
-        (RIGHT, "b_{1,y}"),
-        (Symbol("without", RIGHT, 2), "b_{1,y}^{[2]}"),
-        (Symbol("constant", Y), r"\bar{y}"),
-        (Symbol("divisor", Symbol("state", X1, 0)), "a_{x_{1}^{(0)}}"),
-        (Symbol("part", 0, Y, TAU), "x_{1,y}^{(1)}"),
-        (Symbol("part", 1, 1, TAU1), r"\bar{x}_{2}^{(2)}"),
-        (Symbol("right", 1), "b_{1}"),
-        (Symbol("numerator", 2), "N_{2}"),
-        (Symbol("determinant"), "D"),
-        (Symbol("function", "cos_omega3_half_tau1"), r"\cos(\omega_{3} \tau_{1}/2)"),
-        (Symbol("reset", X1, 1), "x_{1}^{(1)+}"),
-        (Symbol("half", TAU, positive=True), r"\frac{\tau}{2}"),
-    ],
-    ids=str,
-)
-def test_notation_of_half_phases(symbol: sp.Symbol, latex: str) -> None:
-    assert written_of("elastic-stop/one-contact").notation.symbol(symbol) == latex
+@pytest.mark.parametrize("name", WRITTEN)
+def test_symbols_are_written_by_their_meaning(name: str) -> None:
+    notation, expected = written_of(name).notation, WRITTEN[name]
+    assert {symbol: notation.symbol(symbol) for symbol in expected} == expected
 
 
 def test_letters_of_linear_equations_are_free() -> None:
@@ -290,6 +247,16 @@ def test_lines_fit_the_page(document: Document) -> None:
     for formula in document.formulas:
         for row in formula.latex.splitlines()[1:-1]:
             assert width(row.replace("&", "")) < 46
+
+
+def test_equations_are_numbered_by_sections(document: Document) -> None:
+    labels = [f.label for f in document.formulas if f.label]
+    headings = [b.number for b in document.blocks if isinstance(b, Heading) and b.level == 1]
+    assert headings == list(range(1, len(headings) + 1))
+    assert labels == labels_by_section(document)
+    texts = [text for block in document.blocks for text in texts_of(block)]
+    cited = {m for t in texts for m in re.findall(r"(?:^|\s)\((\d[\d.]*)\)(?! of)", t)}
+    assert cited - {"2011"} <= set(labels)
 
 
 def test_a_page_begins_in_front_of_two_headings_and_not_between_them() -> None:
@@ -433,7 +400,7 @@ def fits_the_page(document: Document, tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")
-def test_pdf_is_compiled(ball: Document) -> None:
-    assert compile_pdf(to_latex(ball)).startswith(b"%PDF")
+def test_pdf_is_compiled() -> None:
+    assert compile_pdf(to_latex(made("ball"))).startswith(b"%PDF")
     with pytest.raises(RuntimeError, match="failed"):
         compile_pdf(r"\documentclass{article}\begin{document}\nothing")

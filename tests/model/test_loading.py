@@ -311,6 +311,9 @@ def test_an_edited_file_is_read_again(tmp_path: Path, derivations: list[str]) ->
         ("match sp.pi:\n    case object(args=a):\n        pass\n", 2),
         ("a = sp.lambdify([], 'open')\n", 2), ("a = sp.Symbol('(2)')\n", 2),
         ("a = hash('a')\n", 2), ("len = 1\nopen = 2\n", 2),
+        ("a = {'b'}\n", 1), ("a = {'b', 'c'}\n", 2), ("a = {b for b in 'bc'}\n", 2),
+        ("a = [*system.configurations[0].boundaries[0].function.free_symbols]\n", 2),
+        ("from nonsmooth.derive import reduce_structure as a\n", 2),
     ],
 )  # fmt: skip
 def test_a_file_whose_text_says_all_is_not_executed_again(
@@ -390,6 +393,7 @@ def test_equal_declarations_have_one_fingerprint(tmp_path: Path) -> None:
         ("open('/no/such/file')\n", "line 1: FileNotFoundError: .*'/no/such/file'"),
         ("raise SystemExit(3)\n", "line 1: SystemExit: 3"),
         ("raise ValueError('two\\nlines')\n", "line 1: ValueError: two lines"),
+        ("x = " + "+".join("1" * 9000) + "\n", r"mine\.py: (RecursionError|MemoryError)"),
         ("x = 1\n", r"declares no system: call one `system`"),
         ("system = {}\n", "`system` is of type dict, not a System"),
         (

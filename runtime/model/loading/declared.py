@@ -36,7 +36,7 @@ _PLAIN = frozenset([
     "symbols", "Symbol", "Rational", "Integer", "Float", "Matrix", "eye", "zeros", "ones", "diag",
     "sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh",
     "pi", "oo", "E", "Abs", "Fraction", "chain", "combinations", "product", "repeat", "pairwise",
-    "append", "extend", "insert", "items", "keys", "values", "get", "T", "dot", "free_symbols",
+    "append", "extend", "insert", "items", "keys", "values", "get", "T", "dot",
     "states", "parameters", "configurations", "transitions", "boundaries", "symbol", "mass",
     "stiffness", "damping", "orbits", "name",
     "system",
@@ -121,7 +121,7 @@ def hash_of_text(path: Path) -> str | None:
     try:
         content = path.read_bytes()
         nodes = list(ast.walk(ast.parse(content)))
-    except (OSError, SyntaxError, ValueError):
+    except (OSError, SyntaxError, ValueError, RecursionError, MemoryError):
         return None
     alone = {id(node.value) for node in nodes if isinstance(node, ast.Expr)}  # as docstrings are
     for node in nodes:
@@ -138,7 +138,7 @@ def _depends_on_text(node: ast.AST) -> bool:
         case ast.ImportFrom(module=module, names=names, level=0):
             taken = {alias.name for alias in names}
             if module in _DERIVATION:
-                return not taken & {"read_matrices", "*"}
+                return not taken & {"read_matrices", "reduce_structure", "*"}
             return module in _SYMBOLIC and taken <= _PLAIN
         case ast.Attribute(attr=name):
             return name in _PLAIN
@@ -146,7 +146,9 @@ def _depends_on_text(node: ast.AST) -> bool:
             return name in _BUILT_IN or not (hasattr(builtins, name) or name.startswith("__"))
         case ast.Constant(value=str(text)):
             return bool(_HARMLESS.fullmatch(text))
-        case ast.ImportFrom() | ast.Match():
+        case ast.Set(elts=entries):
+            return len(entries) == 1  # of more the order differs from run to run
+        case ast.ImportFrom() | ast.Match() | ast.SetComp():
             return False
     return True
 

@@ -1,0 +1,127 @@
+"""Texts of formulas, read without executing them: numbers, names, operators, known functions."""
+
+from __future__ import annotations
+
+import ast
+import math
+import operator
+import re
+from collections.abc import Callable
+from typing import Any
+
+import sympy as sp
+
+from nonsmooth.derive.errors import DeclarationError
+
+__all__ = ["formula"]
+
+_TOKEN = re.compile(r"\s*((?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[^\W\d]\w*|\*\*|[-+*/^(),])\s*")
+_LARGEST_POWER = 200_000  # bits
+_CONSTANTS = {"pi": sp.pi, "E": sp.E, "I": sp.I, "oo": sp.oo, "zoo": sp.zoo, "nan": sp.nan}
+_X = sp.Dummy("x")
+
+
+def _root(first: Any, *others: Any) -> Any:
+    """The root of a number; of a polynomial with integer coefficients, as texts of values say."""
+    if len(others) < 2:
+        return sp.root(first, *others)
+    return sp.CRootOf(sp.Poly(others, _X), int(first))
+
+
+_FUNCTIONS: dict[str, Callable[..., Any]] = {
+    name: getattr(sp, name)
+    for name in (
+        *("exp", "log", "ln", "sin", "cos", "tan", "cot", "sec", "csc"),
+        *("asin", "acos", "atan", "acot", "asec", "acsc", "atan2", "sinh", "cosh", "tanh", "coth"),
+        *("sech", "csch", "asinh", "acosh", "atanh", "acoth", "asech", "acsch"),
+        *("Abs", "Max", "Min", "sign", "Rational", "Integer"),
+    )
+} | {
+    "abs": sp.Abs,
+    "root": _root,
+    "sqrt": lambda value: sp.sqrt(value),
+    "cbrt": lambda value: sp.cbrt(value),
+    "S": lambda value: value,
+}
+
+
+def formula(text: str) -> sp.Expr:
+    """The expression that a text says, in SymPy's words; a decimal is the double it stands for.
+
+    DeclarationError says what is not known in it.
+    """
+    try:
+        return _value(ast.parse(_source(text), mode="eval").body)
+    except DeclarationError:
+        raise
+    except (RecursionError, MemoryError):
+        raise DeclarationError("it is nested too deeply") from None
+    except (TypeError, ValueError, NotImplementedError, sp.PolynomialError) as problem:
+        reason = " ".join(str(problem).split())
+        raise DeclarationError(f"a function does not take what it is given: {reason}") from None
+    except SyntaxError as problem:
+        raise DeclarationError(problem.msg.partition(";")[0].partition(". ")[0]) from None
+
+
+def _source(text: str) -> str:
+    """The tokens of a text, between blanks."""
+    tokens, place = [], 0
+    while place < len(text):
+        token = _TOKEN.match(text, place)
+        if token is None or "__" in token[1]:
+            raise DeclarationError(f"{token[1] if token else text[place]!r} is not known in it")
+        tokens.append("**" if token[1] == "^" else token[1])
+        place = token.end()
+    return " ".join(tokens)
+
+
+def _value(node: ast.expr) -> Any:
+    """The value of a part of a formula; sums and products may have many terms."""
+    steps = []
+    while isinstance(node, ast.BinOp) and type(node.op) in _OPERATORS:
+        steps.append((_OPERATORS[type(node.op)], _value(node.right)))
+        node = node.left
+    match node:
+        case ast.Constant(value=bool()):
+            raise DeclarationError(f"{node.value!r} is no number")
+        case ast.Constant(value=int(number)):
+            value = sp.Integer(number)
+        case ast.Constant(value=float(number)):
+            if not math.isfinite(number):
+                raise DeclarationError("it has a number beyond the range of doubles")
+            value = sp.Rational(repr(number))
+        case ast.UnaryOp(op=ast.USub(), operand=inner):
+            value = -_value(inner)
+        case ast.UnaryOp(op=ast.UAdd(), operand=inner):
+            value = _value(inner)
+        case ast.Name(id=name) if name in _FUNCTIONS:
+            raise DeclarationError(f"the function {name} stands without its argument")
+        case ast.Name(id=name):
+            value = _CONSTANTS.get(name, sp.Symbol(name))
+        case ast.Call(func=ast.Name(id=name)) if name not in _FUNCTIONS:
+            raise DeclarationError(f"the function {name} is not known in it")
+        case ast.Call(func=ast.Name(id=name), args=arguments, keywords=[]):
+            value = _FUNCTIONS[name](*map(_value, arguments))
+        case _:
+            raise DeclarationError(f"{ast.unparse(node)!r} is not allowed in it")
+    for apply, right in reversed(steps):
+        value = apply(value, right)
+    return value
+
+
+def _power(base: Any, exponent: Any) -> Any:
+    """A power; refused if it is an enormous number."""
+    if base.is_Rational and exponent.is_Rational:
+        bits = max(abs(int(part)).bit_length() for part in (base.p, base.q))
+        if bits * abs(exponent) > _LARGEST_POWER:
+            raise DeclarationError(f"the power {exponent} is too large")
+    return base**exponent
+
+
+_OPERATORS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.Pow: _power,
+}
