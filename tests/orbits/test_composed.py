@@ -18,6 +18,7 @@ SYMMETRIC = [("slip-slip", "second-reaches-belt"), ("slip-stick", "second-breaks
 SYMMETRIC_GUESS = [2.65, 2.24]
 CONTACT = [("contact", "first-leaves-stop"), ("free", "first-reaches-stop")]
 IMPACT = [("free", "first-reaches-stop")]
+MANY = STICKING | {"V": [1.0, 1.01]}
 TRACE = -0.980114981284158715
 
 
@@ -283,12 +284,6 @@ def test_a_period_that_no_orbit_has():
         _ = orbit.admissibility
 
 
-def test_a_phase_that_takes_no_time():
-    orbit = solve("dry-friction", STICKING, [0.1] * 4, itinerary=PHASES, digits=40, throw=False)
-    assert "dwell time goes to zero" in orbit.message
-    assert not orbit.precise
-
-
 @pytest.mark.parametrize(
     ("changes", "match"),
     [
@@ -315,6 +310,13 @@ def test_a_phase_that_takes_no_time():
         ({"given": {"period": -1}}, "period"),
         ({"given": {"tau1": 1}}, "exchanged"),
         ({"unknown": ["V"]}, "exchanged"),
+        ({"parameters": MANY | {"eta": [1, 2, 3]}}, "broadcast"),
+        ({"parameters": MANY | {"W": [1, 2]}}, "unknown parameter"),
+        ({"parameters": STICKING | {"V": ["a"]}}, "V"),
+        ({"parameters": {"V": [1.0]}}, "needs a value"),
+        ({"parameters": MANY, "guess": np.ones((3, 4))}, "broadcast"),
+        ({"parameters": MANY, "threads": 0}, "threads"),
+        ({"parameters": MANY, "given": {"period": -1.0}}, "period"),
     ],
 )
 def test_bad_input(changes, match):
@@ -326,29 +328,6 @@ def test_bad_input(changes, match):
     }
     with pytest.raises(InputError, match=match):
         solve(**(arguments | changes))
-
-
-@pytest.mark.parametrize(
-    ("changes", "match"),
-    [
-        ({"parameters": STICKING | {"V": [1, 2], "eta": [1, 2, 3]}}, "broadcast"),
-        ({"parameters": STICKING | {"W": [1, 2]}}, "unknown parameter"),
-        ({"parameters": STICKING | {"V": ["a"]}}, "V"),
-        ({"parameters": {}}, "needs a value"),
-        ({"guess": np.ones((3, 4))}, "broadcast"),
-        ({"threads": 0}, "threads"),
-        ({"given": {"period": -1.0}}, "period"),
-    ],
-)
-def test_bad_input_of_many(changes, match):
-    arguments = {
-        "orbit": "dry-friction",
-        "parameters": STICKING | {"V": [1.0, 1.01]},
-        "itinerary": PHASES,
-        "guess": STICK_GUESS,
-    }
-    with pytest.raises(InputError, match=match):
-        solve(**arguments | changes)
 
 
 @pytest.mark.compiled

@@ -107,15 +107,6 @@ def test_frequencies_keep_the_phase_they_began_with() -> None:
     assert abs(precise.period - precise.arithmetic.mp.pi) < 1e-38
 
 
-@pytest.mark.compiled
-def test_both_attractors_are_found() -> None:
-    found = ns.find_orbits(impact(), DATA | {"Omega": "2.6"}, 100)
-    turn = 2 * np.pi / 2.6
-    assert [round(entry.period / turn, 9) for entry in found.orbits if entry.starts] == [1, 3]
-    assert sum(entry.share for entry in found.orbits) == 1
-    assert_allclose(np.hypot(found.starts[:, 2], found.starts[:, 3]), 1, atol=1e-15)
-
-
 def test_the_start_of_an_orbit_is_one_of_a_motion() -> None:
     """At a stop at zero a position is 1e-29: it has no size of its own."""
     orbit = ns.solve(impact(), DATA, [3.14], itinerary=ONE)

@@ -19,7 +19,6 @@ from nonsmooth.derive import (
     System,
     Transition,
 )
-from nonsmooth.runtime.orbits.equations import equations_of
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.report import trace_proof_json
 
@@ -101,13 +100,6 @@ def test_a_chart_has_the_margin_of_the_orbit(reverse: bool, tmp_path: Path) -> N
     found = ns.chart(str(file), p=(1.0, 1.001), T=float(GIVEN["T"]))
     assert float(found["margin"][0]) == pytest.approx(orbit.stability.margin)
     assert orbit.stability.margin < -1 or reverse
-
-
-def test_a_branch_has_the_multipliers_of_the_orbit() -> None:
-    orbit = turned()
-    equations = equations_of(orbit)
-    largest = np.abs(equations.multipliers(equations.values[None]))
-    assert largest[0] == pytest.approx(1 - orbit.stability.margin)
 
 
 def test_no_criterion_of_its_trace_is_proved() -> None:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from nonsmooth import InputError, NoConvergence
+from nonsmooth import NoConvergence
 from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.shooting.kernel_newton import solve_full, solve_reduced
 from nonsmooth.runtime.shooting.newton import CONVERGED, NEGATIVE, climb, damping, precisions
@@ -74,21 +74,6 @@ class Line:
         return {"tau": values["tau"] - self.ahead}
 
 
-def test_points_of_a_batch_end_as_each_alone() -> None:
-    """After steps of their own number, converged or not."""
-    kernels: Any = Line()
-    roots = np.array([[0.5], [40.0], [-20.0], [1e-3], [np.nan], [3.0], [-1e-6], [1e9]])
-    many = solve_reduced(kernels, roots, np.ones((8, 1)))
-    alone = [solve_reduced(kernels, root, np.array([1.0])) for root in roots]
-    assert many.status.tolist() == [one.status for one in alone]
-    assert many.iterations.tolist() == [one.iterations for one in alone]
-    assert len(set(many.iterations.tolist())) > 4
-    np.testing.assert_array_equal(many.unknowns, [one.unknowns for one in alone])
-    sound = many.status == CONVERGED
-    assert sound.tolist() == [True, True, False, True, False, True, False, True]
-    np.testing.assert_allclose(many.unknowns[sound], roots[sound], rtol=1e-8)
-
-
 @pytest.mark.parametrize("root", [3.0, 1e-3, 1e-8, -1e-12, -4e-10, -1e-6, -0.5, -20.0])
 def test_a_dwell_time_that_goes_below_zero_is_never_said_to_be_found(root: float) -> None:
     """Damping makes its steps small; only a whole small step is the last one."""
@@ -111,14 +96,6 @@ def test_a_phase_that_takes_no_time_or_less_is_no_orbit() -> None:
         found = solve_full(kernels, {"tau": 1.0, "root": 0.5}, ["tau"])
         assert found.status == expected
         assert solve_reduced(kernels, np.array([0.5]), np.array([1.0])).status == expected
-
-
-def test_an_unknown_of_which_no_digit_is_sure_is_refused() -> None:
-    sure: Any = Line(slope=1e-9, size=1e3)
-    assert solve_full(sure, {"tau": 1.0, "root": 0.5}, ["tau"]).error < 1e-2
-    unsure: Any = Line(slope=1e-12, size=1e3)
-    with pytest.raises(InputError, match="do not determine tau"):
-        solve_full(unsure, {"tau": 1.0, "root": 0.5}, ["tau"])
 
 
 @pytest.mark.parametrize("remaining", [1e-2, 1e-5, 1e-15, 1e-35, 1e-45])
