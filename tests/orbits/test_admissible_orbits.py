@@ -205,21 +205,6 @@ def test_a_penetration_too_shallow_to_be_seen_is_one():
             assert 0 <= violation.time < period
 
 
-@every_orbit
-def test_where_a_phase_begins_on_a_boundary(name):
-    """Of the table: there a boundary's function is zero, at any orbit and near it."""
-    kernels = load_orbit(name)
-    for orbit in found_at(name, random_points(name, 44, 12)):
-        steps = Declared(orbit).steps
-        for boundary in kernels.boundaries:
-            piece, start, _ = steps[boundary.phase]
-            value = (piece.boundaries[boundary.name] @ start).item()
-            if boundary.begins:
-                assert value == pytest.approx(0, abs=1e-10)
-            elif np.isfinite(value):
-                assert abs(value) > 1e-4 or name == "dry-friction/solution-ii"
-
-
 @pytest.mark.parametrize("name", [RIGID, ELASTIC])
 @pytest.mark.parametrize("scale", [1e-12, 1e-3, 1e3, 1e12])
 def test_units_of_mass_change_nothing(name, scale):

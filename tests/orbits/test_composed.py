@@ -150,11 +150,13 @@ def test_what_is_lost_at_the_very_last_step_is_said_to_be_lost():
 
 
 def itineraries():
-    """Orbits by tables, with what is varied: two stick, one is shifted, one turns on."""
+    """Orbits by tables, with what is varied: two stick, one turns on, one is symmetric."""
     sled = settled_orbit(SLED, PULLED, [0, 1, 0, 0.4])
     gear = solve(f"{GALLERY}/backlash_gear.py:rattle")
     varied = {"eta": np.linspace(0.95, 1.05, 3)[:, None], "V": [0.98, 1.02]}
-    return [(stick(), varied), (sled, {"V": [0.5, 0.51]}), (gear, {"c": [0.0998, 0.1, 0.1002]})]
+    turning = solve(f"{GALLERY}/two_stops.py:symmetric"), {"r": [0.79, 0.8]}
+    shifted = (sled, {"V": [0.5, 0.51]}), (gear, {"c": [0.0998, 0.1, 0.1002]})
+    return [(stick(), varied), *shifted, turning]
 
 
 @pytest.mark.compiled  # two of its orbits are found by simulation

@@ -17,7 +17,6 @@ from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.orbits import solve as solving
 from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.certified import edited
-from tests.cli.test_cli import run
 from tests.handmade import DATA, MIRROR, declared, two_stops
 
 NAME = declared().name  # two-stops and left-right
@@ -130,30 +129,6 @@ def test_no_orbit() -> None:
 
 
 # --- commands
-
-
-def test_json_of_solve_and_verify() -> None:
-    code, out, _ = run("verify", NAME, "--digits", "30", "--json")
-    told = json.loads(out)
-    assert code == 0
-    assert told["orbit"] == NAME
-    assert told["digits"] == 30
-    assert list(told["unknowns"]) == ["ta", "tb", "x0", "v0", "c0", "s0"]
-    assert list(told["parameters"]) == list(DATA)
-    fine = orbit(50)
-    for name, text in told["unknowns"].items():
-        assert abs(fine.arithmetic.mp.mpf(text) - fine.unknowns[name]) < 1e-30
-    assert abs(fine.arithmetic.mp.mpf(told["trace"]) - fine.trace) < 1e-28
-    assert told["stability"] == "stable"
-    assert told["admissible"] is True
-    assert [m["trivial"] for m in told["multipliers"]] == [False, False]
-    assert told["phases"][1] == {
-        "configuration": "free",
-        "boundary": "reaches-left",
-        "dwell_time": "tb",
-    }
-    others = json.loads(run("solve", "rigid-stop/one-impact", "--json")[1])
-    assert set(others) <= {*told, "violations", "requires"}
 
 
 def test_notebooks_and_names() -> None:

@@ -1,6 +1,7 @@
 """Forced systems: orbits at amplitude 1 of the forcing, with the stroboscopic map's multipliers."""
 
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
@@ -9,7 +10,6 @@ from numpy.testing import assert_allclose
 import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, SoftStop, System, oscillator
-from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 ONE = [("free", "stop-reaches-stop")]
 DATA = {"zeta": "0.05", "Omega": 2, "r": "0.8"}
@@ -36,7 +36,7 @@ def impact(second: float = 0.0) -> System:
     )
 
 
-def settled(system: System, data: dict, transitions: int = 800) -> Trajectory:
+def settled(system: System, data: dict, transitions: int = 800) -> Any:
     return ns.simulate(system, data, {"x": "-0.5", "v": 0}, transitions=transitions)
 
 

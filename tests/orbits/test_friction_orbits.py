@@ -45,38 +45,6 @@ def test_the_printed_times_hold_to_two_per_mille() -> None:
         assert orbit.unknowns[name] != pytest.approx(printed, abs=4e-4)
 
 
-def test_the_motion_is_its_own_reversal() -> None:
-    """z is odd and z' even in time about the middle of either phase: both portraits mirror."""
-    for orbit in symmetric_orbits():
-        motion, (first, second) = orbit.motion(), orbit.dwell_times
-        for middle in (first / 2, first + second / 2):
-            for shift in np.linspace(0, orbit.period, 23):
-                after, before = motion(middle + shift), motion(middle - shift)
-                assert_allclose(after[:2], -before[:2], atol=1e-10)
-                assert_allclose(after[2:], before[2:], atol=1e-10)
-
-
-def scaled_condition(matrix: np.ndarray) -> float:
-    scaled = matrix / abs(matrix).max(axis=1, keepdims=True)
-    return float(np.linalg.cond(scaled / abs(scaled).max(axis=0, keepdims=True)))
-
-
-def test_the_printed_rules_are_singular_and_ours_are_not() -> None:
-    """Z(tau) = (-z0, z0') are four conditions, of which a reversible motion makes two."""
-    for orbit in symmetric_orbits():
-        declared = Declared(orbit)
-        piece, start, end = declared.steps[0]
-        reversal = np.diag([-1.0, -1, 1, 1])
-        assert_allclose(end[:4, 0], reversal @ start[:4, 0], atol=1e-10)
-        moved = piece.flow(piece.dwell)[:4, :4] - reversal
-        # by z10, z20, v10 and tau; v2 starts at the belt's velocity
-        naive = np.column_stack([moved[:, :3], (piece.field @ end)[:4, 0]])
-        assert np.linalg.cond(naive) > 1e10
-        assert np.linalg.matrix_rank(naive, tol=1e-8) == 2
-        assert scaled_condition(orbit.evaluate("jacobian")) < 1e4
-        assert np.linalg.cond(orbit.evaluate("jacobian")) < 1e4
-
-
 def simulated(orbit: Orbit) -> tuple[Friction, np.ndarray]:
     """A simulator that knows Coulomb's law alone, and the physical start of the orbit."""
     us2 = max(r.greater_than for r in orbit.admissibility.requires if r.parameter == "us2") + 0.4

@@ -13,7 +13,6 @@ from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.kernels import orbit_names
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.refine import enclosed_trace
-from tests.declared import Declared
 
 ORBIT = "dry-friction/global-stick"
 PARAMETERS = ("chi", "eta", "V", "e1", "e2")
@@ -169,18 +168,6 @@ def test_numbers_carry_their_digits_into_arithmetic(orbit):
 
 
 # --- the derivatives and the stability of a refined orbit
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("arithmetic", ARITHMETICS)
-def test_orbits_close_under_matrix_exponentials(every, arithmetic):
-    for orbit in every:
-        found = refine(orbit, 60, arithmetic=arithmetic)
-        with mpmath.workdps(80):
-            declared = Declared(found, precise=True)
-            for piece, _, end in declared.steps:
-                assert abs((piece.normal @ end)[0]) < mpmath.mpf(10) ** -58
-            assert mpmath.norm(declared.end - declared.start, mpmath.inf) < mpmath.mpf(10) ** -58
 
 
 def test_one_multiplier_is_exactly_zero_and_the_other_is_the_trace(orbits):

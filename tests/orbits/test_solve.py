@@ -13,7 +13,6 @@ from nonsmooth import InputError, NoConvergence, solve
 from nonsmooth.runtime.model.kernels import backend, load_orbit
 from nonsmooth.runtime.orbits.equations import equations_of
 from nonsmooth.runtime.shooting.kernel_newton import solve_reduced
-from nonsmooth.runtime.shooting.newton import CONVERGED
 
 ORBIT = "dry-friction/global-stick"
 PARAMETERS = ("chi", "eta", "V", "e1", "e2")
@@ -117,18 +116,6 @@ def test_the_orbit_does_not_depend_on_the_guess(reference):
 
 
 # --- the paper's numbers (misprint 5)
-
-
-def test_the_printed_orbit_meets_the_switching_conditions_but_does_not_close():
-    residual = np.abs(equations(REFERENCE | PRINTED))
-    assert residual[:4].max() < 2e-4
-    assert 1e-2 < residual[4:].max() < 3e-2
-
-
-def test_the_orbit_of_the_printed_forces(reference):
-    difference = {name: abs(reference.unknowns[name] - PRINTED[name]) for name in UNKNOWNS}
-    assert max(difference[name] for name in ("tau", "tau1", "tau2")) < 1e-3
-    assert all(1e-2 < difference[name] < 3e-2 for name in ("ta", "z10", "z20"))
 
 
 def test_the_orbit_of_the_printed_dwell_times():
@@ -284,7 +271,7 @@ def exhaustive(point, per_unknown, longest=14.0):
     grid = np.linspace(0, longest, per_unknown + 1)[1:]
     starts = np.stack(np.meshgrid(grid, grid, indexing="ij"), axis=-1).reshape(-1, 2)
     solved = solve_reduced(load_orbit(ORBIT), point, starts)
-    return bool(admissible(point, solved.unknowns[solved.status == CONVERGED]).any())
+    return bool(admissible(point, solved.unknowns[solved.status == 0]).any())
 
 
 def admissible(points, unknowns):
@@ -307,7 +294,7 @@ def test_an_admissible_orbit_is_found_where_the_first_attempt_leads_elsewhere():
     generator, kernels = np.random.default_rng(6), load_orbit(ORBIT)
     points = generator.uniform([0.15, 0.3, 0.3, 1.5, 0.1], [0.85, 3, 1.5, 5, 1.5], (1000, 5))
     first = solve_reduced(kernels, points, [PRINTED["tau"], PRINTED["tau1"]])
-    fine = (first.status == CONVERGED) & admissible(points, first.unknowns)
+    fine = (first.status == 0) & admissible(points, first.unknowns)
     possible = [p for p in points[~fine][:150] if exhaustive(p, 80)]
     assert len(possible) >= 5
     orbits = [solve(ORBIT, named(p), throw=False) for p in possible]

@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 import sympy as sp
 from numpy.testing import assert_allclose
-from scipy.integrate import solve_ivp
 from scipy.linalg import eigh, expm
 from scipy.optimize import brentq
 
@@ -177,57 +176,6 @@ def test_grazing_found_by_exchange_is_undecided() -> None:
 
 
 # --- what is no motion ------------------------------------------------------------------
-
-
-def first_crossing(orbit: Orbit) -> float:
-    """When x1 first rises through 1 after the impact, by an integrator; the period if never."""
-    matrix = field(orbit.values)
-
-    def stop(_: float, state: np.ndarray) -> float:
-        return float(state[0] - 1)
-
-    stop.terminal, stop.direction = True, 1  # type: ignore[attr-defined]  # SciPy reads them
-    start = [*orbit.states[0][:4], 1.0]
-    step = 1e-6
-    begin = expm(matrix * step) @ start  # away from the impact
-    if begin[0] > 1:
-        return 0.0
-    done = solve_ivp(
-        lambda _, s: matrix @ s,
-        (step, orbit.period + 1e-3),
-        begin,
-        "DOP853",
-        events=stop,
-        rtol=1e-12,
-        atol=1e-13,
-    )
-    return float(done.t_events[0][0]) if len(done.t_events[0]) else float(orbit.period)
-
-
-@pytest.mark.parametrize("period", [0.5, 3.0, 3.6, 3.8, 7.0, 7.14, 8.0, 12.0, 14.26, 14.3])
-def test_a_second_impact_or_a_penetration_is_reported_where_it_is(period: float) -> None:
-    orbit = solve(RIGID, {"T": period})
-    found, crossing = orbit.admissibility, first_crossing(orbit)
-    if crossing > period - 1e-6:
-        assert crossing == pytest.approx(period, abs=1e-8)
-        assert found.verdict is True
-        assert orbit.unknowns["u"] < 0
-        return
-    (violation,) = found.violations
-    assert found.verdict is False
-    assert (violation.phase, violation.configuration) == (0, "free")
-    assert violation.boundary == "first-reaches-stop"
-    assert crossing < violation.time < period
-    # the largest excess, by dense sampling of exponentials
-    times = np.linspace(0, period, 20001)
-    flow, states = expm(field(orbit.values) * times[1]), [np.append(orbit.states[0], 1)]
-    for _ in times[1:]:
-        states.append(flow @ states[-1])
-    beyond = np.array(states)[:, 0] - 1
-    assert violation.excess == pytest.approx(beyond.max(), abs=1e-6)
-    assert violation.excess >= beyond.max() - 1e-11
-    if orbit.unknowns["u"] > 0:
-        assert crossing == 0
 
 
 def test_both_ways_to_fail_and_both_verdicts_occur() -> None:

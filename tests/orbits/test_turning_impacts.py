@@ -66,7 +66,9 @@ def test_an_orbit_is_unstable_though_its_trace_is_small() -> None:
     largest = abs(values).max()
     assert largest > 2
     assert np.prod(values).real == pytest.approx(largest**2)
-    for found in (orbit, ns.refine(orbit, 30), orbit.problem.by_tables(orbit)):
+    tables = orbit.problem.by_tables(orbit)
+    np.testing.assert_allclose(orbit.saltations, tables.saltations, atol=1e-9)
+    for found in (orbit, ns.refine(orbit, 30), tables):
         assert found.stability.verdict == "unstable"
         assert [m.trivial for m in found.stability.multipliers] == [False, False, True]
         assert float(found.stability.margin) == pytest.approx(1 - largest)
