@@ -8,8 +8,9 @@ import mpmath
 import pytest
 
 from nonsmooth import InputError, NoConvergence, refine, solve
-from nonsmooth.runtime.core.arithmetic import exact_ball
-from nonsmooth.runtime.core.values import as_value
+from nonsmooth.runtime.core import values
+from nonsmooth.runtime.core.arithmetic import Balls, exact_ball
+from nonsmooth.runtime.core.values import as_value, parse
 from nonsmooth.runtime.model.kernels import orbit_names
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.refine import enclosed_trace
@@ -278,3 +279,29 @@ def test_threads_may_refine_to_different_digits(orbits):
         thread.join()
     assert not wrong
     assert flint.ctx.prec == before
+
+
+def test_evaluating_a_value_leaves_balls_of_other_threads_alone(monkeypatch):
+    inside, leave = threading.Event(), threading.Event()
+    evaluate = values._evaluate
+
+    def slow(*arguments):
+        inside.set()
+        leave.wait(0.1)
+        return evaluate(*arguments)
+
+    number = parse("2*pi/13")
+    monkeypatch.setattr(values, "_evaluate", slow)
+    other = threading.Thread(target=number.ball, args=(64,))
+    before = flint.ctx.prec
+    other.start()
+    try:
+        assert inside.wait(60)
+        with Balls().working(300):
+            leave.set()
+            other.join()
+            assert flint.ctx.prec == 300
+    finally:
+        leave.set()
+        other.join()
+        flint.ctx.prec = before
