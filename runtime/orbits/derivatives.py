@@ -34,12 +34,11 @@ if TYPE_CHECKING:
         BoundaryMargin,
         LocalExtreme,
         OrbitMotionDerivatives,
-        Transversality,
     )
 
 __all__ = ["OrbitDerivatives", "followed", "orbit_derivatives", "orbit_function"]
 
-_ALONG = ("dissipation", "margin", "transversality")
+_ALONG = ("dissipation", "margin")
 _GIVEN = ("period", "trace", "determinant", "spectral_radius")
 _KEPT = 64  # points whose orbits are remembered
 _SHORTEST = 1.0 / 1024  # of the way
@@ -154,11 +153,6 @@ class OrbitDerivatives:
         """How far each boundary stays away along each phase, with derivatives (q,)."""
         return self.along.margins
 
-    @property
-    def transversalities(self) -> tuple[Transversality, ...]:
-        """With which speed each phase reaches the boundary that ends it, and derivatives (q,)."""
-        return self.along.transversalities
-
     def local_extremes(self, name: str) -> tuple[LocalExtreme, ...]:
         """Local extremes of which a quantity is the largest, with derivatives (q,).
 
@@ -203,8 +197,7 @@ class OrbitDerivatives:
             motion ``maximum:STATE``, ``minimum:STATE`` and ``peak:STATE`` (of the absolute
             value) over the period; ``peak_acceleration:STATE``; ``peak_force:CONTACT``;
             ``dissipation`` through all contacts or ``dissipation:CONTACT``, what impacts take
-            included; ``margin``, the least distance from a boundary that stays away; and
-            ``transversality``, the least speed with which one is reached.
+            included; and ``margin``, the least distance from a boundary that stays away.
 
         Returns
         -------

@@ -9,20 +9,21 @@ subtracted (Al-Mohy and Higham, Numer. Algorithms 53, 2010).
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
+from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts, stepped
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.exponentials.matrices import eigenvalues
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves
-from nonsmooth.runtime.events.leading_derivative import derivatives, leading
+from nonsmooth.runtime.events.leading_derivative import derivatives, leading, square
 from nonsmooth.runtime.model.factored_flows import FactoredFlows
-from nonsmooth.runtime.model.piecewise import numbers_at, piecewise, piecewise_at, tables_at
+from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at, tables_at
 from nonsmooth.runtime.model.time_functions import functions_at
 from nonsmooth.runtime.orbits.admissible import NEITHER, kernel_limits, trigonometric_rows
 from nonsmooth.runtime.orbits.kernel_problem import has_reciprocal_pair
@@ -33,6 +34,7 @@ from nonsmooth.runtime.orbits.table_admissible import limits_at
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.shooting.closure_conditions import closed_cycle, closing
 from nonsmooth.runtime.shooting.kernel_newton import (
+    dwell_times,
     equations_at,
     judged_at,
     lasting_phases,
@@ -47,7 +49,6 @@ from nonsmooth.runtime.shooting.shooting_map import (
     Shooting,
     ShootingDerivatives,
     dependent,
-    itinerary_shape,
     numbers_in,
     shoot,
     shooting_derivatives,
@@ -58,7 +59,6 @@ from nonsmooth.runtime.simulation.trajectory import Trajectory
 __all__ = ["KernelEquations", "OrbitEquations", "equations_of", "phase_waves"]
 
 _SMALLEST = 0.05  # size of an unknown in units of what changes an equation by itself, at least
-_IMAGINARY = 1e-30  # of the parameter, in units of max(1, |it|)
 _ZERO = 1e-9  # relative size below which a derivative counts as zero
 
 
@@ -87,10 +87,6 @@ class KernelEquations:
         self._count = len(kernels.unknowns)
         self._places = [self.names.index(name) for name in self.unknowns]
         self._timed = lasting_phases(kernels)
-        self._sums = [
-            [(self.names.index(name), factor) for name, factor in table["durations"][k].items()]
-            for k in self._timed
-        ]
         self.dwell_names = tuple(kernels.dwell_times[k] for k in self._timed)
         self.phases = tuple(tuple(table["phases"][k][:2]) for k in self._timed)
         self.conservative = bool(table["conservative"])
@@ -116,11 +112,7 @@ class KernelEquations:
 
     def dwell(self, x: np.ndarray) -> np.ndarray:
         """Return the dwell times (k, p) at points (k, v): affine in them, in the unit of time."""
-        found = np.zeros((len(x), len(self._sums)))
-        for phase, terms in enumerate(self._sums):
-            for place, factor in terms:
-                found[:, phase] += factor * x[:, place]
-        return found
+        return dwell_times(self._kernels, x, self._timed)
 
     def unevenness(self, x: np.ndarray) -> list[np.ndarray]:
         """Return how far the state behind a part differs from the start (N,), at a point.
@@ -136,10 +128,7 @@ class KernelEquations:
 
         A group is given by the places (int) of its points among the points (k, v).
         """
-        return [(np.arange(len(x)), list(self._waves(x)))]
-
-    def _waves(self, x: np.ndarray) -> Iterator[PhaseWaves]:
-        """Yield the boundary functions of each phase, which are trigonometric sums."""
+        # trigonometric sums
         kernels, opened, dwell = self._kernels, self.orbit.opened, self.dwell(x)
         found = kernels.evaluate("coefficients", "frequencies", at=self._arguments(x))
         every = [
@@ -151,19 +140,16 @@ class KernelEquations:
         for boundary, row, _ in every:
             if boundary.open_parameter is not None:
                 row[:, 0] += boundary.open_coefficient * float(opened[boundary.open_parameter])
+        phases = []
         for position, phase in enumerate(self._timed):
             boundaries, rows, frequencies = zip(
                 *(each for each in every if each[0].phase == phase), strict=True
             )
             names = tuple(boundary.name for boundary in boundaries)
-            yield _phase_waves(
-                position,
-                names,
-                names.index(kernels.table["phases"][phase][1]),
-                np.stack(rows, 1),
-                frequencies[0],
-                dwell[:, position],
-            )
+            leaving = names.index(kernels.table["phases"][phase][1])
+            asked = position, names, leaving, np.stack(rows, 1), frequencies[0], dwell[:, position]
+            phases.append(_phase_waves(*asked))
+        return [(np.arange(len(x)), phases)]
 
     def conditions(self, x: np.ndarray) -> np.ndarray:
         """Return no conditions: a phase that begins where the one before it ends shows them."""
@@ -250,15 +236,12 @@ class TableEquations:
             raise InputError(f"{orbit.name} has several forcings: its branches are not followed")
         self.orbit = orbit
         self.order = 1 if symmetry is None else symmetry.order
-        system, cycle = tables.piecewise, tables.cycle
-        if orbit.precise:  # branches are followed in double precision
-            system = piecewise(orbit.problem.system, orbit.parameters)
-            cycle = itinerary_shape(system.structure, orbit.itinerary)
-        closed, self._cycle, _ = closing(system, cycle, symmetry)
+        system = tables.in_doubles  # branches are followed in double precision
+        closed, self._cycle, _ = closing(system, tables.cycle.at(system.structure), symmetry)
         count = len(self._cycle)
         dwell, start = orbit.dwell_times[:count].astype(float), orbit.states[0].astype(float)
-        self._now = shoot(self._cycle, numbers_in(closed), dwell, start, np)
         self._numbers = numbers_in(closed)
+        self._now = shoot(self._cycle, self._numbers, dwell, start, np)
         self.dwell_names = orbit.dwell_time_names[:count]
         self.phases = self._cycle.itinerary
         self.unknowns = (*self.dwell_names, *tuple(orbit.unknowns)[len(orbit.itinerary) :])
@@ -425,14 +408,8 @@ class TableEquations:
 
     def _changing(self, x: np.ndarray, place: int) -> tuple[Numbers, Numbers]:
         """Return fields, rows and resets at one point, and their derivatives by one number."""
-        tiny = _IMAGINARY * max(1.0, abs(x[place]))
-        point = x.astype(complex)
-        point[place] += 1j * tiny
-        fields, rows, resets, *_ = self._tables(point[None])
-        return (
-            Numbers(fields.real, rows.real, resets.real),
-            Numbers(fields.imag / tiny, rows.imag / tiny, resets.imag / tiny),
-        )
+        found = self._tables(stepped(x, np.eye(len(x))[place], None)[None])
+        return found.each(real_parts), found.each(lambda part: imaginary_parts(part, None))
 
     def _tables(self, x: np.ndarray) -> Numbers:
         """Return fields, rows and resets at many points, with that of the part's closure."""
@@ -505,8 +482,8 @@ class ConditionRow:
         `ends` (k, p, N) has the states at the ends of the phases.
         """
         end, field = ends[:, self.place], numbers.fields[:, self.along]
-        *_, row = derivatives(numbers.rows[..., self.row, :], field, self.order + 1, _rate)
-        return np.asarray((row[..., :-1] * end).sum(axis=-1) + row[..., -1])
+        *_, row = derivatives(numbers.rows[:, [self.row]], square(field), self.order + 1)
+        return np.asarray((row[:, 0, :-1] * end).sum(axis=-1) + row[:, 0, -1])
 
 
 @dataclass(frozen=True)
@@ -569,14 +546,9 @@ def _deciding(
         size = float(abs(function[:-1]) @ abs(end) + abs(function[-1]))
         return abs(value) > _ZERO * size
 
-    functions = derivatives(numbers.rows[row], numbers.fields[along], len(end) + 1, _rate)
+    functions = derivatives(numbers.rows[row], square(numbers.fields[along]), len(end) + 1)
     found = leading(functions, differs, int(row == own))
     return None if found is None else ConditionRow(place, row, along, found.order)
-
-
-def _rate(row: Any, field: Any) -> Any:
-    """Return the derivative of an affine function along an affine field."""
-    return (row[..., None, :-1] @ field)[..., 0, :]
 
 
 def phase_waves(

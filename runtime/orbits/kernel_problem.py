@@ -384,7 +384,7 @@ def _assessed(orbit: Orbit) -> Stability:
     def eigenvalues() -> list[Multiplier]:
         if rank == 1:
             return [Multiplier(trace, lib.zero if precise else 0.0, trivial=family)]
-        found = eigenvalues_of(_map(orbit), lib) if rank else []
+        found = eigenvalues_of(orbit.poincare_jacobian, lib) if rank else []
         return sorted(found, key=lambda m: -float(modulus(m, lib)))[:rank]
 
     # what is carried beyond the digits asked for decides too
@@ -448,9 +448,5 @@ def has_reciprocal_pair(orbit: Orbit) -> bool:
     table = orbit.kernels.table
     if table["reciprocal_pair"] or not table["conservative"] or len(table["section"]) != 3:
         return bool(table["reciprocal_pair"])
-    return reciprocal(_map(orbit), table["rank"], orbit.arithmetic.mp if orbit.precise else np)
-
-
-def _map(orbit: Orbit) -> np.ndarray:
-    matrix = orbit.evaluate("poincare_jacobian")
-    return np.array(matrix, dtype=object if orbit.precise else float)
+    lib = orbit.arithmetic.mp if orbit.precise else np
+    return reciprocal(orbit.poincare_jacobian, table["rank"], lib)

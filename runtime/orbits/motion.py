@@ -10,6 +10,7 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.registry import Shown
 from nonsmooth.runtime.core.values import real_array
+from nonsmooth.runtime.simulation.simulate import checked_count
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.orbit import Orbit
@@ -161,8 +162,7 @@ class Motion(Shown):
             For counts that are not positive integers, or far too large.
         """
         for label, count in (("points_per_period", points_per_period), ("periods", periods)):
-            if count < 1:
-                raise InputError(f"{label} = {count!r} is not a positive integer")
+            checked_count(label, count, 1)
         if points_per_period * periods > MOST_SAMPLES:
             raise InputError(f"more than {MOST_SAMPLES} points")
         times, states, phases = [], [], []

@@ -12,7 +12,6 @@ import numpy as np
 from nonsmooth.runtime.core.arguments import checked_methods
 from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts
 from nonsmooth.runtime.core.errors import InputError, unknown_name
-from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import BoundaryShape, ContactShape, Structure
 from nonsmooth.runtime.orbits.directions import Directions, MovedCycles, relative_changes
 from nonsmooth.runtime.shooting.shooting_map import Numbers
@@ -33,7 +32,6 @@ __all__ = [
     "BoundaryMargin",
     "LocalExtreme",
     "OrbitMotionDerivatives",
-    "Transversality",
 ]
 
 # what has extremes, and the signs of those that count: 1 of maxima, -1 of minima
@@ -63,15 +61,6 @@ class BoundaryMargin(NamedTuple):
     value: Any  # in the boundary's unit
     rates: np.ndarray  # (q,)
     time: Any  # since the start of the orbit
-
-
-class Transversality(NamedTuple):
-    """Speed with which a boundary is reached at the end of a phase, and its derivatives (q,)."""
-
-    phase: int
-    boundary: str
-    value: Any
-    rates: np.ndarray
 
 
 class LocalExtreme(NamedTuple):
@@ -109,9 +98,7 @@ class OrbitMotionDerivatives:
     def moved(self) -> MovedPhases:
         """The phases of one period."""
         cycles, lib, tables = self.cycles, self.cycles.lib, self.orbit.tables
-        dwell, starts, system = self.orbit.dwell_times, tables.states_up_to_shift, tables.piecewise
-        if lib is not None:
-            system = piecewise(self.orbit.system, self.orbit.parameters)
+        dwell, starts, system = self.orbit.dwell_times, tables.states_up_to_shift, tables.in_doubles
         configurations = np.array(cycles.cycle.configurations)
         ends = phase_states(system, configurations, dwell.astype(float), starts.astype(float))
         if lib is not None:
@@ -262,9 +249,9 @@ class OrbitMotionDerivatives:
             for place in places:
                 force, velocity, surface = range(3 * place, 3 * place + 3)
                 total += moments[:, force, surface] - moments[:, force, velocity]
-        for loss in _impact_losses(self.cycles):
-            if loss.contact in [every[place] for place in places]:
-                total += loss.energy
+        for contact, energy in _impact_losses(self.cycles):
+            if contact in [every[place] for place in places]:
+                total += energy
         return Differentiated(float(total[0].real), imaginary_parts(total, None), float("nan"))
 
     @cached_property
@@ -272,8 +259,7 @@ class OrbitMotionDerivatives:
         """How far each boundary stays away along each phase.
 
         For a boundary on which a phase begins or ends, it is the distance at the nearest
-        maximum inside, if there is one: a grazing to come. The speed at the end is among
-        `transversalities`.
+        maximum inside, if there is one: a grazing to come.
         """
         near = list(self._nearest())
         places = np.array([phase for phase, _, _ in near], dtype=int)
@@ -321,17 +307,6 @@ class OrbitMotionDerivatives:
         least = min(self.margins, key=lambda margin: float(margin.value))
         return Differentiated(least.value, least.rates, least.time)
 
-    @cached_property
-    def transversalities(self) -> tuple[Transversality, ...]:
-        """The speed with which each phase reaches the boundary that ends it."""
-        speeds = self.cycles.passage.speeds
-        values = self._rounded(real_parts(speeds[:, 0]))
-        rates = self._rounded(imaginary_parts(speeds, self.cycles.lib))
-        return tuple(
-            Transversality(k, self.cycles.cycle.itinerary[k][1], values[k], rates[k])
-            for k in range(len(self.cycles.cycle))
-        )
-
     def quantity(self, name: str) -> Differentiated:
         """Return a quantity by its name, of `names`; see `OrbitDerivatives.quantity`.
 
@@ -345,11 +320,6 @@ class OrbitMotionDerivatives:
             return self.dissipation(of or None)
         if kind == "margin" and not of:
             return self.margin()
-        if kind == "transversality" and not of:
-            found = min(self.transversalities, key=lambda t: float(t.value))
-            phases = self.moved.phases
-            end = phases.begins[found.phase] + phases.durations[found.phase]
-            return Differentiated(found.value, found.rates, end)
         raise unknown_name("quantity", name, self.names)
 
     @property
@@ -360,7 +330,7 @@ class OrbitMotionDerivatives:
         extremes_of = [f"{kind}:{s}" for kind in ("maximum", "minimum", "peak") for s in bounded]
         forces = [f"{kind}:{c}" for kind in ("peak_force", "dissipation") for c in contacts]
         rates = [f"peak_acceleration:{states[x]}" for x, _ in self.structure.coordinates]
-        return (*extremes_of, *rates, *forces, "dissipation", "margin", "transversality")
+        return (*extremes_of, *rates, *forces, "dissipation", "margin")
 
     @property
     def _shifted(self) -> set[str]:
@@ -391,16 +361,10 @@ class OrbitMotionDerivatives:
         return np.asarray(np.frompyfunc(self.orbit.arithmetic.mp.mpf, 1, 1)(values))
 
 
-class _ImpactLoss(NamedTuple):
-    """The energy that one impact takes."""
+def _impact_losses(cycles: MovedCycles) -> Iterator[tuple[ContactShape, np.ndarray]]:
+    """Yield the contact of each impact of an orbit and the energy (q,) that it takes, in doubles.
 
-    phase: int  # the one that the impact ends
-    contact: ContactShape
-    energy: np.ndarray  # (q,), with a step in each of q directions
-
-
-def _impact_losses(cycles: MovedCycles) -> Iterator[_ImpactLoss]:
-    """Yield the energy that each impact of an orbit takes from it, in double precision.
+    Each of q directions has a step.
 
     An impulse J at a contact changes its relative velocity from w- to w+ = w- + J / m and takes
     the energy m (w-^2 - w+^2) / 2. A system's tables know accelerations, not masses: the
@@ -451,7 +415,7 @@ def _impact_losses(cycles: MovedCycles) -> Iterator[_ImpactLoss]:
             np.einsum("qi,qi->q", relative[:, :-1], state) + relative[:, -1]
             for state in (front, behind)
         ]
-        yield _ImpactLoss(phase, contact, mass * (speeds[0] ** 2 - speeds[1] ** 2) / 2)
+        yield contact, mass * (speeds[0] ** 2 - speeds[1] ** 2) / 2
 
 
 def _proportional(row: np.ndarray, other: np.ndarray) -> bool:

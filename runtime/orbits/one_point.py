@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import product
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -30,9 +30,6 @@ from nonsmooth.runtime.orbits.table_solve import (
 from nonsmooth.runtime.shooting.kernel_newton import Full, judged_at, solve_full, solve_reduced
 from nonsmooth.runtime.shooting.newton import CONVERGED, OUTSIDE, sure_digits
 from nonsmooth.runtime.simulation.recurrence import Recurrence
-
-if TYPE_CHECKING:
-    pass
 
 __all__ = ["Itinerary", "guess_along", "search", "solve_kernels"]
 

@@ -427,6 +427,10 @@ class Orbit(Kept):
         """
         return registered("plot_motion")(self, kind, axes, **options)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the orbit as its file keeps it; `InputError` if it has not converged."""
+        return registered("orbit_in"), (registered("orbit_content")(self),)
+
     def _repr_latex_(self) -> str:
         text: str = registered("orbit_latex")(self)
         return text

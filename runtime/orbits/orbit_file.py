@@ -21,13 +21,13 @@ from nonsmooth.runtime.core.json_codec import BlankText, Codec, Several
 from nonsmooth.runtime.core.result_files import FileFormat, naming
 from nonsmooth.runtime.core.values import Value, decimal_string
 from nonsmooth.runtime.model.completion import check_relations, follow
-from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, load_orbit
+from nonsmooth.runtime.model.kernels import SystemKernels, load_orbit
 from nonsmooth.runtime.model.parameters import in_domain, system_parameters
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.saved_system import SAVED_VERSION, SavedSystem, named, system_in
 from nonsmooth.runtime.orbits.kernel_problem import KernelProblem, kernel_problem
 from nonsmooth.runtime.orbits.orbit import DOUBLE, PERIOD, Orbit
-from nonsmooth.runtime.orbits.problem import OrbitProblem, orbit_of
+from nonsmooth.runtime.orbits.problem import OrbitProblem
 from nonsmooth.runtime.orbits.refine import MOST_DIGITS
 from nonsmooth.runtime.orbits.table_solve import with_routes_at
 from nonsmooth.runtime.shooting.newton import CONVERGED
@@ -66,21 +66,17 @@ class ProblemEntries:
 
 
 def _problem_entries(problem: OrbitProblem) -> ProblemEntries:
-    own, label = "", ""
-    itinerary: tuple[tuple[str, str], ...] = ()
-    names: tuple[str, ...] = ()
-    if isinstance(problem, KernelProblem):
-        own = problem.kernels.orbit
-    else:
-        label, itinerary, names = problem.label or "", problem.itinerary, problem.names
+    derived = isinstance(problem, KernelProblem)
+    own = problem.kernels.orbit if problem.kernels else ""
+    label = "" if derived else problem.label or ""
     system, held, saved = named(problem.system, own or label)
     return ProblemEntries(
         system=system,
         tables=saved,
         orbit=own,
         label=held if label else None,
-        itinerary=itinerary,
-        names=names,
+        itinerary=() if derived else problem.itinerary,
+        names=() if derived else problem.names,
     )
 
 
@@ -203,11 +199,25 @@ def _orbit(entries: OrbitEntries) -> Orbit:
     that are there.
     """
     _check_counts(entries)
-    problem, bits = entries.problem, None if entries.arithmetic == "double" else entries.bits
-    if isinstance(problem, KernelProblem):
-        orbit = _by_kernels(entries, problem, bits)
+    bits = None if entries.arithmetic == "double" else entries.bits
+    orbit = Orbit(
+        entries.problem,
+        entries.given,
+        {name: _number(name, text, bits) for name, text in entries.unknowns.items()},
+        entries.opened,
+        _number("residual", entries.residual, bits),
+        entries.digits,
+        entries.iterations,
+        entries.status,
+    )
+    if isinstance(orbit.problem, KernelProblem):
+        if entries.starts or entries.symmetry:
+            raise InputError("it has numbers that only an orbit by tables has")
+        _check_names(orbit)
+        _check_domains(orbit)
     else:
-        orbit = _by_tables(entries, problem, bits)
+        starts = [[_number("starts", text, bits) for text in row] for row in entries.starts]
+        orbit = _by_tables(orbit, starts, entries.symmetry)
     here = _derivation(orbit.system)
     check_solves(orbit, f" (its derivation {entries.derivation}, here {here})")
     return orbit
@@ -234,58 +244,41 @@ def _derivation(kernels: SystemKernels) -> str:
     return str(kernels.module.DERIVATION)
 
 
-def _by_kernels(entries: OrbitEntries, problem: KernelProblem, bits: int | None) -> Orbit:
-    """The orbit of entries by the kernels of its equations, in so many bits or in doubles."""
-    if entries.starts or entries.symmetry:
-        raise InputError("it has numbers that only an orbit by tables has")
-    _check_names(entries, problem.kernels)
-    orbit = Orbit(
-        problem,
-        entries.given,
-        {name: _number(name, text, bits) for name, text in entries.unknowns.items()},
-        entries.opened,
-        _number("residual", entries.residual, bits),
-        entries.digits,
-        entries.iterations,
-        entries.status,
-    )
-    _check_domains(orbit)
-    return orbit
+def _by_tables(
+    orbit: Orbit, later: list[list[Any]], symmetry: tuple[tuple[float, ...], ...]
+) -> Orbit:
+    """The same orbit by the tables of its system, of whose phases all but the first start `later`.
 
-
-def _by_tables(entries: OrbitEntries, problem: OrbitProblem, bits: int | None) -> Orbit:
-    """The orbit of entries by the tables of its system, in so many bits or in doubles."""
-    kernels, itinerary, given = problem.system, problem.itinerary, dict(entries.given)
-    period = given.pop(PERIOD, None)
-    parameters = system_parameters(kernels, given)
-    if entries.opened:
+    The `symmetry` closes a part of it; it is empty where there is none.
+    """
+    problem, given, names = orbit.problem, dict(orbit.given), orbit.problem.unknown_names
+    period = {PERIOD: given.pop(PERIOD)} if PERIOD in given else {}
+    parameters = system_parameters(problem.system, given)
+    if orbit.opened:
         raise InputError("it has numbers that no orbit by tables has")
-    names, count, size = problem.unknown_names, len(itinerary), len(problem.state_names)
-    if len({*names}) != count + size or entries.unknowns.keys() != {*names}:
+    count, size = len(problem.itinerary), len(problem.state_names)
+    if len({*names}) != count + size or orbit.unknowns.keys() != {*names}:
         raise InputError(f"its unknowns are not those of {count} phases and {size} states")
-    numbers = [_number(name, entries.unknowns[name], bits) for name in names]
-    later = [[_number("starts", text, bits) for text in row] for row in entries.starts]
     if len(later) != count - 1 or any(len(row) != size for row in later):
         raise InputError("'starts' are not those of its phases")
-    dwell, states = numbers[:count], [numbers[count:], *later]
-    point = piecewise(kernels, parameters)
-    symmetry = symmetry_of(point, entries.symmetry) if entries.symmetry else None
-    kernels = with_routes_at(kernels, point, itinerary, np.array(dwell), np.array(states))
-    kind = float if bits is None else object
-    orbit = orbit_of(
-        replace(problem, system=kernels, symmetry=symmetry),
-        parameters,
-        period,
-        np.array(dwell, dtype=kind),
-        np.array(states, dtype=kind),
-        _number("residual", entries.residual, bits),
-        entries.digits,
-        entries.iterations,
-        entries.status,
-    )
-    if symmetry is not None and count % symmetry.order:
+    unknowns = {name: orbit.unknowns[name] for name in names}
+    states = np.array([[*unknowns.values()][count:], *later])
+    point = piecewise(problem.system, parameters)
+    mirror = symmetry_of(point, symmetry) if symmetry else None
+    if mirror is not None and count % mirror.order:
         raise InputError("its phases are no multiple of those that the symmetry closes")
-    return orbit
+    routes = problem.itinerary, np.array([*unknowns.values()][:count]), states
+    return replace(
+        orbit,
+        problem=replace(
+            problem,
+            system=with_routes_at(problem.system, point, *routes),
+            symmetry=mirror,
+        ),
+        given={**parameters, **period},
+        unknowns=unknowns,
+        starts=states,
+    )
 
 
 def _check_counts(entries: OrbitEntries) -> None:
@@ -303,16 +296,17 @@ def _check_counts(entries: OrbitEntries) -> None:
             raise InputError(f"{name} is {count}, which no saved orbit has")
 
 
-def _check_names(entries: OrbitEntries, kernels: OrbitKernels) -> None:
+def _check_names(orbit: Orbit) -> None:
+    kernels = orbit.kernels
     known = sorted([*kernels.parameter_names, *kernels.unknowns])
-    found = sorted([*entries.given, *entries.unknowns])
+    found = sorted([*orbit.given, *orbit.unknowns])
     fixed = {*kernels.parameter_names, *kernels.required, *kernels.solved_for}
     opened = [name for name in kernels.tables if name not in fixed]
-    if found != known or len(entries.unknowns) != len(kernels.unknowns):
+    if found != known or len(orbit.unknowns) != len(kernels.unknowns):
         raise InputError(
             f"{kernels.name} has {', '.join(known)}, the file has {', '.join(found) or 'nothing'}"
         )
-    for name in entries.opened:
+    for name in orbit.opened:
         if name not in opened:
             raise unknown_name("open parameter", name, opened)
 

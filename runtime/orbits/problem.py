@@ -310,7 +310,7 @@ class Evaluation:
         return translations_of(self.piecewise)
 
     @cached_property
-    def _in_doubles(self) -> PiecewiseLinear:
+    def in_doubles(self) -> PiecewiseLinear:
         """The system at these parameters, in double precision."""
         if self.orbit.precise:
             return piecewise(self.orbit.system, self.orbit.parameters)
@@ -415,11 +415,8 @@ class Evaluation:
     def admissibility(self) -> Admissibility:
         """Whether the orbit is a motion of the real system."""
         self._check_found()
-        system = self._in_doubles
-        cycle = self.cycle.at(system.structure)
         dwell, start = self.orbit.dwell_times.astype(float), self.states[0].astype(float)
-        now = shoot(cycle, numbers_in(system), dwell, start, np)
-        return assess_cycle(cycle, system, now, dwell)
+        return assess_cycle(self.cycle, self.in_doubles, dwell, start)
 
     def trajectory(self, periods: int) -> Trajectory:
         """Return the motion along the orbit over some periods, by the system's tables.
@@ -428,7 +425,7 @@ class Evaluation:
         """
         self._check_found()
         return motion_along(
-            self._in_doubles,
+            self.in_doubles,
             self.cycle,
             self.orbit.dwell_times.astype(float),
             self.states.astype(float),
@@ -488,31 +485,20 @@ def motion_along(
     phases, and the shift (N,) by which a period moves the state. One phase without a
     transition is not cut.
     """
-    if cycle.uninterrupted:
-        run = Run(
-            np.zeros(1),
-            np.array(cycle.configurations[:1], dtype=np.int32),
-            starts[:1],
-            starts[:1],
-            np.zeros(1, dtype=mask_type(cycle.structure)),
-            (),
-            Status.UNTIL,
-            float(periods * dwell.sum()),
-        )
-        return Trajectory(system, run)
+    count = 0 if cycle.uninterrupted else periods
     masks = [mask_of(t.boundaries) for t in cycle.transitions]
-    moved = np.repeat(np.arange(periods), len(dwell))[:, None] * shift
-    behind = np.tile(np.concatenate([starts[1:], starts[:1] + shift]), (periods, 1)) + moved
-    times = np.cumsum(np.tile(dwell, periods))
-    following = np.tile(np.roll(cycle.configurations, -1), periods)
+    moved = np.repeat(np.arange(count), len(dwell))[:, None] * shift
+    behind = np.tile(np.concatenate([starts[1:], starts[:1] + shift]), (count, 1)) + moved
+    times = np.cumsum(np.tile(dwell, count))
+    following = np.tile(np.roll(cycle.configurations, -1), count)
     run = Run(
         np.concatenate([[0.0], times]),
         np.concatenate([cycle.configurations[:1], following]).astype(np.int32),
-        np.concatenate([starts[:1], np.tile(ends, (periods, 1)) + moved]),
+        np.concatenate([starts[:1], np.tile(ends, (count, 1)) + moved]),
         np.concatenate([starts[:1], behind]),
-        np.array([0, *masks * periods], dtype=mask_type(cycle.structure)),
+        np.array([0, *masks * count], dtype=mask_type(cycle.structure)),
         (),
-        Status.TRANSITIONS,
-        float(times[-1]),
+        Status.TRANSITIONS if count else Status.UNTIL,
+        float(times[-1] if count else periods * dwell.sum()),
     )
     return Trajectory(system, run)

@@ -81,12 +81,12 @@ def refine(orbit: Orbit, digits: int, *, arithmetic: str = "flint") -> Orbit:
     >>> orbit.residual < 1e-39
     True
     """
+    if arithmetic == "both":
+        return refine_both(orbit, digits).by_balls
     check_digits(digits)
     check_converged(orbit, "refined")
     if arithmetic not in ARITHMETICS:
         raise InputError(f"arithmetic is {arithmetic!r}, none of {', '.join(ARITHMETICS)}")
-    if arithmetic == "both":
-        return refine_both(orbit, digits).by_balls
     return orbit.problem.refined(orbit, digits, arithmetic)
 
 

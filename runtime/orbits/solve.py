@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
-from numbers import Integral
 from typing import TYPE_CHECKING, Any, cast, overload
 
 import numpy as np
@@ -39,6 +38,7 @@ from nonsmooth.runtime.orbits.table_solve import (
     solve_declared,
     solve_itinerary,
 )
+from nonsmooth.runtime.simulation.simulate import checked_count
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.core.values import Number, Numbers
@@ -483,7 +483,7 @@ def _solve_many(
     counts = {"chunk": CHUNK if chunk is None else chunk, "threads": options["threads"]}
     for name, count in counts.items():
         if count is not None:
-            _check_positive(name, count)
+            checked_count(name, count, 1)
     if itinerary is not None:
         system, period = kernels_of(orbit), period_in((), given)
         phases, dwell, start = guess_along(system, itinerary, guess)
@@ -510,8 +510,3 @@ def _named_points(
     values = {**known.table["reference"]["parameters"], **values}
     parameter_points(known.system, values)
     return points_of(known, (), declared_kernels(known)), values
-
-
-def _check_positive(name: str, number: object) -> None:
-    if isinstance(number, bool) or not isinstance(number, Integral) or int(number) < 1:
-        raise InputError(f"{name} = {number} is not a positive integer")

@@ -60,16 +60,17 @@ _LONGER = 1.5  # than a dwell time nothing is looked for
 
 
 def assess_cycle(
-    cycle: ItineraryShape, system: PiecewiseLinear, now: Shooting, dwell: np.ndarray
+    cycle: ItineraryShape, system: PiecewiseLinear, dwell: np.ndarray, start: np.ndarray
 ) -> Admissibility:
     """Check all boundaries along all phases of an orbit by tables, and all transitions.
 
-    `now` is the cycle at the orbit, `dwell` (p,) is in the unit of time. A transition
-    that the conditions refuse is a violation of its boundary at the end of its phase,
+    `dwell` (p,) is in the unit of time, `start` (N,) the state where the first phase begins. A
+    transition that the conditions refuse is a violation of its boundary at the end of its phase,
     with the excess 0. `InputError` is raised for a phase longer than the guarantee of the
     search reaches.
     """
-    numbers = numbers_in(system)
+    cycle, numbers = cycle.at(system.structure), numbers_in(system)
+    now = shoot(cycle, numbers, dwell, start, np)
     behind = projection_along(translations_of(system)) @ now.starts[-1]
     now = now._replace(starts=np.concatenate([now.starts[:-1], behind[None]]))
     begins = np.concatenate([[0.0], np.cumsum(dwell)])
@@ -334,13 +335,11 @@ def _guaranteed(
     start: np.ndarray,
 ) -> int:
     """Return the limit of one orbit, by the guaranteed test of its boundary functions."""
-    here = piecewise_at(system, point, cycle.configurations)
-    cycle = cycle.at(here.structure)
-    now = shoot(cycle, numbers_in(here), dwell, start, np)
     if not (dwell > 0).all():
         return UNTOLD
+    here = piecewise_at(system, point, cycle.configurations)
     try:
-        verdict = assess_cycle(cycle, here, now, dwell)
+        verdict = assess_cycle(cycle, here, dwell, start)
     except InputError:
         return UNTOLD
     if not verdict.violations:

@@ -9,7 +9,6 @@ from numpy.testing import assert_allclose
 
 from nonsmooth import InputError, refine, solve
 from nonsmooth.runtime.model.kernels import backend
-from nonsmooth.runtime.orbits.equations import equations_of
 from tests.declared import Declared, single
 
 ORBIT = "dry-friction/global-stick"
@@ -132,15 +131,6 @@ def test_given_forces_decide_the_static_as_the_sliding_ones(binding, shift):
                 assert max(v.excess for v in violations) == pytest.approx(2e-6, rel=1e-3)
 
 
-def test_both_forces_are_judged(binding):
-    orbit, us, other = binding[0]
-    bounds = required(orbit)
-    for low in ({us: 1e-6}, {us: 1e-6, other: bounds[other] + 1}):
-        found = with_forces(orbit, low).admissibility
-        assert found.verdict is False
-        assert found.requires == ()
-
-
 def test_one_given_force_leaves_the_other_open(binding):
     for orbit, us, other in binding:
         complete = required(orbit)
@@ -232,18 +222,11 @@ def test_the_violation_is_real_and_shorter_than_1e_6(grazing):
     assert excess[0] < 0 > excess[-1]
 
 
-def test_the_guaranteed_search_finds_it(grazing):
-    before, orbit = grazing
-    (violation,) = orbit.admissibility.violations
+def test_the_guaranteed_search_and_the_batch_find_it_and_name_it(grazing):
+    before, (violation,) = grazing[0].admissibility, grazing[1].admissibility.violations
+    assert before.verdict == "conditional"
     assert (violation.phase, violation.boundary) == KEY
     assert 0 < violation.excess < 2e-11
-    assert before.admissibility.verdict == "conditional"
-
-
-def test_the_batch_finds_it_and_names_it(grazing):
-    equations = equations_of(grazing[0])
-    points = np.array([[o.values[n] for n in equations.names] for o in grazing])
-    assert equations.admissible(points).tolist() == [True, False]
     many = solve(ORBIT, {n: [o.values[n] for o in grazing] for n in PARAMETERS})
     assert_allclose(many.unknowns["tau1"], [o.unknowns["tau1"] for o in grazing], rtol=1e-9)
     # the last digits of a solution decide on the side without a violation

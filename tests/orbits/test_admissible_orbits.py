@@ -1,7 +1,7 @@
 """Admissibility of every orbit, against boundaries sampled along matrix exponentials."""
 
 from dataclasses import replace
-from itertools import chain, islice
+from itertools import chain, islice, product
 
 import mpmath
 import numpy as np
@@ -12,7 +12,6 @@ from nonsmooth import refine, solve
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.kernels import backend, load_orbit, orbit_names
 from nonsmooth.runtime.orbits.equations import equations_of
-from nonsmooth.runtime.orbits.one_point import search
 from tests.declared import RANGES, Declared, random_points, single
 
 RIGID, ELASTIC = "rigid-stop/one-impact", "elastic-stop/one-contact"
@@ -64,11 +63,11 @@ def maxima(orbit):
 
 
 def roots(orbit, most):
-    """All solutions of its equations that are found and no longer, admissible or not."""
-    kernels = orbit.kernels
-    for root in search(kernels, np.array([orbit.values[n] for n in kernels.parameter_names])):
-        found = replace(orbit, unknowns=dict(zip(kernels.unknowns, root.tolist(), strict=True)))
-        if found.period < most:
+    """Solutions from other starts that are no longer, admissible or not."""
+    data = {n: orbit.values[n] for n in orbit.kernels.parameter_names}
+    for tau, tau1 in product(np.linspace(1, 13, 7), repeat=2):
+        found = solve(STICK, data, {"tau": tau, "tau1": tau1}, throw=False)
+        if found.converged and found.period < most:
             yield found
 
 
@@ -177,9 +176,6 @@ def test_a_penetration_of_a_stiff_stop_is_seen():
     (violation,) = (v for v in orbit.admissibility.violations if v.phase == 0)
     assert violation.excess == pytest.approx(orbit.unknowns["u"] / 1e6, rel=1e-3)
     assert violation.time == pytest.approx(1.5 * half, rel=1e-2)
-    equations = equations_of(plain)
-    points = np.array([[o.values[n] for n in equations.names] for o in (plain, orbit)])
-    assert equations.admissible(points).tolist() == [True, False]
 
 
 def test_a_slow_penetration_is_seen_whatever_the_mass():
@@ -207,21 +203,6 @@ def test_a_penetration_too_shallow_to_be_seen_is_one():
             assert violation.boundary == "first-reaches-stop"
             assert violation.excess >= 0
             assert 0 <= violation.time < period
-
-
-@every_orbit
-def test_where_a_phase_begins_on_a_boundary(name):
-    """Of the table: there a boundary's function is zero, at any orbit and near it."""
-    kernels = load_orbit(name)
-    for orbit in found_at(name, random_points(name, 44, 12)):
-        steps = Declared(orbit).steps
-        for boundary in kernels.boundaries:
-            piece, start, _ = steps[boundary.phase]
-            value = (piece.boundaries[boundary.name] @ start).item()
-            if boundary.begins:
-                assert value == pytest.approx(0, abs=1e-10)
-            elif np.isfinite(value):
-                assert abs(value) > 1e-4 or name == "dry-friction/solution-ii"
 
 
 @pytest.mark.parametrize("name", [RIGID, ELASTIC])

@@ -18,6 +18,7 @@ SYMMETRIC = [("slip-slip", "second-reaches-belt"), ("slip-stick", "second-breaks
 SYMMETRIC_GUESS = [2.65, 2.24]
 CONTACT = [("contact", "first-leaves-stop"), ("free", "first-reaches-stop")]
 IMPACT = [("free", "first-reaches-stop")]
+MANY = STICKING | {"V": [1.0, 1.01]}
 TRACE = -0.980114981284158715
 
 
@@ -149,11 +150,13 @@ def test_what_is_lost_at_the_very_last_step_is_said_to_be_lost():
 
 
 def itineraries():
-    """Orbits by tables, with what is varied: two stick, one is shifted, one turns on."""
+    """Orbits by tables, with what is varied: two stick, one turns on, one is symmetric."""
     sled = settled_orbit(SLED, PULLED, [0, 1, 0, 0.4])
     gear = solve(f"{GALLERY}/backlash_gear.py:rattle")
     varied = {"eta": np.linspace(0.95, 1.05, 3)[:, None], "V": [0.98, 1.02]}
-    return [(stick(), varied), (sled, {"V": [0.5, 0.51]}), (gear, {"c": [0.0998, 0.1, 0.1002]})]
+    turning = solve(f"{GALLERY}/two_stops.py:symmetric"), {"r": [0.79, 0.8]}
+    shifted = (sled, {"V": [0.5, 0.51]}), (gear, {"c": [0.0998, 0.1, 0.1002]})
+    return [(stick(), varied), *shifted, turning]
 
 
 @pytest.mark.compiled  # two of its orbits are found by simulation
@@ -283,12 +286,6 @@ def test_a_period_that_no_orbit_has():
         _ = orbit.admissibility
 
 
-def test_a_phase_that_takes_no_time():
-    orbit = solve("dry-friction", STICKING, [0.1] * 4, itinerary=PHASES, digits=40, throw=False)
-    assert "dwell time goes to zero" in orbit.message
-    assert not orbit.precise
-
-
 @pytest.mark.parametrize(
     ("changes", "match"),
     [
@@ -315,6 +312,13 @@ def test_a_phase_that_takes_no_time():
         ({"given": {"period": -1}}, "period"),
         ({"given": {"tau1": 1}}, "exchanged"),
         ({"unknown": ["V"]}, "exchanged"),
+        ({"parameters": MANY | {"eta": [1, 2, 3]}}, "broadcast"),
+        ({"parameters": MANY | {"W": [1, 2]}}, "unknown parameter"),
+        ({"parameters": STICKING | {"V": ["a"]}}, "V"),
+        ({"parameters": {"V": [1.0]}}, "needs a value"),
+        ({"parameters": MANY, "guess": np.ones((3, 4))}, "broadcast"),
+        ({"parameters": MANY, "threads": 0}, "threads"),
+        ({"parameters": MANY, "given": {"period": -1.0}}, "period"),
     ],
 )
 def test_bad_input(changes, match):
@@ -326,29 +330,6 @@ def test_bad_input(changes, match):
     }
     with pytest.raises(InputError, match=match):
         solve(**(arguments | changes))
-
-
-@pytest.mark.parametrize(
-    ("changes", "match"),
-    [
-        ({"parameters": STICKING | {"V": [1, 2], "eta": [1, 2, 3]}}, "broadcast"),
-        ({"parameters": STICKING | {"W": [1, 2]}}, "unknown parameter"),
-        ({"parameters": STICKING | {"V": ["a"]}}, "V"),
-        ({"parameters": {}}, "needs a value"),
-        ({"guess": np.ones((3, 4))}, "broadcast"),
-        ({"threads": 0}, "threads"),
-        ({"given": {"period": -1.0}}, "period"),
-    ],
-)
-def test_bad_input_of_many(changes, match):
-    arguments = {
-        "orbit": "dry-friction",
-        "parameters": STICKING | {"V": [1.0, 1.01]},
-        "itinerary": PHASES,
-        "guess": STICK_GUESS,
-    }
-    with pytest.raises(InputError, match=match):
-        solve(**arguments | changes)
 
 
 @pytest.mark.compiled

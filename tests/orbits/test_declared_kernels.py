@@ -20,7 +20,6 @@ from nonsmooth.runtime.model.loading import background
 from nonsmooth.runtime.model.loading.caching import cache_folder
 from nonsmooth.runtime.model.loading.load import load_path, many_points_key
 from nonsmooth.runtime.orbits.solve import declared_kernels
-from nonsmooth.runtime.shooting.multipliers import margins
 from tests.places import GALLERY
 
 pytestmark = pytest.mark.skipif(background.lacking() is not None, reason=str(background.lacking()))
@@ -276,15 +275,3 @@ def test_a_chart_keeps_the_kernels_that_it_began_with(
         assert again[name].values.tobytes() == before[name].values.tobytes(), name
         assert_allclose(other[name].values, before[name].values, rtol=1e-9, atol=1e-9)
     assert sorted(other) == sorted(before)
-
-
-def test_margins_of_many_maps() -> None:
-    matrices = np.random.default_rng(2).normal(size=(500, 2, 2))
-    matrices[:3] = [[0, -1], [1, 0]], [[1, 1], [0, 1]], [[0, 0], [0, 0]]
-    largest = np.abs(np.linalg.eigvals(matrices)).max(axis=-1)
-    found = margins(matrices, np.trace(matrices, axis1=1, axis2=2), 2, family=False)
-    assert_allclose(found, 1 - largest, rtol=1e-12, atol=1e-12)
-    three = np.random.default_rng(3).normal(size=(4, 3, 3))
-    largest = np.abs(np.linalg.eigvals(three)).max(axis=-1)
-    found = margins(three, np.trace(three, axis1=1, axis2=2), 3, family=False)
-    assert_array_equal(found, 1 - largest)

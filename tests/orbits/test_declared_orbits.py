@@ -1,6 +1,7 @@
 """Orbits that are declared by their phases: solved, reported, saved and drawn as all others."""
 
 import json
+import pickle
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -16,9 +17,7 @@ from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.orbits import solve as solving
 from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.certified import edited
-from tests.cli.test_cli import run
 from tests.handmade import DATA, MIRROR, declared, two_stops
-from tests.pictures import figure_of_saved
 
 NAME = declared().name  # two-stops and left-right
 STIFF = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "k3": 1}
@@ -54,13 +53,6 @@ def test_solve_composes() -> None:
     assert found.unknowns["x0"] == pytest.approx(-0.5, abs=1e-13)
     assert found.stability.verdict == "stable"
     assert {name: value.text for name, value in found.given.items()} == DATA
-
-
-def test_refine_gives_true_digits() -> None:
-    fine, finer = orbit(30), orbit(50)
-    for name, value in fine.unknowns.items():
-        assert abs(value - finer.unknowns[name]) < 1e-30
-        assert abs(float(value) - orbit().unknowns[name]) <= 10.0 ** -orbit().digits
 
 
 def test_another_point_is_followed_from_the_reference() -> None:
@@ -139,50 +131,6 @@ def test_no_orbit() -> None:
 # --- commands
 
 
-def test_json_of_solve_and_verify() -> None:
-    code, out, _ = run("verify", NAME, "--digits", "30", "--json")
-    told = json.loads(out)
-    assert code == 0
-    assert told["orbit"] == NAME
-    assert told["digits"] == 30
-    assert list(told["unknowns"]) == ["ta", "tb", "x0", "v0", "c0", "s0"]
-    assert list(told["parameters"]) == list(DATA)
-    fine = orbit(50)
-    for name, text in told["unknowns"].items():
-        assert abs(fine.arithmetic.mp.mpf(text) - fine.unknowns[name]) < 1e-30
-    assert abs(fine.arithmetic.mp.mpf(told["trace"]) - fine.trace) < 1e-28
-    assert told["stability"] == "stable"
-    assert told["admissible"] is True
-    assert [m["trivial"] for m in told["multipliers"]] == [False, False]
-    assert told["phases"][1] == {
-        "configuration": "free",
-        "boundary": "reaches-left",
-        "dwell_time": "tb",
-    }
-    others = json.loads(run("solve", "rigid-stop/one-impact", "--json")[1])
-    assert set(others) <= {*told, "violations", "requires"}
-
-
-def test_the_shown_report() -> None:
-    code, out, _ = run("solve", NAME, "zeta=1/20")
-    assert code == 0
-    lines = [" ".join(line.split()) for line in out.splitlines()]
-    assert lines[0] == f"{NAME.replace(':', '/')}, 15 digits"
-    assert "zeta 1/20" in lines
-    assert "Omega 1.7 default" in lines
-    assert any(line.startswith("ta 1.8479956785822313") for line in lines)
-    assert "admissible: yes" in out
-
-
-def test_require_and_exit_codes() -> None:
-    assert run("solve", NAME, "--require", "stable", "--require", "admissible")[0] == 0
-    code, _, err = run("solve", NAME, "Omega=1.5", "--require", "stable")
-    assert code == 3
-    assert "required: stable; found: unstable" in err
-    assert run("solve", NAME, "F=0.001")[0] == 1
-    assert run("solve", NAME, "--unknown", "Omega", "--given", "ta=1")[0] == 2
-
-
 def test_notebooks_and_names() -> None:
     text = orbit()._repr_html_()
     assert shown_name(NAME) in text
@@ -230,6 +178,8 @@ def test_every_digit_comes_back(make: Any, tmp_path: Path) -> None:
     }
     assert (found.symmetry is None) == (given.symmetry is None)
     assert found.stability.verdict == given.stability.verdict
+    again = pickle.loads(pickle.dumps(given))
+    assert again.to_json() == found.to_json()
     second = tmp_path / "second.json"
     found.save(second)
     assert second.read_bytes() == path.read_bytes()
@@ -285,33 +235,3 @@ def test_what_has_not_converged_is_not_saved(tmp_path: Path) -> None:
 
 
 # --- pictures
-
-
-def test_what_is_drawn() -> None:
-    pytest.importorskip("matplotlib")
-    from matplotlib.figure import Figure
-
-    axes = Figure().subplots()
-    orbit().plot("time", axes, periods=2)
-    (line,) = [line for line in axes.lines if line.get_label() == "$x$"]
-    times, positions = line.get_data()
-    assert times[-1] == pytest.approx(2 * orbit().period)
-    motion = orbit().trajectory(2)
-    np.testing.assert_allclose(positions, motion(np.minimum(times, motion.end))[:, 0], atol=1e-9)
-    assert "$d$" in {text.get_text() for text in axes.texts}
-    portrait = figure_of_saved(orbit(), "phase").axes[0]
-    labels = {line.get_label() for line in portrait.lines}
-    assert "($x$, $x'$)" in labels
-    assert "start" not in labels
-    assert len(figure_of_saved(orbit(), "all").axes) == 5
-    circle = figure_of_saved(orbit(), "multipliers").axes[0]
-    (first, *_) = [line for line in circle.lines if "mu_{1}" in str(line.get_label())]
-    assert complex(*(float(part[0]) for part in first.get_data())) == pytest.approx(
-        complex(orbit().multipliers[0])
-    )
-    with pytest.raises(InputError, match="kind"):
-        orbit().plot("map")
-    with pytest.raises(InputError, match="5 Axes"):
-        orbit().plot("all", axes)
-    with pytest.raises(InputError, match="periods"):
-        orbit().plot("time", axes, periods=0)

@@ -227,12 +227,12 @@ def test_margins_tell_of_the_next_grazing():
 @pytest.mark.parametrize(
     "name",
     [
-        *KERNELS[:2],
+        *KERNELS,
         pytest.param(DECLARED[0], marks=pytest.mark.slow),  # its kernels are compiled first
         *DECLARED[4:],
     ],
 )
-def test_many_orbits_have_the_derivatives_of_each(name):
+def test_many_orbits_have_the_derivatives_of_each(name, backend):
     orbit = ns.solve(name)
     by = tuple(orbit.given)
     values = {name: float(value) for name, value in orbit.given.items()}

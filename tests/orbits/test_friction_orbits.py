@@ -45,45 +45,6 @@ def test_the_printed_times_hold_to_two_per_mille() -> None:
         assert orbit.unknowns[name] != pytest.approx(printed, abs=4e-4)
 
 
-def test_the_paper_data_allow_it() -> None:
-    given = {"us1": "0.0127", "ur1": "0.0255", "us2": "0.5", "ur2": "1"}
-    orbit = solve(SYMMETRIC, given)
-    assert orbit.admissibility.verdict is True
-    assert orbit.unknowns == solve(SYMMETRIC).unknowns
-
-
-def test_the_motion_is_its_own_reversal() -> None:
-    """z is odd and z' even in time about the middle of either phase: both portraits mirror."""
-    for orbit in symmetric_orbits():
-        motion, (first, second) = orbit.motion(), orbit.dwell_times
-        for middle in (first / 2, first + second / 2):
-            for shift in np.linspace(0, orbit.period, 23):
-                after, before = motion(middle + shift), motion(middle - shift)
-                assert_allclose(after[:2], -before[:2], atol=1e-10)
-                assert_allclose(after[2:], before[2:], atol=1e-10)
-
-
-def scaled_condition(matrix: np.ndarray) -> float:
-    scaled = matrix / abs(matrix).max(axis=1, keepdims=True)
-    return float(np.linalg.cond(scaled / abs(scaled).max(axis=0, keepdims=True)))
-
-
-def test_the_printed_rules_are_singular_and_ours_are_not() -> None:
-    """Z(tau) = (-z0, z0') are four conditions, of which a reversible motion makes two."""
-    for orbit in symmetric_orbits():
-        declared = Declared(orbit)
-        piece, start, end = declared.steps[0]
-        reversal = np.diag([-1.0, -1, 1, 1])
-        assert_allclose(end[:4, 0], reversal @ start[:4, 0], atol=1e-10)
-        moved = piece.flow(piece.dwell)[:4, :4] - reversal
-        # by z10, z20, v10 and tau; v2 starts at the belt's velocity
-        naive = np.column_stack([moved[:, :3], (piece.field @ end)[:4, 0]])
-        assert np.linalg.cond(naive) > 1e10
-        assert np.linalg.matrix_rank(naive, tol=1e-8) == 2
-        assert scaled_condition(orbit.evaluate("jacobian")) < 1e4
-        assert np.linalg.cond(orbit.evaluate("jacobian")) < 1e4
-
-
 def simulated(orbit: Orbit) -> tuple[Friction, np.ndarray]:
     """A simulator that knows Coulomb's law alone, and the physical start of the orbit."""
     us2 = max(r.greater_than for r in orbit.admissibility.requires if r.parameter == "us2") + 0.4
@@ -111,23 +72,17 @@ def test_coulombs_law_gives_the_symmetric_orbit() -> None:
         assert_allclose(times, orbit.dwell_times.tolist(), atol=1e-9)
 
 
-def test_the_symmetric_orbit_is_unstable_under_coulombs_law() -> None:
+def test_the_symmetric_orbit_is_unstable() -> None:
     orbit = solve(SYMMETRIC)
     assert orbit.stability.verdict == "unstable"
     assert_allclose(multipliers(orbit), MULTIPLIERS, atol=1e-8)
-    friction, start = simulated(orbit)
-    # z1 follows z2 on the boundary chi (z2 - z1) = e2
-    there = start + 1e-7 * np.array([1.0, 1, 0, 0, 0])
-    distances = []
-    for _ in range(12):
-        there, _ = turn(friction, there)
-        distances.append((there - start)[1])
-    ratios = np.array(distances[1:]) / np.array(distances[:-1])
-    assert_allclose(ratios[4:], MULTIPLIERS[0], rtol=1e-3)
 
 
 def test_forces_on_the_first_mass_decide_nothing() -> None:
     plain = solve(SYMMETRIC)
+    paper = {"us1": "0.0127", "ur1": "0.0255", "us2": "0.5", "ur2": "1"}
+    assert solve(SYMMETRIC, paper).admissibility.verdict is True
+    assert solve(SYMMETRIC, paper).unknowns == plain.unknowns
     for given in ({"us1": 5}, {"ur1": "1/3"}, {"us1": "0.1", "ur1": "0.1"}, {"e1": 2}):
         orbit = solve(SYMMETRIC, given)
         assert orbit.unknowns == plain.unknowns

@@ -13,16 +13,8 @@ import nonsmooth as ns
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.model.kernels import compiled_engine
 from nonsmooth.runtime.orbits.orbit import Orbit
-from tests.engines import with_both
 from tests.places import GALLERY
 from tests.shifting_systems import CAPSULE, GEARED, SHAKEN, TURNED, settled_orbit
-
-KERNELS = [
-    "rigid-stop/one-impact",
-    "elastic-stop/one-contact",
-    "dry-friction/symmetric",
-    "dry-friction/global-stick",
-]
 
 
 def chain() -> tuple[ns.derive.System, dict[str, float]]:
@@ -72,29 +64,6 @@ def cases(forced: Any) -> list[tuple[Any, dict[str, float], Any, Any]]:
     return [*found, *((system, data, settled_orbit(system, data), None) for system, data in freely)]
 
 
-@pytest.mark.slow
-@pytest.mark.compiled
-def test_c_and_numpy_agree(forced: Any) -> None:
-    every: list[Any] = []
-    for system, data, orbit, given in cases(forced):
-        guess = [*orbit.dwell_times, *orbit.states[0]]
-        options = {"itinerary": orbit.itinerary, "given": given, "multipliers": True}
-        every.append((system, data, guess, 1e-4, options))
-    for name in KERNELS:
-        data = {key: float(value) for key, value in ns.solve(name).given.items()}
-        every.append((name, data, None, 1e-2, {}))
-    for system, data, guess, width, options in every:
-        for by in (list(data), [next(iter(data))]):
-            found, other = with_both(
-                ns.solve, system, scattered(data, 6, width), guess, derivatives=by, **options
-            )
-            for quantity, rates in other.derivatives.items():
-                for key, rate in rates.items():
-                    assert np.isfinite(rate).all()
-                    mine, scale = found.derivatives[quantity][key], abs(rate).max()
-                    assert_allclose(mine, rate, rtol=1e-8, atol=1e-9 * (1 + scale))
-
-
 @pytest.mark.compiled  # its orbit is found by simulation
 def test_a_direction_that_turns_with_a_parameter_has_its_share() -> None:
     """Wheels with teeth turn freely along (i, 1), where i is the ratio of their gear."""
@@ -118,9 +87,13 @@ def test_a_direction_that_turns_with_a_parameter_has_its_share() -> None:
 
 
 @pytest.mark.compiled  # its orbits are found by simulation
-def test_batches_have_the_derivatives_of_single_orbits(forced: Any) -> None:
+@pytest.mark.parametrize("engine", ["c", pytest.param("numpy", marks=pytest.mark.slow)])
+def test_batches_have_the_derivatives_of_single_orbits(
+    forced: Any, engine: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     for system, data, orbit, given in cases(forced):
         values = scattered(data, 3)
+        monkeypatch.setenv("NONSMOOTH_BACKEND", engine)
         guess = [*orbit.dwell_times, *orbit.states[0]]
         options = {"itinerary": orbit.itinerary, "given": given}
         found = ns.solve(system, values, guess, multipliers=True, derivatives=list(data), **options)
@@ -133,6 +106,7 @@ def test_batches_have_the_derivatives_of_single_orbits(forced: Any) -> None:
                 mine = [rates[name][place] for name in data]
                 assert_allclose(mine, wanted, rtol=1e-8, atol=1e-8, err_msg=quantity)
         assert {"determinant", "spectral_radius"} <= {*found.derivatives}
+        monkeypatch.delenv("NONSMOOTH_BACKEND")
 
 
 @pytest.mark.parametrize("rate", [1, 10**12])
@@ -243,3 +217,11 @@ def test_arrays_that_do_not_fit_are_refused() -> None:
             engine.move(*counts, *wrong)
     with pytest.raises(ValueError, match="wrong numbers"):
         engine.move(-1, *counts[1:], *given())
+    arrays = [np.zeros(size) for size in (2, 12, 6, 12, 0, 0, 0, 6, 4, 4, 2, 8, 8)]
+    engine.shoot(1, 2, 2, *arrays)
+    for place, array in enumerate(arrays):
+        with pytest.raises(ValueError, match="wrong size"):
+            engine.shoot(1, 2, 2, *arrays[:place], np.append(array, 0.0), *arrays[place + 1 :])
+    for few in ((-1, 2, 2), (1, 0, 2), (1, 2, 0)):
+        with pytest.raises(ValueError, match="wrong numbers"):
+            engine.shoot(*few, *arrays)

@@ -1,6 +1,7 @@
 """The motion along an orbit, against exponentials of the phases' vector fields."""
 
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
@@ -9,7 +10,6 @@ from numpy.testing import assert_allclose, assert_array_equal
 import nonsmooth
 from nonsmooth import InputError
 from nonsmooth.runtime.model.kernels import orbit_names
-from nonsmooth.runtime.orbits.motion import Motion
 from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.declared import Declared
 
@@ -29,12 +29,12 @@ def orbit(name: str = ORBIT, point: int | None = None) -> Orbit:
 
 
 @pytest.fixture
-def motion() -> Motion:
+def motion() -> Any:
     return orbit().motion()
 
 
 @pytest.fixture(params=orbit_names())
-def each(request: pytest.FixtureRequest) -> Motion:
+def each(request: pytest.FixtureRequest) -> Any:
     """The motion along every orbit."""
     return orbit(request.param).motion()
 
@@ -58,7 +58,7 @@ def test_motion_solves_the_equations_of_each_phase(
         assert_allclose(motion(times), exact, atol=1e-12 * max(1, np.abs(exact).max()))
 
 
-def test_motion_passes_transitions_by_their_resets(each: Motion) -> None:
+def test_motion_passes_transitions_by_their_resets(each: Any) -> None:
     pieces = Declared(orbit(each.name)).pieces
     for index, time in enumerate(each.breaks):
         left, here, right = each([np.nextafter(time, -np.inf), time, np.nextafter(time, np.inf)])
@@ -70,7 +70,7 @@ def test_motion_passes_transitions_by_their_resets(each: Motion) -> None:
     assert_allclose(each(each.breaks[:-1]), each.starts, atol=1e-13)
 
 
-def test_motion_is_periodic(each: Motion) -> None:
+def test_motion_is_periodic(each: Any) -> None:
     # not at an impact, where a rounded time may be on either side
     motion, times = each, np.linspace(1e-3, each.period - 1e-3, 101)
     for shift in (-3, -1, 1, 2, 1000):
@@ -79,7 +79,7 @@ def test_motion_is_periodic(each: Motion) -> None:
     assert_array_equal(motion(-motion.period), motion(0))
 
 
-def test_motion_broadcasts(motion: Motion) -> None:
+def test_motion_broadcasts(motion: Any) -> None:
     times = np.random.default_rng(1).uniform(-20, 20, (3, 5, 2))
     states = motion(times)
     assert states.shape == (3, 5, 2, 4)
@@ -116,7 +116,7 @@ def test_samples_show_the_impact_before_and_behind() -> None:
     assert_allclose(samples.states[twice][:, still], start, atol=1e-13)
 
 
-def test_phases_and_configurations(motion: Motion) -> None:
+def test_phases_and_configurations(motion: Any) -> None:
     assert motion.names == ("z1", "z2", "v1", "v2")
     assert motion.configurations == ("stick-stick", "slip-stick", "slip-slip", "stick-slip")
     assert_allclose(np.diff(motion.breaks), orbit().dwell_times.tolist(), atol=1e-15)
@@ -133,7 +133,7 @@ def test_phases_and_configurations(motion: Motion) -> None:
 
 
 @pytest.mark.parametrize("periods", [1, 2, 7])
-def test_samples_have_each_transition_twice(motion: Motion, periods: int) -> None:
+def test_samples_have_each_transition_twice(motion: Any, periods: int) -> None:
     samples = motion.sample(200, periods)
     assert samples.times.shape == samples.phases.shape == samples.states.shape[:1]
     assert samples.times[0] == 0
@@ -146,13 +146,10 @@ def test_samples_have_each_transition_twice(motion: Motion, periods: int) -> Non
     assert_array_equal(samples.phases[twice + 1], (samples.phases[twice] + 1) % 4)
     assert_array_equal(np.setdiff1d(motion.breaks, samples.times), [])
     assert_allclose(samples.states, motion(samples.times), atol=1e-11)
-
-
-def test_few_samples_keep_starts_and_ends(motion: Motion) -> None:
-    samples = motion.sample(1)
-    assert_array_equal(samples.times, np.repeat(motion.breaks, [1, 2, 2, 2, 1]))
-    assert_array_equal(samples.states[::2], motion.starts)
-    assert_allclose(samples.states[1::2], np.roll(motion.starts, -1, axis=0), atol=1e-13)
+    few = motion.sample(1)
+    assert_array_equal(few.times, np.repeat(motion.breaks, [1, 2, 2, 2, 1]))
+    assert_array_equal(few.states[::2], motion.starts)
+    assert_allclose(few.states[1::2], np.roll(motion.starts, -1, axis=0), atol=1e-13)
 
 
 def test_motion_of_many_digits_and_of_an_exchange() -> None:
@@ -166,15 +163,15 @@ def test_motion_of_many_digits_and_of_an_exchange() -> None:
 
 
 @pytest.mark.parametrize("time", [np.nan, np.inf, [0, -np.inf], "later", [1, None], 1j])
-def test_wrong_times(motion: Motion, time: object) -> None:
+def test_wrong_times(motion: Any, time: object) -> None:
     for ask in (motion, motion.phase, motion.configuration):
         with pytest.raises(InputError, match="time"):
             ask(time)
 
 
 @pytest.mark.parametrize("counts", [(0,), (-3,), (100, 0), (10**9,)])
-def test_wrong_counts(motion: Motion, counts: tuple[object, ...]) -> None:
-    with pytest.raises(InputError, match=r"not a positive integer|more than \d+ points"):
+def test_wrong_counts(motion: Any, counts: tuple[object, ...]) -> None:
+    with pytest.raises(InputError, match=r"not an integer from 1|more than \d+ points"):
         motion.sample(*counts)
 
 

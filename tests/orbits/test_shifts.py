@@ -16,11 +16,7 @@ import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.derive import Itinerary, Reference, RigidStop, oscillator
 from nonsmooth.derive.declaration.symmetry import moves_freely
-from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
-from nonsmooth.runtime.model.kernels import load_system
-from nonsmooth.runtime.model.piecewise import piecewise, piecewise_in
-from nonsmooth.runtime.shooting.translations import translations_of
 from tests.certified import edited
 from tests.places import GALLERY
 from tests.shifting_systems import (
@@ -60,17 +56,12 @@ def gear() -> Any:
 # --- directions
 
 
-@pytest.mark.parametrize("ratio", ["2", "1/3", "0.7"])
-def test_the_direction_is_the_same_in_every_arithmetic(ratio):
-    kernels = load_system(GEARED)
-    point = TURNED | {"i": ratio}
-    (floats,) = translations_of(piecewise(kernels, point))
-    wanted = [1, 1 / float(sp.Rational(ratio)), 0, 0, 0, 0]
-    np.testing.assert_allclose(floats, wanted, rtol=1e-15)
-    lib = Mpmath(40)
-    with lib.working(40):
-        (precise,) = translations_of(piecewise_in(kernels, point, lib))
-        assert abs(precise[1] * sp.Rational(ratio).p - sp.Rational(ratio).q) < 1e-38
+def test_the_direction_is_the_same_in_every_arithmetic():
+    orbit = settled_orbit(GEARED, {**TURNED, "i": "3/2"})
+    for each, error in ((orbit, 1e-15), (ns.refine(orbit, 40), 1e-38)):
+        (direction,) = each.tables.translations
+        assert abs(direction - np.array([1, 0, 0, 0, 0, 0]))[[0, 2, 3, 4, 5]].max() == 0
+        assert abs(direction[1] * 3 - 2) < error
 
 
 def test_the_declaration_tells_the_same():
@@ -79,9 +70,9 @@ def test_the_declaration_tells_the_same():
     wall = RigidStop("x", at=g, restitution=r)
     held = oscillator("held", ["x"], mass=[[1]], stiffness=[[0]], elements=[wall])
     assert not moves_freely(held)
-    for kernels in (load_system(held), load_system("rigid-stop"), load_system("elastic-stop")):
-        point = dict.fromkeys((p.name for p in kernels.parameters), "0.7")
-        assert not len(translations_of(piecewise(kernels, point)))
+    for name in ("rigid-stop/one-impact", "elastic-stop/one-contact"):
+        orbit = ns.solve(name)
+        assert not len(orbit.problem.by_tables(orbit).tables.translations)
 
 
 # --- orbits

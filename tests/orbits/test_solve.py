@@ -13,7 +13,6 @@ from nonsmooth import InputError, NoConvergence, solve
 from nonsmooth.runtime.model.kernels import backend, load_orbit
 from nonsmooth.runtime.orbits.equations import equations_of
 from nonsmooth.runtime.shooting.kernel_newton import solve_reduced
-from nonsmooth.runtime.shooting.newton import CONVERGED
 
 ORBIT = "dry-friction/global-stick"
 PARAMETERS = ("chi", "eta", "V", "e1", "e2")
@@ -105,17 +104,6 @@ def test_the_equations_of_the_paper_hold(orbits):
         assert orbit.residual >= np.abs(equations(orbit.values)).max() - 1e-12
 
 
-def test_states_are_those_at_the_boundaries(orbits):
-    for orbit in orbits:
-        found, speed = orbit.states, orbit.values["V"]
-        around = states(orbit.values)
-        assert_allclose(found, around[:-1], atol=1e-12)
-        assert_allclose(around[-1], found[0], atol=1e-12)
-        sticking = np.array([[1, 1], [1, 1], [0, 1], [1, 0]], dtype=bool)
-        assert_allclose(found[:, 2:][sticking], speed, atol=1e-12)
-        assert np.all(found[:, 2:][~sticking] < speed)
-
-
 def test_the_orbit_does_not_depend_on_the_guess(reference):
     generator = np.random.default_rng(2)
     expected = np.array([reference.unknowns[name] for name in UNKNOWNS])
@@ -127,28 +115,7 @@ def test_the_orbit_does_not_depend_on_the_guess(reference):
         assert_allclose([by_order.unknowns[n] for n in UNKNOWNS], expected, atol=1e-12)
 
 
-def test_an_exact_parameter_is_taken_as_written():
-    for text, number in (("1/3", 1 / 3), ("2*pi/13", 2 * math.pi / 13), (" 0.45 ", 0.45)):
-        orbit = solve(ORBIT, {"chi": text})
-        assert orbit.values["chi"] == pytest.approx(number, rel=3e-16)
-        assert_allclose(
-            list(orbit.unknowns.values()), list(solve(ORBIT, {"chi": number}).unknowns.values())
-        )
-
-
 # --- the paper's numbers (misprint 5)
-
-
-def test_the_printed_orbit_meets_the_switching_conditions_but_does_not_close():
-    residual = np.abs(equations(REFERENCE | PRINTED))
-    assert residual[:4].max() < 2e-4
-    assert 1e-2 < residual[4:].max() < 3e-2
-
-
-def test_the_orbit_of_the_printed_forces(reference):
-    difference = {name: abs(reference.unknowns[name] - PRINTED[name]) for name in UNKNOWNS}
-    assert max(difference[name] for name in ("tau", "tau1", "tau2")) < 1e-3
-    assert all(1e-2 < difference[name] < 3e-2 for name in ("ta", "z10", "z20"))
 
 
 def test_the_orbit_of_the_printed_dwell_times():
@@ -193,27 +160,8 @@ def exchanged(orbit, swapped, fixed, factor=1.0):
     return solve(ORBIT, unknown=swapped, given=given)
 
 
-@pytest.mark.parametrize("swapped", sorted({s for s, _ in EXCHANGES}), ids="-".join)
-def test_every_parameter_and_pair_can_be_exchanged(reference, swapped):
-    for fixed in [f for s, f in EXCHANGES if s == swapped]:
-        orbit = exchanged(reference, swapped, fixed, 1 + 1e-4)
-        assert set(orbit.unknowns) == {*UNKNOWNS, *swapped} - {*fixed}
-        assert set(orbit.given) == {*PARAMETERS, *fixed} - {*swapped}
-        assert np.abs(equations(orbit.values)).max() < 1e-12
-        ordinary = solve(
-            ORBIT,
-            {name: orbit.values[name] for name in PARAMETERS},
-            guess=[orbit.values[name] for name in UNKNOWNS],
-        )
-        assert_allclose(
-            [ordinary.values[n] for n in UNKNOWNS],
-            [orbit.values[n] for n in UNKNOWNS],
-            atol=1e-9,
-        )
-
-
 @pytest.mark.parametrize("factor", [1.0, 1 + 1e-4])
-def test_an_exchange_is_refused_exactly_where_the_equations_are_singular(reference, factor):
+def test_every_exchange_is_solved_but_where_the_equations_are_singular(reference, factor):
     names = [*UNKNOWNS, *PARAMETERS]
     matrix = jacobian(reference.values, names)
     refused, singular = {}, set()
@@ -224,11 +172,23 @@ def test_an_exchange_is_refused_exactly_where_the_equations_are_singular(referen
         if condition > 1e8:
             singular.add((swapped, fixed))
         try:
-            exchanged(reference, swapped, fixed, factor)
+            orbit = exchanged(reference, swapped, fixed, factor)
         except InputError as error:
             refused[swapped, fixed] = str(error)
+            continue
         except NoConvergence:
-            assert factor != 1  # a badly conditioned choice may have no orbit that near
+            # a badly conditioned choice may have no orbit that near
+            assert factor != 1
+            assert (swapped, fixed) not in EXCHANGES
+            continue
+        assert set(orbit.unknowns) == {*UNKNOWNS, *swapped} - {*fixed}
+        assert set(orbit.given) == {*PARAMETERS, *fixed} - {*swapped}
+        if (swapped, fixed) in EXCHANGES:
+            assert np.abs(equations(orbit.values)).max() < 1e-12
+            data = {name: orbit.values[name] for name in PARAMETERS}
+            ordinary = solve(ORBIT, data, guess=[orbit.values[name] for name in UNKNOWNS])
+            found = [ordinary.values[n] for n in UNKNOWNS]
+            assert_allclose(found, [orbit.values[n] for n in UNKNOWNS], atol=1e-9)
     assert set(refused) == singular == set(SINGULAR)
     for text in refused.values():
         assert "do not determine" in text
@@ -311,7 +271,7 @@ def exhaustive(point, per_unknown, longest=14.0):
     grid = np.linspace(0, longest, per_unknown + 1)[1:]
     starts = np.stack(np.meshgrid(grid, grid, indexing="ij"), axis=-1).reshape(-1, 2)
     solved = solve_reduced(load_orbit(ORBIT), point, starts)
-    return bool(admissible(point, solved.unknowns[solved.status == CONVERGED]).any())
+    return bool(admissible(point, solved.unknowns[solved.status == 0]).any())
 
 
 def admissible(points, unknowns):
@@ -334,7 +294,7 @@ def test_an_admissible_orbit_is_found_where_the_first_attempt_leads_elsewhere():
     generator, kernels = np.random.default_rng(6), load_orbit(ORBIT)
     points = generator.uniform([0.15, 0.3, 0.3, 1.5, 0.1], [0.85, 3, 1.5, 5, 1.5], (1000, 5))
     first = solve_reduced(kernels, points, [PRINTED["tau"], PRINTED["tau1"]])
-    fine = (first.status == CONVERGED) & admissible(points, first.unknowns)
+    fine = (first.status == 0) & admissible(points, first.unknowns)
     possible = [p for p in points[~fine][:150] if exhaustive(p, 80)]
     assert len(possible) >= 5
     orbits = [solve(ORBIT, named(p), throw=False) for p in possible]

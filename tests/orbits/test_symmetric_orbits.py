@@ -108,22 +108,6 @@ def test_a_pair_of_orbits_without_the_symmetry() -> None:
         assert orbit.period == pytest.approx(2 * np.pi / 1.48, rel=1e-13)
 
 
-def test_the_pair_branches_off_at_minus_one() -> None:
-    def least(omega):
-        orbit = solve(
-            two_stops(),
-            {**DATA, "Omega": omega},
-            [np.pi / omega, *half().states[0]],
-            itinerary=RIGHT,
-            symmetry=MIRROR,
-        )
-        return min(m.real for m in orbit.part_stability.multipliers)
-
-    values = [least(omega) for omega in (1.48, 1.52, 1.56)]
-    assert values[0] < -1 < values[-1]
-    assert values == sorted(values)
-
-
 def test_a_quarter_of_an_orbit() -> None:
     # x and y are each a mass between two stops, a quarter of a period apart
     orbit = solve(box(), DATA, [0.92], itinerary=[("free", "right")], symmetry=TURN)

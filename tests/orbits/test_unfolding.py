@@ -24,10 +24,10 @@ from nonsmooth.derive import (
 from nonsmooth.derive.declaration.symmetry import unfolded
 from nonsmooth.derive.document.describe import describe_itinerary
 from nonsmooth.derive.document.hypertext import to_markdown
-from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.model.kernels import load_orbit
 
-HALF = [("free-free", "right-reaches-stop", "T")]
+HALF_PHASE = (("free-free", "right-reaches-stop"),)
+HALF = [(*HALF_PHASE[0], "T")]
 DATA = Reference({"r": "0.7"}, {"T": "2.6"})
 
 
@@ -44,15 +44,6 @@ def between(place: float = 1) -> System:
 def symmetric(system: System, **changes: object) -> Itinerary:
     half = {s: -s for s in system.states}
     return replace(Itinerary("half", system, HALF, symmetry=half, reference=DATA), **changes)
-
-
-def test_the_whole_is_the_part_and_its_image() -> None:
-    whole = unfolded(symmetric(between()))
-    assert [(p.configuration, p.boundary, p.dwell_time) for p in whole.phases] == [
-        ("free-free", "right-reaches-stop", "T"),
-        ("free-free", "left-reaches-stop", "T_2"),
-    ]
-    assert unfolded(whole) is whole
 
 
 def test_a_symmetry_of_order_four() -> None:
@@ -81,6 +72,7 @@ def test_it_is_solved_by_its_name_and_agrees_with_the_motion() -> None:
     kernels = load_orbit(symmetric(between()))
     orbit = ns.solve(kernels.name)
     assert list(orbit.unknowns)[:2] == ["T", "T_2"]
+    assert orbit.itinerary == (*HALF_PHASE, ("free-free", "left-reaches-stop"))
     turn = 2 * np.pi / 1.2
     assert orbit.period == pytest.approx(turn, rel=1e-13)
     motion = ns.simulate(between(), {"r": "0.7"}, orbit.states[0], until=float(3 * turn))
@@ -135,18 +127,3 @@ def test_a_motion_that_does_not_come_back() -> None:
 def test_many_points_are_none_of_a_part() -> None:
     with pytest.raises(InputError, match="a part and a symmetry"):
         ns.solve(load_orbit(symmetric(between())).name, {"r": [0.6, 0.7]})
-
-
-@pytest.mark.compiled
-def test_a_declaration_in_numbers_alone() -> None:
-    belt = oscillator("belt", ["x"], [[1]], [[1]], elements=[Friction("x", 1, "1.3", "0.5")])
-    found = ns.find_orbits(belt, {}, 20, transitions=100)
-    (entry,) = found.orbits
-    # the rest oscillates below the velocity of the belt
-    assert entry.share + found.share(Outcome.FAMILY) == 1
-    guesses = [[5.2, 1.2], [5.1, 1.3], [5.3, 1.1]]
-    many = ns.solve(belt, {}, guesses, itinerary=entry.itinerary)
-    assert many.dwell_times.shape == (3, 2)
-    assert_allclose(many.period, entry.period, rtol=1e-12)
-    runs = ns.simulate(belt, {}, np.zeros((4, 2)), transitions=9)
-    assert (runs.transitions == 9).all()

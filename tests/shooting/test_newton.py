@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from nonsmooth import InputError, NoConvergence
+from nonsmooth import NoConvergence
 from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.shooting.kernel_newton import solve_full, solve_reduced
-from nonsmooth.runtime.shooting.newton import CONVERGED, NEGATIVE, climb, damping, precisions
+from nonsmooth.runtime.shooting.newton import climb, damping
 
 
 @pytest.mark.parametrize("growth", [3.0, math.inf])
@@ -74,21 +74,6 @@ class Line:
         return {"tau": values["tau"] - self.ahead}
 
 
-def test_points_of_a_batch_end_as_each_alone() -> None:
-    """After steps of their own number, converged or not."""
-    kernels: Any = Line()
-    roots = np.array([[0.5], [40.0], [-20.0], [1e-3], [np.nan], [3.0], [-1e-6], [1e9]])
-    many = solve_reduced(kernels, roots, np.ones((8, 1)))
-    alone = [solve_reduced(kernels, root, np.array([1.0])) for root in roots]
-    assert many.status.tolist() == [one.status for one in alone]
-    assert many.iterations.tolist() == [one.iterations for one in alone]
-    assert len(set(many.iterations.tolist())) > 4
-    np.testing.assert_array_equal(many.unknowns, [one.unknowns for one in alone])
-    sound = many.status == CONVERGED
-    assert sound.tolist() == [True, True, False, True, False, True, False, True]
-    np.testing.assert_allclose(many.unknowns[sound], roots[sound], rtol=1e-8)
-
-
 @pytest.mark.parametrize("root", [3.0, 1e-3, 1e-8, -1e-12, -4e-10, -1e-6, -0.5, -20.0])
 def test_a_dwell_time_that_goes_below_zero_is_never_said_to_be_found(root: float) -> None:
     """Damping makes its steps small; only a whole small step is the last one."""
@@ -99,26 +84,18 @@ def test_a_dwell_time_that_goes_below_zero_is_never_said_to_be_found(root: float
         many = solve_reduced(kernels, np.array([root]), np.array([1.0]))
         found.append((many.status, many.unknowns[0]))
     for status, tau in found:
-        assert (status == CONVERGED) == (root > 0)
+        assert (status == 0) == (root > 0)
         assert tau > 0
         assert root < 0 or tau == pytest.approx(root, rel=1e-6, abs=1e-16)
 
 
 def test_a_phase_that_takes_no_time_or_less_is_no_orbit() -> None:
     ahead = np.array([0.25, 0.5, 0.75])  # of a dwell time that is computed
-    for each, expected in zip(ahead, (CONVERGED, NEGATIVE, NEGATIVE), strict=True):
+    for each, expected in zip(ahead, (0, 3, 3), strict=True):
         kernels: Any = Line(ahead=each)
         found = solve_full(kernels, {"tau": 1.0, "root": 0.5}, ["tau"])
         assert found.status == expected
         assert solve_reduced(kernels, np.array([0.5]), np.array([1.0])).status == expected
-
-
-def test_an_unknown_of_which_no_digit_is_sure_is_refused() -> None:
-    sure: Any = Line(slope=1e-9, size=1e3)
-    assert solve_full(sure, {"tau": 1.0, "root": 0.5}, ["tau"]).error < 1e-2
-    unsure: Any = Line(slope=1e-12, size=1e3)
-    with pytest.raises(InputError, match="do not determine tau"):
-        solve_full(unsure, {"tau": 1.0, "root": 0.5}, ["tau"])
 
 
 @pytest.mark.parametrize("remaining", [1e-2, 1e-5, 1e-15, 1e-35, 1e-45])
@@ -126,14 +103,17 @@ def test_a_refinement_whose_last_step_still_corrects_has_left_the_orbit(remainin
     """As near a singular solution, where steps become no smaller."""
     lib = Mpmath(60)
 
+    passed = []
+
     def step(x: np.ndarray, last: bool) -> tuple[list[Any], str]:
+        passed.append(last)
         return [lib.mp.mpf(remaining)], "last" if last else "before"
 
     start = np.array([lib.mp.mpf(1)], dtype=object)
     if remaining < 1e-30:  # 40 digits, less those that the linear algebra may lose
-        _, seen, count = climb(lib, start, step, 40, 15, "it")
-        assert (seen, count) == ("last", len(precisions(40, 15)) + 1)
+        assert climb(lib, start, step, 40, 15, "it")[1:] == ("last", len(passed))
+        assert [*passed] == [False] * (len(passed) - 1) + [True]
     else:
-        told = precisions(40, 15)[0] if remaining > 1e-3 else 40
+        told = r"\d+" if remaining > 1e-3 else 40
         with pytest.raises(NoConvergence, match=f"it: Newton's method with {told} digits"):
             climb(lib, start, step, 40, 15, "it")

@@ -8,17 +8,12 @@ from functools import cache
 import mpmath
 import numpy as np
 import pytest
-import sympy as sp
-from hypothesis import given, settings
-from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 from scipy.optimize import linear_sum_assignment
 
 from nonsmooth import refine, solve
-from nonsmooth.derive.equations.linearisation import saltation_matrix
 from tests.declared import RANGES, Declared, random_points, single
 
-PROPERTY = settings(max_examples=40)
 every_orbit = pytest.mark.parametrize("name", RANGES)
 
 
@@ -78,31 +73,6 @@ def test_the_saltation_matrix_of_an_impact_in_closed_form():
         expected = np.diag([-1.0, 1, -1, 1])
         expected[2, 0] = 2 * force / -u
         assert_allclose(orbit.saltations[0], expected, rtol=1e-10, atol=1e-10)
-
-
-@PROPERTY
-@given(st.integers(0, 10**6))
-def test_saltation_is_the_derivative_of_crossing_and_resetting(seed):
-    """Random fields, boundary and reset, against the map itself: at one and the same time."""
-    random = np.random.default_rng(seed)
-    size = int(random.integers(2, 5))
-    reset, shift = random.normal(size=(size, size)), random.normal(size=size)
-    normal = random.normal(size=(1, size))
-    before, behind = random.normal(size=(size, 1)), random.normal(size=(size, 1))
-    if (normal @ before).item() < 0.1:
-        normal = before.T / np.linalg.norm(before)
-
-    def passed(state):
-        """State one unit of time later, in constant fields, from in front of the boundary."""
-        wait = -(normal @ state).item() / (normal @ before).item()
-        at_boundary = state + wait * before[:, 0]
-        return reset @ at_boundary + shift + (1 - wait) * behind[:, 0]
-
-    start = -0.5 * before[:, 0]  # reaches the boundary n y = 0 after half the time
-    columns = [(passed(start + d) - passed(start - d)) / 2e-3 for d in 1e-3 * np.eye(size)]
-    matrices = (sp.Matrix(m) for m in (reset, normal, before, behind))
-    found = np.array(saltation_matrix(*matrices), dtype=float).reshape(size, size)
-    assert_allclose(np.array(columns).T, found, rtol=1e-8, atol=1e-8)
 
 
 @every_orbit

@@ -83,52 +83,6 @@ def test_the_jacobian_is_that_of_the_simulated_map(orbits, unstable):
         assert abs(np.linalg.det(found)) < 1e-6 * scale**2
 
 
-def distances(orbit, moved, count):
-    """From the orbit, after each of so many turns from a moved start."""
-    mapped, start = simulated_map(orbit)
-    there, found = start + np.array([*moved, 0, 0]), []
-    for _ in range(count):
-        there = mapped(there)
-        found.append((there - start)[0])
-    return np.array(found)
-
-
-def test_perturbations_change_by_the_trace_each_period(orbits, unstable):
-    for orbit in (*orbits, *unstable):
-        found = distances(orbit, (1e-6, 2e-6), 6)
-        assert_allclose(found[1:] / found[:-1], orbit.trace, rtol=1e-3)
-
-
-def test_batches_have_the_same_trace_and_both_verdicts_occur():
-    points = LOWER + (UPPER - LOWER) * np.random.default_rng(12).random((120, 5))
-    many = solve(ORBIT, dict(zip(PARAMETERS, points.T, strict=True)))
-    verdicts = set()
-    for i in np.flatnonzero(many.admissible)[::3]:
-        orbit = single(many, i)
-        assert orbit.trace == pytest.approx(float(many.trace[i]), abs=1e-9)
-        assert orbit.stability.margin == 1 - abs(orbit.trace)
-        verdicts.add(orbit.stability.verdict)
-        assert orbit.stability.verdict == ("stable" if abs(orbit.trace) < 1 else "unstable")
-    assert verdicts == {"stable", "unstable"}
-
-
-def test_the_trace_does_not_depend_on_the_forces_left_open(orbits):
-    for orbit in orbits[:3]:
-        required = {r.parameter: r.greater_than for r in orbit.admissibility.requires}
-        given = {n: orbit.values[n] for n in ("chi", "eta", "V")}
-        guess = dict(orbit.unknowns)
-        for more in (0.01, 5.0):
-            physical = given | {
-                "us1": required["us1"] + more,
-                "ur1": required["us1"] + more + orbit.values["e1"],
-                "us2": required["us2"] + more,
-                "ur2": required["us2"] + more + orbit.values["e2"],
-            }
-            other = solve(ORBIT, physical, guess)
-            assert other.trace == pytest.approx(orbit.trace, abs=1e-11)
-            assert other.admissibility.verdict is True
-
-
 def test_a_margin_within_its_error_is_undecided_until_there_are_digits():
     # a trace of -1 along chi, located with Newton's method at 700 digits
     chi = np.linspace(0.6, 0.7, 100)
