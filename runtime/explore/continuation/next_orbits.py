@@ -114,14 +114,14 @@ def _others(
     own, ways = canonical_itinerary(base.itinerary), _candidates(base, event)
     for distances in ways_off:
         for distance in distances:
+            orbits: list[Orbit] = []
             try:
                 here, period = system_at(event.value + side * distance * span)
-                orbits = [
-                    *_composed(base, ways, here, event, period, short),
-                    *_without_boundary(base, here, event),
-                ]
-            except InputError:  # beyond a domain
-                break
+                orbits.extend(_composed(base, ways, here, event, period, short))
+                orbits.extend(_without_boundary(base, here, event))
+            except InputError:  # beyond a domain; those that are known already count
+                if not orbits:
+                    break
             if settling and distance > 0 and period is None:
                 orbits += _settled(base, here)
             for orbit in orbits:
