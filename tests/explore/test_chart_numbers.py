@@ -159,6 +159,31 @@ def test_simulated_chart_agrees_with_the_orbits() -> None:
         assert period == pytest.approx(float(line.period[place]), rel=1e-5)
 
 
+# --- from anchor to anchor
+
+
+def speckles(period: np.ndarray) -> int:
+    """Points whose period is 5 % off all four neighbours, which agree."""
+    beside = np.stack([period[:-2, 1:-1], period[2:, 1:-1], period[1:-1, :-2], period[1:-1, 2:]])
+    mean = beside.mean(axis=0)
+    agree = (np.abs(beside - mean) < 0.05 * mean).all(axis=0)
+    return int((agree & (np.abs(period[1:-1, 1:-1] - beside) > 0.05 * mean).all(axis=0)).sum())
+
+
+def test_more_is_found_than_point_by_point() -> None:
+    wide = ns.chart(STICK, chunk=10**6, **WIDE)
+    alone = ns.solve(STICK, {"V": WIDE["V"][:, None], "eta": WIDE["eta"]})
+    assert alone.admissible is not None
+    found = wide.status.values == 0
+    assert found[alone.converged].all()
+    assert wide.admissible.values[alone.admissible].all()
+    assert (~found).sum() < 0.85 * (~alone.converged).sum()
+    assert wide.admissible.values.sum() > alone.admissible.sum()
+    # and speckles are gone
+    assert speckles(alone.period) > 20
+    assert speckles(wide.period.values) < 0.2 * speckles(alone.period)
+
+
 # --- chunks
 
 

@@ -5,42 +5,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-import nonsmooth as ns
 from nonsmooth.runtime.explore.charting.anchors import Solver, anchor_starts
 from nonsmooth.runtime.explore.charting.grid import Grid
-
-ORBIT = "dry-friction/global-stick"
-# where the orbit comes and goes, and has others of the same itinerary beside it
-WIDE: dict[str, Any] = {"V": np.linspace(0.3, 2.0, 70), "eta": np.linspace(0.3, 3.0, 61)}
-
-
-@pytest.fixture(scope="module")
-def wide() -> Any:
-    return ns.chart(ORBIT, chunk=10**6, **WIDE)
-
-
-def speckles(period: np.ndarray) -> int:
-    """Points whose period is 5 % off all four neighbours, which agree."""
-    beside = np.stack([period[:-2, 1:-1], period[2:, 1:-1], period[1:-1, :-2], period[1:-1, 2:]])
-    mean = beside.mean(axis=0)
-    agree = (np.abs(beside - mean) < 0.05 * mean).all(axis=0)
-    return int((agree & (np.abs(period[1:-1, 1:-1] - beside) > 0.05 * mean).all(axis=0)).sum())
-
-
-def test_more_is_found_than_point_by_point(wide: Any) -> None:
-    alone = ns.solve(ORBIT, {"V": WIDE["V"][:, None], "eta": WIDE["eta"]})
-    assert alone.admissible is not None
-    found = wide.status.values == 0
-    assert found[alone.converged].all()
-    assert wide.admissible.values[alone.admissible].all()
-    assert (~found).sum() < 0.85 * (~alone.converged).sum()
-    assert wide.admissible.values.sum() > alone.admissible.sum()
-
-
-def test_speckles_are_gone(wide: Any) -> None:
-    alone = ns.solve(ORBIT, {"V": WIDE["V"][:, None], "eta": WIDE["eta"]})
-    assert speckles(alone.period) > 20
-    assert speckles(wide.period.values) < 0.2 * speckles(alone.period)
 
 
 @pytest.mark.parametrize("unit", [1.0, 1e-9, 1e9])
