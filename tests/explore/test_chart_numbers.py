@@ -9,6 +9,7 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth import InputError
+from nonsmooth.runtime.shooting.multipliers import family_margins
 from tests.pictures import figure_in
 from tests.places import GALLERY
 from tests.user_systems import DAMPED, declare
@@ -291,6 +292,17 @@ def test_closed_forms_of_the_impact_oscillator() -> None:
     # where there is a stable motion it comes first
     both = motion & np.isfinite(np.stack(traces)).all(axis=0)
     assert (stable[both] | (np.abs(np.stack(traces)).min(axis=0)[both] > 1 + r**2)).mean() > 0.95
+
+
+def test_margins_of_families() -> None:
+    """One multiplier is 1; a reciprocal pair beside it is neutral on the circle."""
+    angle = np.exp(0.7j)
+    values = np.array([[1, angle, 1 / angle], [1, 3.0, 1 / 3.0], [0.5, 1, 0.2]], dtype=complex)
+    margins = family_margins(values, values.sum(axis=-1).real, 3)
+    np.testing.assert_allclose(margins, [0, -2, 0.5], atol=1e-12)
+    np.testing.assert_allclose(
+        family_margins(np.array([[1, 0.25 + 0j]]), np.array([1.25]), 2), [0.75]
+    )
 
 
 def test_a_point_outside_a_domain_has_no_orbit() -> None:
