@@ -16,7 +16,7 @@ from nonsmooth.runtime.cli.options import Start, Workers, Yes, missing_start, pa
 from nonsmooth.runtime.cli.parsing import assignments, grid, split, values_and_ranges
 from nonsmooth.runtime.cli.reply import Reply
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.workload import check_hours
+from nonsmooth.runtime.core.workload import BYTES, check_hours, check_memory
 
 __all__ = ["chart"]
 
@@ -78,6 +78,8 @@ def chart(
     reply: Reply,
 ) -> int:
     """Chart the parameter plane: where an orbit is a motion, which limit fails first; or basins."""
+    from numpy import linspace
+
     from nonsmooth.runtime.cli.display import counted, steps
     from nonsmooth.runtime.explore.charting.chart import (
         begun_problem,
@@ -88,7 +90,6 @@ def chart(
         work_on,
     )
     from nonsmooth.runtime.explore.charting.classes import counts_of
-    from nonsmooth.runtime.explore.charting.grid import linear_axis
     from nonsmooth.runtime.explore.charting.motions import is_found
     from nonsmooth.runtime.explore.charting.store import check_zarr
     from nonsmooth.runtime.model.kernels import system_names
@@ -101,8 +102,10 @@ def chart(
         raise InputError("--out F.zarr is missing")
     out = out or Path(name)
     values, ranged = values_and_ranges(parameters, "A:B:N")
-    swept = {n: linear_axis(n, *row) for n, row in grid(ranged).items()}
-    given: dict[str, Any] = {**values, **swept}
+    given: dict[str, Any] = {**values}
+    for n, (low, high, count) in grid(ranged).items():
+        check_memory(f"{count} values of {n}", BYTES * count)
+        given[n] = linspace(low, high, count)
     if workers is not None and scheduler is not None:
         raise InputError("--workers is for this machine: leave it out with --scheduler")
     simulate = bool(start) and not is_found(name)
@@ -116,18 +119,18 @@ def chart(
             problem, axes = begun_problem(out)
         else:
             problem, axes = chart_problem(name, given, simulate, begin, transitions or TRANSITIONS)
-    points = math.prod(axis.count for axis in axes)
+    points = math.prod(map(len, axes.values()))
     check_hours(f"{points} points", points * problem.seconds, yes=yes)
     done = 0, 0
 
-    def count(computed: int, total: int) -> None:
+    def note(computed: int, total: int) -> None:
         nonlocal done
         done = computed, total
         progress(computed, total)
 
     try:
         with counted(f"charting {name}") as progress:
-            work = work_on(out, problem, axes, scheduler, chunk, workers, count)
+            work = work_on(out, problem, axes, scheduler, chunk, workers, note)
     except KeyboardInterrupt:
         kept = f"{done[0]} of {done[1] or 'all'} chunks are kept in {out}"
         beside = [

@@ -153,7 +153,7 @@ def follow(
         stopped,
         told=lambda: branch_json(branch, beyond_events),
         show=lambda: _show(branch, beyond_events),
-        figure=lambda: branch.plot(split(quantity), over=over),
+        figure=lambda: branch.plot(split(quantity) or None, over=over),
         done=f"{len(branch)} points are done",
         resumes=not switch,
     )

@@ -220,7 +220,7 @@ def plot(
     if os.path.realpath(target) == os.path.realpath(file):
         raise InputError(f"cannot write {target}: it is the saved file")
     check_target(target)
-    of_branch = {"quantity": tuple(split(quantity)), "over": over}
+    of_branch = {"quantity": tuple(split(quantity)) or None, "over": over}
     drawn, figure = figure_of(file, kind.value, periods, of_branch if quantity or over else None)
     save_figure(figure, target)
     told = {**drawn, "kind": kind.value, "file": str(target)}

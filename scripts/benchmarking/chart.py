@@ -22,8 +22,9 @@ MOST_CHUNKS = 100  # that are computed of the largest grid
 _MEASURED = """
 import re, sys, time
 from pathlib import Path
+
+import numpy as np
 from nonsmooth.runtime.explore.charting.chart import chart_problem, work_on
-from nonsmooth.runtime.explore.charting.grid import linear_axis
 
 class Enough(Exception):
     pass
@@ -33,7 +34,7 @@ def progress(done, total):
         raise Enough
 
 count = int(sys.argv[2])
-axes = {name: linear_axis(name, 0.8, 1.3, count) for name in ("V", "eta")}
+axes = {name: np.linspace(0.8, 1.3, count) for name in ("V", "eta")}
 begin = time.perf_counter()
 problem, axes = chart_problem(sys.argv[4], axes, False, None, 0)
 try:

@@ -82,15 +82,6 @@ def store(finished: Path, tmp_path: Path) -> Path:
     return Path(shutil.copytree(finished, tmp_path / "F.zarr"))
 
 
-def test_limits_without_compiled_kernels(monkeypatch: pytest.MonkeyPatch) -> None:
-    small = {"V": PLANE["V"][20::6], "eta": PLANE["eta"][::8]}
-    compiled = ns.chart(ORBIT, **small)
-    monkeypatch.setenv("NONSMOOTH_BACKEND", "numpy")
-    plain = ns.chart(ORBIT, **small)
-    assert (compiled.limit.values >= 0).any()
-    np.testing.assert_array_equal(compiled.limit.values, plain.limit.values)
-
-
 @pytest.mark.slow
 def test_killed_chart_goes_on(finished: Path, tmp_path: Path) -> None:
     store = tmp_path / "F.zarr"
@@ -392,7 +383,7 @@ def test_unwritable_store(store: Path) -> None:
 
 
 def test_values_of_a_range_are_evenly_spaced_to_the_last_bit(tmp_path: Path) -> None:
-    """Though they are never in memory all at once."""
+    """Though they are in several files."""
     path = tmp_path / "T.zarr"
     told("chart", "rigid-stop/one-impact", "T=4.1:6.3:70000", "--out", str(path))
     values = np.linspace(4.1, 6.3, 70_000)
@@ -418,11 +409,15 @@ def test_chunks_are_as_even_as_the_grid_allows(
     assert tuple(record["chunk_grid"]["configuration"]["chunk_shape"]) == chunk
 
 
-@pytest.mark.parametrize("count", [2**33, 2**32, 3 * 2**31])
-def test_points_are_counted_without_a_limit(count: int, tmp_path: Path) -> None:
-    words = ("chart", ORBIT, f"V=0.5:1:{count}", f"eta=0.5:1:{count}", "--out")
-    code, _, err = run(*words, str(tmp_path / "F.zarr"))
-    assert (code, f"{count**2} points" in err) == (2, True), err
+@pytest.mark.parametrize(
+    ("counts", "large"),
+    [((2**21, 2**21, 2**22), f"{2**64} points"), ((10**17, 1, 1), f"{10**17} values of V")],
+)
+def test_more_points_than_can_be_computed(counts: Any, large: str, tmp_path: Path) -> None:
+    """They are counted without a limit, as are the values of an axis."""
+    ranges = (f"{n}=0.5:1:{count}" for n, count in zip(("V", "eta", "chi"), counts, strict=True))
+    code, _, err = run("chart", ORBIT, *ranges, "--out", str(tmp_path / "F.zarr"))
+    assert (code, large in err) == (2, True), err
 
 
 def test_parts_cover_the_plane(finished: Path, store: Path) -> None:
@@ -468,16 +463,11 @@ def test_outlines_go_along_the_cells(finished: Path) -> None:
         assert label(middle + beside) != label(middle - beside)
 
 
-def test_commands(finished: Path, tmp_path: Path) -> None:
-    store = tmp_path / "F.zarr"
-    command = ("chart", ORBIT, *RANGES, "--out", str(store))
-    first = told(*command, "--chunk", "225")
-    assert first["dimensions"] == {"V": 40, "eta": 33}
-    assert (first["computed"], first["chunks"]) == (9, 9)
-    assert contents(store) == contents(finished)
-    assert "0 of 9 chunks computed" in run(*command)[1]
+def test_commands(store: Path) -> None:
+    assert told("chart", str(store))["dimensions"] == {"V": 40, "eta": 33}
+    assert "0 of 9 chunks computed" in run("chart", str(store))[1]
     assert told("plot", str(store))["chart"] == ORBIT
-    assert (tmp_path / "F.png").stat().st_size > 1000
+    assert store.with_suffix(".png").stat().st_size > 1000
 
 
 @pytest.mark.parametrize(
@@ -487,11 +477,11 @@ def test_commands(finished: Path, tmp_path: Path) -> None:
         ("V=1", "parameter V is given twice"),
         ("W=1:2:3", "unknown parameter 'W'"),
         ("chi=1:2", "is not NAME=A:B:N"),
-        ("chi=1:1:5", "1.0 to 1.0 is no interval"),
-        ("chi=0.5:0.4:5", "0.5 to 0.4 is no interval"),
+        ("chi=1:1:5", "the values of chi do not increase strictly"),
+        ("chi=0.5:0.4:5", "the values of chi do not increase strictly"),
         ("chi=0.4:inf:5", "'inf'"),
-        ("chi=0.4:0.5:0", "0 values are none"),
-        ("chi=0.4:0.400000000000001:100", "not distinct"),
+        ("chi=0.4:0.5:0", "the values of chi are no row of finite numbers"),
+        ("chi=0.4:0.400000000000001:100", "the values of chi do not increase strictly"),
     ],
 )
 def test_wrong_commands(words: str, message: str, store: Path) -> None:

@@ -9,7 +9,6 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth import InputError
-from nonsmooth.runtime.orbits import table_admissible
 from nonsmooth.runtime.shooting.multipliers import family_margins
 from tests.pictures import figure_in
 from tests.places import GALLERY
@@ -82,6 +81,7 @@ def case(orbit: str, plane: dict[str, Any] | None = None, *more: Any, slow: bool
         # open parameters are judged, and forces given in place of their differences
         case(STICK, {"V": [0.85, 1.0, 1.1], "eta": [0.9, 1.2], "us1": 0.1, "us2": [0.5, 1.2]}),
         case(STICK, {"us1": [0.4, 0.9], "ur1": [3.6, 3.9, 4.2]}),
+        case(IMPACT, {"w": np.linspace(2.2, 2.8, 9), "r": 1}),  # which keeps areas
         case(IMPACT, slow=True),
         case(PIECEWISE, slow=True),
         case(BELTS, slow=True),
@@ -139,20 +139,6 @@ def test_what_an_open_parameter_has_to_exceed() -> None:
     np.testing.assert_array_equal(line.admissible, wanted)
 
 
-@pytest.mark.parametrize("kind", ["stable", "limit"])
-def test_a_proof_agrees(kind: str) -> None:
-    plane = charted(STICK)
-    motion = plane.admissible.values
-    of_kind = motion & (plane.margin.values > 0) if kind == "stable" else ~motion
-    i, j = np.argwhere(of_kind & (plane.status.values == 0))[3]
-    point = plane.isel(V=i, eta=j)
-    given = {"V": repr(float(point.V)), "eta": repr(float(point.eta))}
-    orbit = ns.solve(STICK, given, [float(point[name]) for name in ns.solve(STICK).unknowns])
-    claims = ns.certify(orbit).claims
-    assert claims["existence"] == "proved"
-    assert claims["admissibility"] == ("proved" if kind == "stable" else "refuted")
-
-
 def test_no_point_is_said_to_have_no_orbit(tmp_path: Path) -> None:
     ns.chart(STICK, **PLANES[STICK], store=tmp_path / "F.zarr")
     texts = figure_in(tmp_path / "F.zarr").axes[0].get_legend().get_texts()
@@ -172,6 +158,31 @@ def test_simulated_chart_agrees_with_the_orbits() -> None:
         assert len(recurrence.itinerary) == int(line.transitions[place])
         period = float(np.sum(recurrence.dwell_times))
         assert period == pytest.approx(float(line.period[place]), rel=1e-5)
+
+
+# --- from anchor to anchor
+
+
+def speckles(period: np.ndarray) -> int:
+    """Points whose period is 5 % off all four neighbours, which agree."""
+    beside = np.stack([period[:-2, 1:-1], period[2:, 1:-1], period[1:-1, :-2], period[1:-1, 2:]])
+    mean = beside.mean(axis=0)
+    agree = (np.abs(beside - mean) < 0.05 * mean).all(axis=0)
+    return int((agree & (np.abs(period[1:-1, 1:-1] - beside) > 0.05 * mean).all(axis=0)).sum())
+
+
+def test_more_is_found_than_point_by_point() -> None:
+    wide = ns.chart(STICK, chunk=10**6, **WIDE)
+    alone = ns.solve(STICK, {"V": WIDE["V"][:, None], "eta": WIDE["eta"]})
+    assert alone.admissible is not None
+    found = wide.status.values == 0
+    assert found[alone.converged].all()
+    assert wide.admissible.values[alone.admissible].all()
+    assert (~found).sum() < 0.85 * (~alone.converged).sum()
+    assert wide.admissible.values.sum() > alone.admissible.sum()
+    # and speckles are gone
+    assert speckles(alone.period) > 20
+    assert speckles(wide.period.values) < 0.2 * speckles(alone.period)
 
 
 # --- chunks
@@ -231,15 +242,23 @@ def test_what_is_lost_or_damaged_is_computed_to_the_same_bits(
     assert_same_bits(whole, ns.chart(orbit, store=store, threads=1, **plane).load())
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("orbit", [IMPACT, PIECEWISE, BELTS])
-def test_limits_are_those_of_the_guaranteed_search(
-    orbit: str, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize(
+    ("orbit", "plane"),
+    [
+        case(STICK, {"V": FINE["V"][20::6], "eta": FINE["eta"][::8]}),
+        *(
+            case(orbit, {name: values[::4] for name, values in PLANES[orbit].items()}, slow=True)
+            for orbit in (IMPACT, PIECEWISE, BELTS)
+        ),
+    ],
+)
+def test_limits_without_compiled_kernels(
+    orbit: str, plane: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    plane = {name: values[::4] for name, values in PLANES[orbit].items()}
-    fast = ns.chart(orbit, **plane)
-    monkeypatch.setattr(table_admissible, "compiled_engine", lambda: None)
-    np.testing.assert_array_equal(fast.limit.values, ns.chart(orbit, **plane).limit.values)
+    compiled = ns.chart(orbit, **plane).limit.values
+    monkeypatch.setenv("NONSMOOTH_BACKEND", "numpy")
+    assert (compiled >= 0).any()
+    np.testing.assert_array_equal(compiled, ns.chart(orbit, **plane).limit.values)
 
 
 # --- closed forms
@@ -273,14 +292,6 @@ def test_closed_forms_of_the_impact_oscillator() -> None:
     # where there is a stable motion it comes first
     both = motion & np.isfinite(np.stack(traces)).all(axis=0)
     assert (stable[both] | (np.abs(np.stack(traces)).min(axis=0)[both] > 1 + r**2)).mean() > 0.95
-
-
-def test_neutral_where_the_map_keeps_the_area() -> None:
-    line = ns.chart(IMPACT, w=np.linspace(2.2, 2.8, 9), r=1)
-    inside = np.abs(line.trace.values) < 2
-    assert inside.any()
-    assert (line.margin.values[inside] == 0).all()
-    assert (line.margin.values[np.abs(line.trace.values) > 2.001] < 0).all()
 
 
 def test_margins_of_families() -> None:

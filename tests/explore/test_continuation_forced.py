@@ -14,9 +14,10 @@ import pytest
 import sympy as sp
 
 import nonsmooth
-from nonsmooth.derive import Harmonic, Parameter, RigidStop, SoftStop, System, oscillator
+from nonsmooth.derive import Parameter, RigidStop, SoftStop, System
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.orbits.orbit import Orbit
+from tests.one_mass import one_mass
 
 W, R = 2.8, 0.8
 
@@ -25,12 +26,10 @@ W, R = 2.8, 0.8
 def struck_at(place: str, *signed: str, damping: str = "0") -> System:
     """A forced mass that strikes a wall at a place, over parameters of either sign."""
     r, w = sp.symbols("r w")
-    return oscillator(
-        "impact-oscillator", ["x"], [[1]], [[1]], [[sp.sympify(damping)]],
-        forcing=[Harmonic(w, cosine=[1])],
-        elements=[RigidStop("x", at=sp.sympify(place), restitution=r, name="wall")],
-        parameters=[Parameter(name, name, lower=-sp.oo) for name in signed],
-    )  # fmt: skip
+    wall = RigidStop("x", at=sp.sympify(place), restitution=r, name="wall")
+    own = [Parameter(name, name, lower=-sp.oo) for name in signed]
+    given = {"damping": sp.sympify(damping), "forces": {w: 1}}
+    return one_mass("impact-oscillator", wall, parameters=own, **given)
 
 
 def system() -> System:
@@ -121,18 +120,12 @@ def test_torus_where_the_area_is_kept() -> None:
 @cache
 def stops() -> System:
     r, w, f = sp.symbols("r w f")
-    return oscillator(
+    return one_mass(
         "two-stops",
-        ["x"],
-        mass=[[1]],
-        stiffness=[[1]],
-        damping=[[sp.Rational(1, 10)]],
-        forcing=[Harmonic(w, cosine=[f])],
-        elements=[
-            RigidStop("x", 1, r, name="right"),
-            RigidStop("x", -1, r, name="left", side="lower"),
-        ],
-        parameters=[Parameter("w", "frequency"), Parameter("f", "force")],
+        RigidStop("x", 1, r, name="right"),
+        RigidStop("x", -1, r, name="left", side="lower"),
+        damping="1/10",
+        forces={w: f},
     )
 
 
@@ -169,16 +162,9 @@ def test_symmetry_breaking_between_two_stops() -> None:
 @cache
 def bumped() -> Orbit:
     """The orbit that strikes once of 2 x'' + 2 x' + 800 x = 2 cos(Omega t) at x = 1/200."""
-    omega = sp.Symbol("Omega")
-    soft = oscillator(
-        "bump",
-        ["x"],
-        mass=[[2]],
-        damping=[[2]],
-        stiffness=[[800]],
-        forcing=[Harmonic(omega, cosine=[2])],
-        elements=[SoftStop("x", at="1/200", stiffness=8000, damping=5, name="rubber")],
-    )
+    rubber = SoftStop("x", at="1/200", stiffness=8000, damping=5, name="rubber")
+    forces = {sp.Symbol("Omega"): 2}
+    soft = one_mass("bump", rubber, mass=2, damping=2, stiffness=800, forces=forces)
     known = nonsmooth.find_orbits(soft, {"Omega": 26}, 5, transitions=300).orbits
     return next(entry.orbit for entry in known if len(entry.itinerary) == 2)
 
@@ -203,15 +189,8 @@ def test_a_branch_ends_once_where_a_phase_vanishes(seed: int) -> None:
     There the branch turns, and the contact is left without speed: all of it is one event.
     """
     w, k, zeta = sp.symbols("w k zeta")
-    system = oscillator(
-        "bump",
-        ["x"],
-        mass=[[1]],
-        damping=[[2 * zeta]],
-        stiffness=[[1]],
-        forcing=[Harmonic(w, cosine=[1])],
-        elements=[SoftStop("x", at=1, stiffness=k, name="stop")],
-    )
+    stop = SoftStop("x", at=1, stiffness=k, name="stop")
+    system = one_mass("bump", stop, damping=2 * zeta, forces={w: 1})
     rng = np.random.default_rng(seed)
     bounds = {"w": (0.85, 1.1), "k": (1, 20), "zeta": (0.05, 0.25)}
     data = {name: f"{rng.uniform(*ends):.2f}" for name, ends in bounds.items()}

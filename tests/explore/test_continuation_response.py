@@ -6,8 +6,9 @@ import sympy as sp
 
 import nonsmooth as ns
 from nonsmooth import InputError, observe
-from nonsmooth.derive import Parameter, SoftStop, oscillator
+from nonsmooth.derive import SoftStop
 from nonsmooth.runtime.explore.continuation.branch import Branch
+from tests.one_mass import one_mass
 from tests.places import GALLERY
 from tests.two_masses import STICKING
 
@@ -52,14 +53,8 @@ def test_a_branch_stays_inside_its_interval_where_the_end_is_singular() -> None:
 
 def soft_stop() -> Branch:
     """A mass 2 on a spring 2 that meets a stop of stiffness 6 at x = 1, over its period."""
-    system = oscillator(
-        "soft-stop",
-        ["x"],
-        mass=[[2]],
-        stiffness=[[2]],
-        elements=[SoftStop("x", at=1, stiffness=sp.Symbol("k"), name="stop")],
-        parameters=[Parameter("k", "stiffness of the stop")],
-    )
+    stop = SoftStop("x", at=1, stiffness=sp.Symbol("k"), name="stop")
+    system = one_mass("soft-stop", stop, mass=2, stiffness=2)
     motion = ns.simulate(system, {"k": 6}, [0, 1.5], transitions=20)
     phases, dwell, start = ns.itinerary_of(motion)
     orbit = ns.solve(

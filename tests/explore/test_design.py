@@ -1,18 +1,16 @@
 """Designs: optima against scans, closed forms and differences, along a branch and at its limits."""
 
 from functools import cache
-from types import SimpleNamespace
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import pytest
-from scipy.optimize import brentq
+import sympy as sp
 
 import nonsmooth as ns
+from nonsmooth.derive import Boundary, Configuration, FirstOrder, Parameter, System, Transition
 from nonsmooth.runtime.explore.design.optimum import Design
-from nonsmooth.runtime.explore.design.quantities import radius_rows
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.shooting.multipliers import MapDerivatives, multiplier_derivatives
 from tests.explore.test_continuation_forced import branch as struck
 from tests.explore.test_continuation_forced import bump_grazings, bumped, closed_forms
 from tests.places import GALLERY
@@ -200,18 +198,6 @@ def test_a_design_is_drawn() -> None:
     stablest().plot(figure.axes[0])
 
 
-class Turned(NamedTuple):
-    """What stands for the derivatives of an orbit whose section map is a matrix."""
-
-    section: Any
-    directions: Any
-
-
-def turned(matrix: np.ndarray, rates: np.ndarray) -> Any:
-    found = MapDerivatives(matrix, rates, len(matrix), 0)
-    return Turned(multiplier_derivatives(found, None), SimpleNamespace(section=found))
-
-
 MATRICES = {
     "one": [[0.3]],
     "negative": [[-0.3]],
@@ -220,51 +206,58 @@ MATRICES = {
     "three": [[0.5, -0.4, 0.1], [0.4, 0.5, 0.2], [0.1, 0, 0.6]],
     "three real": [[0.9, 0.1, 0.1], [0, -0.8, 0.2], [0, 0, 0.89]],
     "four": [[0.5, -0.4, 0.1, 0], [0.4, 0.5, 0.2, 0.1], [0.1, 0, 0.6, 0.3], [0, 0.1, -0.3, 0.5]],
+    "meeting": [[0.7, 1, 0], [0, 0.7, 0], [0, 0, -0.2]],
 }
 
 
-@pytest.mark.parametrize("name", MATRICES)
-def test_the_level_above_multipliers_is_the_spectral_radius(name: str) -> None:
-    """The least level at which all conditions hold, by bisection, is the eigenvalues'."""
+def mapped(matrix: np.ndarray, rates: np.ndarray, p: float) -> Orbit:
+    """A state that rests, and at each tick of a clock becomes (M + p R) x + 1."""
+    *states, clock = sp.symbols(f"x1:{len(matrix) + 1} clock", real=True)
+    part = Parameter("p", "part", lower=-sp.oo)
+    moved = exact(matrix) + part.symbol * exact(rates)
+    kicked = moved * sp.Matrix(states) + sp.ones(len(states), 1)
+    rest = FirstOrder(sp.zeros(len(states) + 1), [*[0] * len(states), 1])
+    system = System(
+        "mapped", "a map", (*states, clock), (part,),
+        (Configuration("rest", rest, (Boundary("tick", clock - 1),)),),
+        (Transition("rest", {"tick"}, "rest", reset={**dict(zip(states, kicked, strict=True)),
+                                                     clock: 0}),),
+    )  # fmt: skip
+    fixed = np.linalg.solve(np.eye(len(matrix)) - matrix - p * rates, np.ones(len(matrix)))
+    return ns.solve(system, {"p": p}, [1, *fixed, 0], itinerary=[("rest", "tick")])
+
+
+def exact(matrix: np.ndarray) -> Any:
+    return sp.Matrix([[sp.Rational(repr(number)) for number in row] for row in matrix.tolist()])
+
+
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(n, marks=[pytest.mark.slow] * (n in ("one", "two", "three"))) for n in MATRICES],
+)
+def test_the_least_spectral_radius_is_that_of_the_eigenvalues(name: str) -> None:
+    """Of maps with one multiplier to four, which meet in the last one where it is smallest."""
     matrix = np.array(MATRICES[name])
-    derivatives = turned(matrix, np.zeros((1, *matrix.shape)))
-    largest = abs(np.linalg.eigvals(matrix)).max()
-    level = brentq(lambda t: radius_rows(derivatives, t).values.min(), 0.8 * largest, 5, xtol=1e-14)
-    assert level == pytest.approx(largest, rel=1e-12)
-    assert (radius_rows(derivatives, 1.01 * largest).values > 0).all()
+    rates = np.random.default_rng(5).normal(size=matrix.shape).round(2)
+    if name == "meeting":
+        rates = 1.0 * np.eye(3)[[1, 0, 2]] * np.eye(3)[1][:, None]
 
+    def radius(p: float) -> float:
+        return float(abs(np.linalg.eigvals(matrix + p * rates)).max())
 
-@pytest.mark.parametrize("name", MATRICES)
-def test_conditions_of_a_level_have_exact_derivatives(name: str) -> None:
-    """Each row on its own, by differences, also of a single multiplier of either sign."""
-    matrix = np.array(MATRICES[name])
-    rates = np.random.default_rng(5).normal(size=(2, *matrix.shape))
-    level, step = 1.1, 1e-6
-    rows = radius_rows(turned(matrix, rates), level)
-    for place in (0, 1):
-        ends = [
-            radius_rows(turned(matrix + sign * step * rates[place], rates), level).values
-            for sign in (-1, 1)
-        ]
-        rough = (ends[1] - ends[0]) / (2 * step)
-        np.testing.assert_allclose(rows.by_parameters[:, place], rough, atol=1e-7)
-    ends = [radius_rows(turned(matrix, rates), level + sign * step).values for sign in (-1, 1)]
-    np.testing.assert_allclose(rows.by_level, (ends[1] - ends[0]) / (2 * step), atol=1e-7)
-
-
-def test_conditions_are_smooth_where_two_of_several_multipliers_meet() -> None:
-    """On both sides of the collision the same conditions change by their derivatives."""
-    whole = np.diag([0.7, 0.7, -0.2])
-    whole[0, 1] = 1.0
-    rates = np.zeros((1, 3, 3))
-    rates[0, 1, 0] = 1.0  # the two meet at zero: real above, complex below
-    ends = {
-        t: radius_rows(turned(whole + t * rates[0], rates), 0.9) for t in (-1e-4, -1e-9, 1e-9, 1e-4)
-    }
-    for near, far in ((-1e-9, -1e-4), (1e-9, 1e-4)):
-        change = ends[far].values - ends[near].values
-        np.testing.assert_allclose(change, (far - near) * ends[near].by_parameters[:, 0], atol=1e-9)
-    np.testing.assert_allclose(ends[-1e-9].by_parameters, ends[1e-9].by_parameters, atol=1e-7)
+    found = ns.design(
+        mapped(matrix, rates, 0.05), minimise="spectral_radius", over={"p": (-0.1, 0.1)}
+    )
+    best = found.after["p"]
+    assert found.converged, found.message
+    assert found.after["spectral_radius"] == pytest.approx(radius(best), abs=1e-7)
+    assert radius(best) < min(map(radius, np.linspace(-0.1, 0.1, 401))) + 1e-7
+    for limit in found.active:  # a bound, with what is lost for each unit of it
+        inside = best - np.copysign(1e-6, best)
+        cost = (radius(inside) - radius(best)) / 1e-6
+        assert limit.multiplier == pytest.approx(cost, rel=1e-4)
+    if name == "meeting":
+        assert (found.corner, best) == ("two multipliers meet", pytest.approx(0, abs=1e-7))
 
 
 def test_conditions_are_read_as_written() -> None:
@@ -350,6 +343,19 @@ def test_local_extremes_have_the_derivatives_of_differences() -> None:
         assert float(here.rates[0]) == pytest.approx(slope, rel=1e-6)
     with pytest.raises(ns.InputError, match="period"):
         ns.solve(damper).derivatives().local_extremes("period")
+
+
+@pytest.mark.parametrize("name", ["impact_damper.py:struck-twice", "two_belts.py:both-stick"])
+def test_no_local_maximum_is_missed(name: str) -> None:
+    """Against a dense grid, which comes as near to the end of a phase as its points are apart."""
+    orbit = ns.solve(f"{GALLERY / name}")
+    motion, derivatives = orbit.trajectory(), orbit.derivatives()
+    states = motion(np.linspace(0, motion.end, 200_001))
+    for state, values in zip(orbit.state_names, states.T, strict=True):
+        inner = (values[1:-1] > values[:-2]) & (values[1:-1] >= values[2:])
+        listed = np.array([e.value for e in derivatives.local_extremes(f"maximum:{state}")])
+        for top in values[1:-1][inner]:
+            assert abs(listed - top).min() < 2e-4 * np.ptp(values)
 
 
 def test_one_multiplier_is_followed_to_its_bound() -> None:

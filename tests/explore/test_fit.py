@@ -20,35 +20,16 @@ import nonsmooth as ns
 from nonsmooth import InputError, Interrupted
 from nonsmooth.derive import (
     DeclarationError,
-    Harmonic,
-    Parameter,
     RigidStop,
-    oscillator,
     read_matrices,
 )
-from nonsmooth.runtime.simulation.phase_functions import local_maxima, phases_of
+from tests.one_mass import one_mass
 from tests.unpacking import unpacked_pieces
 
 k, m, r, c = sp.symbols("k m r c")
-SYSTEM = oscillator(
-    "struck",
-    ["x"],
-    mass=[[m]],
-    damping=[[c]],
-    stiffness=[[k]],
-    elements=[RigidStop("x", at=0.2, restitution=r, name="wall")],
-    parameters=[Parameter("c", "damping"), Parameter("k", "stiffness"), Parameter("m", "mass")],
-)
-FORCED = oscillator(
-    "struck-forced",
-    ["x"],
-    mass=[[1]],
-    damping=[[c]],
-    stiffness=[[k]],
-    forcing=[Harmonic("2.1", cosine=[1])],
-    elements=[RigidStop("x", at=0.2, restitution=r, name="wall")],
-    parameters=[Parameter("c", "damping"), Parameter("k", "stiffness")],
-)
+STOP = RigidStop("x", at=0.2, restitution=r, name="wall")
+SYSTEM = one_mass("struck", STOP, mass=m, damping=c, stiffness=k)
+FORCED = one_mass("struck-forced", STOP, damping=c, stiffness=k, forces={"2.1": 1})
 TRUTH: dict[str, Any] = {"k": 4.0, "m": 1.0, "r": 0.9, "c": 0.02}
 START: dict[str, Any] = {"x": -1.0, "v": 0.0}
 WALL = "wall-reaches-stop"
@@ -349,11 +330,8 @@ def test_the_sequence_of_the_data_is_compared() -> None:
 
 def test_distance_to_grazing_is_that_of_the_height() -> None:
     # without a wall in reach x = -cos(2 t): the largest x is 1, and grazes a wall at 1
-    free = oscillator(
-        "near", ["x"], mass=[[1]], stiffness=[[k]],
-        elements=[RigidStop("x", at=sp.Symbol("h"), restitution=r, name="wall")],
-        parameters=[Parameter("k", "stiffness"), Parameter("h", "position of the stop")],
-    )  # fmt: skip
+    stop = RigidStop("x", at=sp.Symbol("h"), restitution=r, name="wall")
+    free = one_mass("near", stop, stiffness=k)
     data = {"t": TIMES, "x": -np.cos(2 * TIMES)}
     found = ns.fit(
         free, data, parameters={"h": 1.25, "k": 4.1, "r": 0.5}, free=["k", "x0"],
@@ -483,31 +461,6 @@ def test_least_noise_keeps_exact_data_finite() -> None:
     np.testing.assert_allclose(found.estimates, [4, 0.9], rtol=1e-9)
     assert 0 < found.noise["x"] < 1e-6
     assert np.isfinite(found.standard_errors).all()
-
-
-# --- maxima of boundary functions
-
-
-def test_no_local_maximum_is_missed() -> None:
-    """Against a dense grid: two frequencies and a drift, thousands of radians long."""
-    beat = oscillator(
-        "beat", ["x", "y"], mass=[[1, 0], [0, 1]], stiffness=[[1, 0], [0, sp.Rational(49, 10)]],
-        elements=[RigidStop("x", at=9, restitution=r, name="wall")],
-        parameters=[Parameter("r", "restitution")],
-    )  # fmt: skip
-    motion = ns.simulate(beat, {"r": 0.5}, {"x": 1, "y": 0.4, "v": 0, "v_y": 0.2}, until=300)
-    row = np.array([1.0, 1.0, 0.0, 0.0, 0.25])
-    found = local_maxima(motion.system, phases_of(motion), np.tile(row, (1, 1, 1)))
-    times = np.linspace(0, 300, 600_001)
-    parts = np.array_split(times, 20)  # all at once take a hundred megabytes
-    values = np.concatenate([motion(part) for part in parts]) @ row[:-1] + row[-1]
-    tops = np.flatnonzero((values[1:-1] > values[:-2]) & (values[1:-1] >= values[2:])) + 1
-    assert len(found) == len(tops) > 80
-    each = sorted(found, key=lambda maximum: maximum.since)
-    np.testing.assert_allclose([m.since for m in each], times[tops], atol=6e-4)
-    np.testing.assert_allclose([m.value for m in each], values[tops], atol=1e-6)
-    rates = motion([m.since for m in each])[:, 2:] @ row[:2]
-    assert abs(rates).max() < 1e-12
 
 
 @pytest.mark.parametrize("packing", [zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA])

@@ -12,41 +12,14 @@ import sympy as sp
 
 import nonsmooth as ns
 from nonsmooth import InputError
-from nonsmooth.derive import Harmonic, Parameter, RigidStop, SoftStop, oscillator
+from nonsmooth.derive import RigidStop, SoftStop
+from tests.one_mass import one_mass
 
 c, k, s, F, w, r = sp.symbols("c k s F w r")
-SYSTEM = oscillator(
-    "touching",
-    ["x"],
-    mass=[[1]],
-    damping=[[c]],
-    stiffness=[[k]],
-    forcing=[Harmonic(w, cosine=[F])],
-    elements=[SoftStop("x", at=1, stiffness=s, name="stop")],
-    parameters=[
-        Parameter("c", "damping"),
-        Parameter("k", "stiffness"),
-        Parameter("s", "stiffness of the stop"),
-        Parameter("w", "frequency"),
-        Parameter("F", "force"),
-    ],
-)
-IMPACTING = oscillator(
-    "struck-steadily",
-    ["x"],
-    mass=[[1]],
-    damping=[[c]],
-    stiffness=[[k]],
-    forcing=[Harmonic(w, cosine=[F])],
-    elements=[RigidStop("x", at=0.2, restitution=r, name="wall")],
-    parameters=[
-        Parameter("c", "damping"),
-        Parameter("k", "stiffness"),
-        Parameter("r", "restitution"),
-        Parameter("w", "frequency"),
-        Parameter("F", "force"),
-    ],
-)
+FORCED: Any = {"damping": c, "stiffness": k, "forces": {w: F}}
+SYSTEM = one_mass("touching", SoftStop("x", at=1, stiffness=s, name="stop"), **FORCED)
+WALL = RigidStop("x", at=0.2, restitution=r, name="wall")
+IMPACTING = one_mass("struck-steadily", WALL, **FORCED)
 TRUTH: dict[str, Any] = {"c": 0.1, "k": 1.0, "s": 3.0, "F": 0.3}
 GUESS = {"c": 0.11, "k": 1.03, "s": 2.8}
 SWEEP = np.array([0.6, 0.8, 0.9, 1.0, 1.06, 1.12, 1.3, 1.6])

@@ -1,6 +1,5 @@
 """What is found is primitive, listed once, and closes; every start ends in a named outcome."""
 
-import json
 from functools import cache
 
 import numpy as np
@@ -14,47 +13,29 @@ from nonsmooth import InputError, find_orbits, simulate
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, SoftStop, oscillator
 from nonsmooth.runtime.explore.finding.outcomes import PERIODIC, Outcome, settled
 from nonsmooth.runtime.model.kernels import kernels_of
+from tests.explore.test_escape import shaken
+from tests.one_mass import one_mass
 
 pytestmark = pytest.mark.compiled
 
 UNINTERRUPTED, EQUILIBRIUM = 1, 2  # as files of sweeps have them
 
 
-@cache
 def stopped():
     """A damped mass under harmonic forcing strikes a stop."""
-    zeta = Parameter("zeta", "damping", lower=-sp.oo)
-    r = Parameter("r", "restitution", sp.Integer(0), sp.Integer(1), closed=True, upper_closed=True)
-    omega, gap = Parameter("Omega", "frequency"), Parameter("gap", "place", lower=-sp.oo)
-    return oscillator(
-        "forced-impact",
-        ["x"],
-        mass=[[1]],
-        stiffness=[[1]],
-        damping=[[2 * zeta.symbol]],
-        forcing=[Harmonic(omega.symbol, cosine=[1])],
-        elements=[RigidStop("x", at=gap.symbol, restitution=r.symbol, name="stop")],
-        parameters=[zeta, omega, gap, r],
-    )
+    return shaken(1, ("stop",))
 
 
 @cache
 def between():
     """The same between two stops, at equal distances."""
-    omega, gap = Parameter("Omega", ""), Parameter("gap", "")
-    r = Parameter("r", "", sp.Integer(0), sp.Integer(1))
-    return oscillator(
+    w, gap, r = sp.symbols("w gap r")
+    return one_mass(
         "between-stops",
-        ["x"],
-        mass=[[1]],
-        stiffness=[[1]],
-        damping=[[sp.Rational(1, 10)]],
-        forcing=[Harmonic(omega.symbol, cosine=[1])],
-        elements=[
-            RigidStop("x", at=gap.symbol, restitution=r.symbol, name="right"),
-            RigidStop("x", at=-gap.symbol, restitution=r.symbol, side="lower", name="left"),
-        ],
-        parameters=[omega, gap, r],
+        RigidStop("x", at=gap, restitution=r, name="right"),
+        RigidStop("x", at=-gap, restitution=r, side="lower", name="left"),
+        damping="1/10",
+        forces={w: 1},
     )
 
 
@@ -63,14 +44,11 @@ def rubbing(forcings=1):
     """A damped mass under one or two forces rubs on the ground."""
     mu, force = Parameter("mu", "friction"), Parameter("F", "amplitude", lower=-sp.oo)
     w = [Parameter(f"w{k}", "frequency") for k in range(1, forcings + 1)]
-    return oscillator(
+    return one_mass(
         "rubbing",
-        ["x"],
-        mass=[[1]],
-        stiffness=[[1]],
-        damping=[[sp.Rational(1, 5)]],
-        forcing=[Harmonic(each.symbol, cosine=[force.symbol]) for each in w],
-        elements=[Friction("x", mu.symbol, name="ground")],
+        Friction("x", mu.symbol, name="ground"),
+        damping="1/5",
+        forces={each.symbol: force.symbol for each in w},
         parameters=[mu, force, *w],
     )
 
@@ -78,20 +56,9 @@ def rubbing(forcings=1):
 @cache
 def on_belt():
     """A mass on a moving belt, without forcing."""
-    mu, c, speed = (
-        Parameter("mu", ""),
-        Parameter("c", "", lower=-sp.oo),
-        Parameter("V", "", lower=-sp.oo),
-    )
-    return oscillator(
-        "on-belt",
-        ["x"],
-        mass=[[1]],
-        stiffness=[[1]],
-        damping=[[c.symbol]],
-        elements=[Friction("x", mu.symbol, velocity=speed.symbol, name="belt")],
-        parameters=[mu, c, speed],
-    )
+    c, speed = (Parameter(name, "", lower=-sp.oo) for name in "cV")
+    belt = Friction("x", sp.Symbol("mu"), velocity=speed.symbol, name="belt")
+    return one_mass("on-belt", belt, damping=c.symbol, parameters=[c, speed])
 
 
 def found_at(system, data, n=12, **options):
@@ -128,10 +95,10 @@ def drawn(build, seed):
     rng = np.random.default_rng([seed, len(build.__name__)])
     if build is stopped:
         low, high = np.array([0.02, 1.5, -0.1, 0.5]), np.array([0.1, 3.0, 0.3, 0.9])
-        names = ("zeta", "Omega", "gap", "r")
+        names = ("zeta", "w", "gap", "r")
     elif build is between:
         low, high = np.array([0.8, 0.4, 0.5]), np.array([2.0, 1.5, 0.9])
-        names = ("Omega", "gap", "r")
+        names = ("w", "gap", "r")
     else:
         low, high = np.array([0.1, 1.0, 0.6]), np.array([0.8, 3.0, 1.6])
         names = ("mu", "F", "w1")
@@ -155,7 +122,7 @@ def test_each_orbit_closes_and_is_primitive(build, seed):
     assert found.orbits
     for entry in found.orbits:
         orbit, (turns,) = entry.orbit, entry.forcing_periods
-        speed = float(orbit.parameters["w1" if build is rubbing else "Omega"])
+        speed = float(orbit.parameters["w1" if build is rubbing else "w"])
         assert entry.period * speed / (2 * np.pi) == pytest.approx(turns, abs=1e-9)
         scale = sizes(orbit)
         if turns <= 4:
@@ -201,7 +168,7 @@ def test_multipliers_are_those_of_one_turn(seed):
     "zeta", ["1e-14", *(pytest.param(zeta, marks=pytest.mark.slow) for zeta in ("0", "1e-6"))]
 )
 def test_more_digits_confirm_a_verdict(zeta):
-    data = {"zeta": zeta, "r": "1", "Omega": "2.6", "gap": "0.5"}
+    data = {"zeta": zeta, "r": "1", "w": "2.6", "gap": "0.5"}
     found = find_orbits(stopped(), data, 15, transitions=300, rng=1)
     regular = [entry.orbit for entry in found.orbits if entry.verdict != "unstable"]
     assert len(regular) > 1  # how many depends on the last bits of motions that nothing damps
@@ -215,7 +182,7 @@ def test_more_digits_confirm_a_verdict(zeta):
 
 
 def test_a_position_that_is_zero_by_declaration_is_no_return():
-    data = {"zeta": "0.05", "Omega": "2.6", "gap": 0, "r": "0.8"}
+    data = {"zeta": "0.05", "w": "2.6", "gap": 0, "r": "0.8"}
     found = found_at(stopped(), data, 20)
     attracting = [entry for entry in found.orbits if entry.starts]
     assert sorted(entry.forcing_periods for entry in attracting) == [(1,), (3,)]
@@ -254,12 +221,12 @@ def test_a_velocity_that_is_zero_by_declaration_is_no_return():
 # --- motions that reach no boundary
 
 
-def response(zeta, omega):
-    return 1 / (1 - omega**2 + 2j * zeta * omega)
+def response(zeta, w):
+    return 1 / (1 - w**2 + 2j * zeta * w)
 
 
 def test_the_linear_response_is_an_orbit():
-    data = {"zeta": "0.05", "Omega": "2.6", "gap": 3, "r": "0.8"}
+    data = {"zeta": "0.05", "w": "2.6", "gap": 3, "r": "0.8"}
     found = found_at(stopped(), data, 4)
     (entry,) = found.orbits
     assert (entry.share, entry.forcing_periods, entry.verdict) == (1, (1,), "stable")
@@ -281,9 +248,9 @@ def test_the_linear_response_is_an_orbit():
 
 
 def test_grazing_ends_it():
-    data = {"zeta": "0.05", "Omega": "2.6", "gap": "0.3", "r": "0.8"}
+    data = {"zeta": "0.05", "w": "2.6", "gap": "0.3", "r": "0.8"}
     orbit = ns.solve(stopped(), data, [2 * np.pi / 2.6], itinerary=[("free", "forcing-phase")])
-    branch = ns.continue_orbit(orbit, "Omega", (2, 2.7))
+    branch = ns.continue_orbit(orbit, "w", (2, 2.7))
     assert {event.kind for event in branch.events} == {"grazing"}
     for event in branch.events:
         assert abs(response(0.05, event.value)) == pytest.approx(0.3, abs=1e-11)
@@ -302,7 +269,7 @@ def test_several_forcings_and_their_common_period():
         ns.solve(on_belt(), {"mu": 1, "c": 0, "V": 1}, [1], itinerary=[("slip", "forcing-phase")])
     phases = [("free", "forcing-phase"), ("free", "stop-reaches-stop")]
     with pytest.raises(InputError, match="unknown boundary"):
-        ns.solve(steady, {"zeta": 0, "Omega": 2, "gap": 1, "r": 1}, [1, 1], itinerary=phases)
+        ns.solve(steady, {"zeta": 0, "w": 2, "gap": 1, "r": 1}, [1, 1], itinerary=phases)
     found = found_at(rubbing(2), data, 3)
     assert {(3, 2)} == {entry.forcing_periods for entry in found.orbits if entry.starts}
     lost = found_at(rubbing(2), data | {"w2": "2**(1/2)"}, 3)
@@ -337,11 +304,11 @@ def test_steady_sliding_that_is_unstable_is_listed():
     ("system", "data", "outcome"),
     [
         (on_belt, {"mu": "1/2", "c": "1/5", "V": 0}, Outcome.RESTING),
-        (stopped, {"zeta": "0.05", "Omega": "2.8", "gap": 0, "r": "0.8"}, Outcome.CHAOTIC),
+        (stopped, {"zeta": "0.05", "w": "2.8", "gap": 0, "r": "0.8"}, Outcome.CHAOTIC),
     ],
 )
 def test_outcomes_have_names(system, data, outcome):
-    box = {"x": (-1, 1), "v": (-1, 1)}
+    box = dict.fromkeys(map(str, system().states[:2]), (-1, 1))
     assert found_at(system(), data, 4, box=box).share(outcome) == 1
 
 
@@ -355,7 +322,7 @@ def test_a_long_transient_is_no_chaos():
 
 def test_one_motion_at_each_point_is_named_alike():
     kernels = kernels_of(stopped())
-    points = {"zeta": 0.05, "Omega": np.array([2.6, 2.8, 2.6]), "gap": np.array([0, 0, 3.0])}
+    points = {"zeta": 0.05, "w": np.array([2.6, 2.8, 2.6]), "gap": np.array([0, 0, 3.0])}
     data = {**points, "r": 0.8}
     motions = simulate(kernels, data, [-0.5, 0, 1, 0], transitions=600, keep=65)
     told = settled(kernels, data, motions)
@@ -372,7 +339,7 @@ def test_one_motion_at_each_point_is_named_alike():
 
 
 def test_mirror_images_are_marked():
-    data = {"Omega": "1.5", "gap": "0.5", "r": "0.8"}
+    data = {"w": "1.5", "gap": "0.5", "r": "0.8"}
     found = found_at(between(), data, 20)
     pairs = [(k, e) for k, e in enumerate(found.orbits) if e.mirror not in (None, k)]
     assert pairs
@@ -391,14 +358,8 @@ def test_mirror_images_are_marked():
 
 def free_on_the_ground():
     """A mass that no spring holds, shaken; sticks between its ways."""
-    return oscillator(
-        "free-on-the-ground",
-        ["x"],
-        mass=[[1]],
-        stiffness=[[0]],
-        forcing=[Harmonic(sp.Rational(1, 2), cosine=[2])],
-        elements=[Friction("x", kinetic=sp.Rational(1, 2), name="ground")],
-    )
+    ground = Friction("x", kinetic="1/2", name="ground")
+    return one_mass("free-on-the-ground", ground, stiffness=0, forces={"1/2": 2})
 
 
 def twins():
@@ -417,18 +378,12 @@ def twins():
 
 def between_soft_stops():
     """Equal stops at equal distances."""
-    half = sp.Rational(1, 2)
-    return oscillator(
+    return one_mass(
         "between-soft-stops",
-        ["x"],
-        mass=[[1]],
-        damping=[[sp.Rational(1, 10)]],
-        stiffness=[[1]],
-        forcing=[Harmonic(sp.Rational(7, 10), cosine=[1])],
-        elements=[
-            SoftStop("x", at=half, stiffness=8, name="right"),
-            SoftStop("x", at=-half, stiffness=8, side="lower", name="left"),
-        ],
+        SoftStop("x", at="1/2", stiffness=8, name="right"),
+        SoftStop("x", at="-1/2", stiffness=8, side="lower", name="left"),
+        damping="1/10",
+        forces={"7/10": 1},
     )
 
 
@@ -467,39 +422,9 @@ def test_an_orbit_that_is_its_own_mirror_image_has_no_other(declared, own):
         assert all(apart(orbits[place], none, orbits[other]) > 0.05 for other in range(place))
 
 
-@pytest.mark.parametrize(
-    ("build", "data"),
-    [
-        (stopped, {"zeta": "0.05", "Omega": "2.6", "gap": 3, "r": "0.8"}),
-        (on_belt, {"mu": "1/2", "c": "1/5", "V": 3}),
-    ],
-)
-def test_files_and_words(build, data, tmp_path):
-    found = found_at(build(), data, 5)
-    files = [tmp_path / "found.json", tmp_path / "again.json"]
-    found.save(files[0])
-    ns.load(files[0]).save(files[1])
-    told, wanted = (json.loads(file.read_text()) for file in files)
-    assert told == wanted
-    assert [(one.forcing_periods, one.mirror) for one in ns.load(files[0]).orbits] == [
-        ((1,), None) for _ in found.orbits
-    ]
-
-
-def test_a_motion_without_contact_is_proved_and_checked(tmp_path):
-    data = {"zeta": "0.05", "Omega": "2.6", "gap": 3, "r": "0.8"}
-    phases = [("free", "forcing-phase")]
-    certificate = ns.certify(ns.solve(stopped(), data, [2 * np.pi / 2.6], itinerary=phases))
-    assert set(certificate.claims.values()) == {"proved"}
-    certificate.save(tmp_path / "proof.json")
-    assert ns.certify.check(tmp_path / "proof.json").claims == certificate.claims
-    beyond = ns.solve(stopped(), data | {"gap": "0.1"}, [2 * np.pi / 2.6], itinerary=phases)
-    assert ns.certify(beyond).claims["admissibility"] == "refuted"
-
-
 def test_impacts_that_follow_each_other_ever_faster_come_back_with_the_forcing():
     """A hundred impacts in a period, until the mass rests at the stop: no cycle is short."""
-    data = {"zeta": "0.1392", "Omega": "0.4243", "gap": "-0.0716", "r": "0.7297"}
+    data = {"zeta": "0.1392", "w": "0.4243", "gap": "-0.0716", "r": "0.7297"}
     period = 2 * np.pi / 0.4243
     found = find_orbits(stopped(), data, 6, transitions=600)
     kernels, points = kernels_of(stopped()), {name: float(text) for name, text in data.items()}
@@ -520,10 +445,10 @@ def test_impacts_that_follow_each_other_ever_faster_come_back_with_the_forcing()
 @pytest.mark.parametrize(
     ("build", "data"),
     [
-        (stopped, {"zeta": 0.05, "Omega": 2.8, "gap": 0, "r": 0.8}),
-        (stopped, {"zeta": 0.02, "Omega": 2.6, "gap": 0.4, "r": 0.8}),
-        (stopped, {"zeta": -0.05, "Omega": 2.6, "gap": 0.4, "r": 0.95}),
-        (between, {"Omega": 1.4, "gap": 0.6, "r": 0.7}),
+        (stopped, {"zeta": 0.05, "w": 2.8, "gap": 0, "r": 0.8}),
+        (stopped, {"zeta": 0.02, "w": 2.6, "gap": 0.4, "r": 0.8}),
+        (stopped, {"zeta": -0.05, "w": 2.6, "gap": 0.4, "r": 0.95}),
+        (between, {"w": 1.4, "gap": 0.6, "r": 0.7}),
         (rubbing, {"mu": 0.4, "F": 1.5, "w1": 0.9}),
         (on_belt, {"mu": 0.5, "c": -0.02, "V": 3}),
         (on_belt, {"mu": 0.5, "c": 0.2, "V": 0}),

@@ -9,7 +9,6 @@ import sympy as sp
 import nonsmooth as ns
 from nonsmooth.derive import (
     Boundary,
-    Condition,
     Configuration,
     FirstOrder,
     Friction,
@@ -20,42 +19,9 @@ from nonsmooth.derive import (
     Transition,
     oscillator,
 )
+from tests.explore.test_units import OF_UNITS, converter
 
 pytestmark = pytest.mark.compiled
-
-
-@cache
-def converter():
-    """A voltage-mode converter: a comparator with a sawtooth switches the input."""
-    u, p, g = Parameter("u", "input"), Parameter("p", "frequency"), Parameter("g", "gain")
-    i, v, theta = sp.symbols("i v theta", real=True)
-    matrix = [[0, -p.symbol, 0], [p.symbol, -p.symbol / 2, 0], [0, 0, 0]]
-    error = g.symbol * (v - 1)
-    clock, low = Boundary("clock", theta - 1), (Condition(error, along="off"),)
-    return System(
-        name="converter",
-        description="a voltage-mode converter",
-        states=(i, v, theta),
-        parameters=(u, p, g),
-        configurations=(
-            Configuration(
-                "on",
-                FirstOrder(matrix, [u.symbol, 0, 1]),
-                (Boundary("control", error - theta), clock),
-            ),
-            Configuration(
-                "off", FirstOrder(matrix, [0, 0, 1]), (Boundary("control", theta - error), clock)
-            ),
-        ),
-        transitions=(
-            Transition("on", {"control"}, "off"),
-            Transition("off", {"control"}, "on"),
-            Transition("on", {"clock"}, "off", reset={theta: 0}, conditions=low),
-            Transition("on", {"clock"}, "on", reset={theta: 0}),
-            Transition("off", {"clock"}, "off", reset={theta: 0}, conditions=low),
-            Transition("off", {"clock"}, "on", reset={theta: 0}),
-        ),
-    )
 
 
 @cache
@@ -98,7 +64,7 @@ def rub():
 
 
 RANGES = {
-    converter: {"u": (2.5, 3), "p": (0.9, 1.3), "g": (6, 12)},
+    converter: {"w": (20, 23)},
     kicked: {"gap": (0.1, 0.5), "kick": (0.5, 2), "c": (0.1, 0.5)},
     rub: {"w": (0.8, 1.3), "gap": (0.5, 1), "k": (2, 20)},
 }
@@ -123,7 +89,8 @@ def same_motion(one, other):
 def test_what_is_listed_is_true(build, seed, tmp_path):
     rng = np.random.default_rng(seed)
     data = {name: f"{rng.uniform(*bounds):.2f}" for name, bounds in RANGES[build].items()}
-    found = ns.find_orbits(build(), data, 1, transitions=130, rng=seed)
+    data |= {p.name: "1" for p in build().parameters if p in OF_UNITS}
+    found = ns.find_orbits(build(), data, 3, transitions=130, rng=seed)
     orbits = [entry.orbit for entry in found.orbits]
     assert orbits
     for place, orbit in enumerate(orbits):

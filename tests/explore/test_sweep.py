@@ -5,7 +5,8 @@ import pytest
 import sympy as sp
 
 from nonsmooth import InputError, simulate, solve, sweep
-from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
+from nonsmooth.derive import Parameter, RigidStop
+from tests.one_mass import one_mass
 from tests.two_masses import CHAIN, PHASES, STICKING
 
 STICK = {name: value for name, value in STICKING.items() if name != "V"}
@@ -147,17 +148,9 @@ def test_a_start_inside_the_stop_is_told():
 @pytest.mark.parametrize("phase", [0.0, 2.0, 4.0])
 def test_a_stroboscope_goes_on_from_a_mass_that_rests_on_a_stop(phase):
     """Impacts accumulate; the stop that is swept reaches the resting mass or leaves it behind."""
-    gap, w = Parameter("gap", "place", lower=-sp.oo), sp.Rational(1, 2)
-    system = oscillator(
-        "resting",
-        ["x"],
-        mass=[[1]],
-        stiffness=[[1]],
-        damping=[[sp.Rational(1, 10)]],
-        forcing=[Harmonic(w, cosine=[1])],
-        elements=[RigidStop("x", at=gap.symbol, restitution=sp.Rational(1, 5))],
-        parameters=[gap],
-    )
+    gap = Parameter("gap", "place", lower=-sp.oo)
+    stop, forces = RigidStop("x", at=gap.symbol, restitution="1/5"), {"1/2": 1}
+    system = one_mass("resting", stop, damping="1/10", forces=forces, parameters=[gap])
     places, start = np.linspace(0, -0.4, 3), {"x": -1, "v": 0}
     given = {"state": "x", "phase": phase, "transient": 30, "samples": 4}
     diagram = sweep(system, {}, "gap", places, start, **given)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import builtins
 import re
+import sys
 from typing import Any
 
 import numpy as np
@@ -139,14 +139,7 @@ def test_what_is_no_point_is_refused_in_one_line(torch: Any) -> None:
 
 
 def test_without_torch_the_command_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    genuine = builtins.__import__
-
-    def without(name: str, *rest: Any) -> Any:
-        if name == "torch":
-            raise ImportError(name)
-        return genuine(name, *rest)
-
-    monkeypatch.setattr(builtins, "__import__", without)
+    monkeypatch.setitem(sys.modules, "torch", None)
     with pytest.raises(ns.MissingExtra, match=r'pip install "nonsmooth\[torch\]"'):
         differentiable(made())
 

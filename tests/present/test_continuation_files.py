@@ -78,6 +78,8 @@ def test_picture(tmp_path: Path) -> None:
     assert axes.get_legend_handles_labels()[1] == labels  # of both curves once
     with pytest.raises(nonsmooth.InputError, match="unknown quantity"):
         found.plot("nothing")
+    with pytest.raises(nonsmooth.InputError, match="no quantity is named"):
+        found.plot([])
 
 
 def test_a_constant_is_drawn_as_one() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -51,6 +52,10 @@ def test_a_strobe_shows_one_point_of_an_orbit_of_the_forcings_period() -> None:
     [
         ({"phase": None}, "give one of them"),
         ({"configuration": "free"}, "give one of them"),
+        ({"name": "W"}, "unknown parameter 'W'"),
+        ({"parameters": {"r": "0.8"}}, "needs a value for: sigma"),
+        ({"threads": 0}, "threads = 0"),
+        ({"values": [-2.0]}, "for no value of w"),
         ({"system": "rigid-stop", "parameters": {}, "start": {}}, "has no forcing"),
     ],
 )
@@ -66,6 +71,17 @@ def test_wrong_strobes(changes: dict, match: str) -> None:
     }
     with pytest.raises(InputError, match=match):
         sweep(**(arguments | changes))
+
+
+def test_a_sweep_of_a_constant_is_drawn_as_one() -> None:
+    pytest.importorskip("matplotlib")
+    diagram = sweep(
+        PAGE, {"r": "0.8", "sigma": 50}, "w", [1.7, 2.4], {"x": 1, "v": 0}, state="x", phase=0.0,
+        transient=1, samples=5,
+    )  # fmt: skip
+    noise = 1e-13 * np.random.default_rng(0).standard_normal(diagram.samples.shape)
+    (axes,) = replace(diagram, samples=2 + noise).plot().axes
+    assert np.ptp(axes.get_ylim()) > 0.1
 
 
 @cache

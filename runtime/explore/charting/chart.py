@@ -14,7 +14,7 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError, NonsmoothError
 from nonsmooth.runtime.core.files import check_folder, folder_made
 from nonsmooth.runtime.core.workload import BYTES, check_memory
-from nonsmooth.runtime.explore.charting.grid import Axis, Grid, axis_of, chunk_shape
+from nonsmooth.runtime.explore.charting.grid import Axes, Grid, axis_of, chunk_shape
 from nonsmooth.runtime.explore.charting.motions import (
     attractor_problem,
     basin_problem,
@@ -221,17 +221,17 @@ def chart_problem(
     simulate: bool,
     start: Mapping[str, object] | Sequence[object] | None,
     transitions: int,
-) -> tuple[ChartProblem, tuple[Axis, ...]]:
+) -> tuple[ChartProblem, Axes]:
     """The problem and the axes of a chart, with all names checked.
 
     `name` is that of an orbit, of a system if motions are simulated, or of a file of found
-    orbits. Parameters that are arrays or an `Axis` are swept. `start` and `transitions` belong
+    orbits. Parameters that are arrays are swept. `start` and `transitions` belong
     to the simulated motions. Raises `InputError` as `chart` does.
     """
-    swept = {n: v for n, v in parameters.items() if isinstance(v, Axis) or np.ndim(v)}
+    swept = {n: v for n, v in parameters.items() if np.ndim(v)}
     if not swept:
         raise InputError("no parameter is given as a row of values: there is nothing to chart")
-    axes = tuple(axis_of(n, v) for n, v in swept.items())
+    axes = {n: axis_of(n, v) for n, v in swept.items()}
     fixed = {n: v for n, v in parameters.items() if n not in swept}
     problem: ChartProblem
     if is_found(name):
@@ -245,15 +245,14 @@ def chart_problem(
     elif start is not None:
         raise InputError("a start is for motions that are simulated")
     else:
-        points = math.prod(axis.count for axis in axes)
-        problem = orbit_chart(name, fixed, list(swept), points)
+        problem = orbit_chart(name, fixed, list(swept), math.prod(map(len, axes.values())))
     for variable in problem.variables():
         if variable.name in swept:
             raise InputError(f"{variable.name} is computed: it cannot be swept")
     return problem, axes
 
 
-def begun_problem(path: Path) -> tuple[ChartProblem, tuple[Axis, ...]]:
+def begun_problem(path: Path) -> tuple[ChartProblem, Axes]:
     """The problem and the axes of a chart in a store, from the store alone.
 
     Raises `InputError` if it is no chart, if it is damaged or edited, or if its kernels were
@@ -281,7 +280,7 @@ def is_begun(name: str) -> bool:
     return Path(name, "zarr.json").is_file()
 
 
-def _check_corner(problem: ChartProblem, axes: tuple[Axis, ...]) -> None:
+def _check_corner(problem: ChartProblem, axes: Axes) -> None:
     """Compute one corner of the grid, so that an error that is the same everywhere shows first."""
     corner = Grid(axes, (1,) * len(axes)).corner()
     problem.compute(corner.block(0), problem.prepare(corner))
@@ -290,7 +289,7 @@ def _check_corner(problem: ChartProblem, axes: tuple[Axis, ...]) -> None:
 def work_on(
     path: Path,
     problem: ChartProblem,
-    axes: tuple[Axis, ...],
+    axes: Axes,
     scheduler: str | None,
     chunk: int | None,
     threads: int | None,
@@ -359,16 +358,14 @@ def _in_memory(
     run_threads(work, range(grid.chunks), threads, lambda done: progress(done, grid.chunks))
     return Dataset(
         {v.name: (grid.names, arrays[v.name], v.attributes) for v in problem.variables()},
-        {
-            a.name: (a.name, a.part(0, a.count), problem.axis_attributes(a.name)) for a in grid.axes
-        },
+        {name: (name, row, problem.axis_attributes(name)) for name, row in grid.axes.items()},
         {ATTRIBUTE: {"format": FORMAT, **problem.identity()}},
-    )  # fmt: skip
+    )
 
 
-def _usual(problem: ChartProblem, axes: tuple[Axis, ...], chunk: int | None) -> tuple[int, ...]:
+def _usual(problem: ChartProblem, axes: Axes, chunk: int | None) -> tuple[int, ...]:
     points = problem.points if chunk is None else checked_count("chunk", chunk, 1)
-    found = chunk_shape([axis.count for axis in axes], points)
+    found = chunk_shape([len(row) for row in axes.values()], points)
     chunks = Grid(axes, found).chunks
     check_memory(f"the numbers of {chunks} chunks", 5 * BYTES * chunks)
     return found

@@ -7,8 +7,7 @@ the same whatever the chunks.
 
 from __future__ import annotations
 
-import hashlib
-from collections.abc import Iterator, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import prod
 from typing import Any
@@ -17,67 +16,19 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 
-__all__ = ["LATTICE", "Axis", "Block", "Grid", "axis_of", "chunk_shape", "linear_axis"]
+__all__ = ["LATTICE", "Axes", "Block", "Grid", "axis_of", "chunk_shape"]
 
-BLOCK = 1 << 16  # coordinates that are made or stored at a time
 _CELLS = {1: 128, 2: 32, 3: 12}  # between anchors along each axis, by the number of axes
 _FEWEST_CELLS = 6
 LATTICE = f"cells along an axis: {_CELLS[1]}, {_CELLS[2]}, {_CELLS[3]}, {_FEWEST_CELLS}"
 
 
-@dataclass(frozen=True, eq=False)
-class Axis:
-    """Values of one parameter: given, or evenly spaced and computed on demand."""
-
-    name: str
-    count: int
-    first: float
-    last: float
-    values: np.ndarray | None = None  # (count,), None for even spacing as `numpy.linspace` has it
-
-    def part(self, begin: int, end: int) -> np.ndarray:
-        """Values (n,) from place `begin` up to, but without, place `end`."""
-        if self.values is not None:
-            return self.values[begin:end]
-        if self.count == 1:
-            return np.array([self.first])[begin:end]
-        step = (self.last - self.first) / (self.count - 1)
-        found = np.arange(begin, end) * step + self.first
-        if end == self.count and len(found):
-            found[-1] = self.last
-        return found
-
-    def blocks(self) -> Iterator[tuple[int, np.ndarray]]:
-        """All values in parts (n,) of bounded length, each with the place of its first value."""
-        for begin in range(0, self.count, BLOCK):
-            yield begin, self.part(begin, min(begin + BLOCK, self.count))
-
-    def fingerprint(self) -> str:
-        """SHA-256 of the values in hexadecimal digits."""
-        found = hashlib.sha256()
-        for _, part in self.blocks():
-            found.update(part.astype("<f8").tobytes())
-        return found.hexdigest()
+Axes = Mapping[str, np.ndarray]
+"""Values of each swept name, which increase strictly, in the order of the dimensions."""
 
 
-def linear_axis(name: str, first: float, last: float, count: int) -> Axis:
-    """An axis of evenly spaced values that are never in memory all at once.
-
-    Values have to be finite and to increase strictly in floating point.
-    """
-    if count < 1:
-        raise InputError(f"{name}: {count} values are none")
-    if not np.isfinite([first, last]).all() or (count > 1 and not first < last):
-        raise InputError(f"{name}: {first!r} to {last!r} is no interval")
-    if count > 1 and first + (last - first) / (count - 1) == first:
-        raise InputError(f"{name}: {count} values from {first!r} to {last!r} are not distinct")
-    return Axis(name, count, float(first), float(last))
-
-
-def axis_of(name: str, values: Any) -> Axis:
-    """An axis of given values (n,), which have to be finite and to increase strictly."""
-    if isinstance(values, Axis):
-        return values
+def axis_of(name: str, values: Any) -> np.ndarray:
+    """Given values (n,) of an axis, which have to be finite and to increase strictly."""
     try:
         found = np.array(values, dtype=float)
     except (TypeError, ValueError):
@@ -87,7 +38,7 @@ def axis_of(name: str, values: Any) -> Axis:
     if not (np.diff(found) > 0).all():
         raise InputError(f"the values of {name} do not increase strictly")
     found.flags.writeable = False
-    return Axis(name, found.size, float(found[0]), float(found[-1]), found)
+    return found
 
 
 @dataclass(frozen=True, eq=False)
@@ -126,18 +77,18 @@ class Block:
 class Grid:
     """All combinations of the values of some axes, in chunks."""
 
-    axes: tuple[Axis, ...]
+    axes: Axes
     chunk: tuple[int, ...]  # points of a chunk along each axis; the last chunks may be shorter
 
     @property
     def names(self) -> tuple[str, ...]:
         """Names of the axes."""
-        return tuple(axis.name for axis in self.axes)
+        return tuple(self.axes)
 
     @property
     def shape(self) -> tuple[int, ...]:
         """Points along each axis."""
-        return tuple(axis.count for axis in self.axes)
+        return tuple(map(len, self.axes.values()))
 
     @property
     def points(self) -> int:
@@ -168,32 +119,30 @@ class Grid:
     @property
     def anchors(self) -> tuple[np.ndarray, ...]:
         """Places of the anchors along each axis: evenly spaced but for the last one."""
-        dimensions = sum(axis.count > 1 for axis in self.axes)
-        cells = _CELLS.get(dimensions, _FEWEST_CELLS)
+        cells = _CELLS.get(sum(count > 1 for count in self.shape), _FEWEST_CELLS)
         found = []
-        for axis in self.axes:
-            step = max(1, -(-(axis.count - 1) // cells))
-            number = -(-(axis.count - 1) // step) + 1
-            found.append(np.minimum(np.arange(number) * step, axis.count - 1))
+        for count in self.shape:
+            step = max(1, -(-(count - 1) // cells))
+            found.append(np.append(np.arange(0, count - 1, step), count - 1))
         return tuple(found)
 
     @property
     def anchor_values(self) -> dict[str, np.ndarray]:
         """Values of the axes at the anchors: arrays that broadcast to the lattice's shape."""
-        rows = [_values_at(axis, row) for axis, row in zip(self.axes, self.anchors, strict=True)]
+        rows = (row[places] for row, places in zip(self.axes.values(), self.anchors, strict=True))
         return dict(zip(self.names, np.ix_(*rows), strict=True))
 
     def block(self, number: int) -> Block:
         """A chunk, from its number, with the points next to it."""
         points, margins, cells, fractions = [], [], [], []
         region = self.region(number)
-        for axis, here, anchors in zip(self.axes, region, self.anchors, strict=True):
-            start, stop = max(here.start - 1, 0), min(here.stop + 1, axis.count)
+        for axis, here, anchors in zip(self.axes.values(), region, self.anchors, strict=True):
+            start, stop = max(here.start - 1, 0), min(here.stop + 1, len(axis))
             last = max(len(anchors) - 2, 0)
             cell = np.clip(np.searchsorted(anchors, np.arange(start, stop), "right") - 1, 0, last)
-            lower = _values_at(axis, anchors[cell])
-            upper = _values_at(axis, anchors[np.minimum(cell + 1, len(anchors) - 1)])
-            row = axis.part(start, stop)
+            lower = axis[anchors[cell]]
+            upper = axis[anchors[np.minimum(cell + 1, len(anchors) - 1)]]
+            row = axis[start:stop]
             width = np.where(upper > lower, upper - lower, 1.0)
             points.append(row)
             margins.append((start < here.start, stop > here.stop))
@@ -203,14 +152,7 @@ class Grid:
 
     def corner(self) -> Grid:
         """A grid of one point: the first value of each axis."""
-        axes = tuple(linear_axis(axis.name, axis.first, axis.first, 1) for axis in self.axes)
-        return Grid(axes, (1,) * len(axes))
-
-
-def _values_at(axis: Axis, places: np.ndarray) -> np.ndarray:
-    """Values of an axis at some places, the same to the last bit as any part of the axis has."""
-    distinct, which = np.unique(places, return_inverse=True)
-    return np.concatenate([axis.part(int(k), int(k) + 1) for k in distinct])[which]
+        return Grid({name: row[:1] for name, row in self.axes.items()}, (1,) * len(self.axes))
 
 
 def chunk_shape(counts: Sequence[int], points: int) -> tuple[int, ...]:

@@ -15,7 +15,7 @@ import json
 import os
 import secrets
 import shutil
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cached_property
@@ -30,7 +30,7 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError, missing_extra
 from nonsmooth.runtime.core.files import PARTIAL, fill_file, read_file, unwritable
 from nonsmooth.runtime.core.result_files import checksum_of, parsed
-from nonsmooth.runtime.explore.charting.grid import BLOCK, Axis, Grid, axis_of
+from nonsmooth.runtime.explore.charting.grid import Axes, Grid, axis_of
 from nonsmooth.runtime.explore.charting.problem import ChartProblem, Variable
 from nonsmooth.runtime.model.saved_system import SAVED_VERSION
 
@@ -51,6 +51,7 @@ ATTRIBUTE, FORMAT = "nonsmooth", f"nonsmooth chart {3 + SAVED_VERSION}"
 _METADATA = "zarr.json"
 _LARGEST = 50_000_000  # bytes of metadata
 _CRC = 4  # bytes behind the content
+_BLOCK = 1 << 16  # coordinates in one file
 _MOST_OBJECT = (1 << 31) + _LARGEST  # bytes of an object: what Blosc compresses at once, and more
 
 
@@ -114,18 +115,18 @@ class Store:
 
     def repair_axes(self) -> None:
         """Write coordinates again if their objects are missing or damaged."""
-        for axis in self.grid.axes:
-            objects = (self.path / axis.name / "c" / str(i) for i in range(-(-axis.count // BLOCK)))
-            if all(_passes(file) for file in objects):
+        for name, row in self.grid.axes.items():
+            folder = self.path / name / "c"
+            if all(_passes(folder / str(k)) for k in range(-(-len(row) // _BLOCK))):
                 continue
-            shutil.rmtree(self.path / axis.name / "c", ignore_errors=True)
-            _write_axis(self.path, axis)
+            shutil.rmtree(folder, ignore_errors=True)
+            _open_array(self.path / name)[:] = row
 
 
 def open_store(
     path: Path,
     problem: ChartProblem,
-    axes: tuple[Axis, ...],
+    axes: Axes,
     chunk: tuple[int, ...] | None,
     usual: tuple[int, ...],
 ) -> Store:
@@ -194,25 +195,24 @@ def reader(path: Path) -> Any:
     return BoundedStore.of(path, sizes)
 
 
-def read_axes(path: Path) -> tuple[Axis, ...]:
+def read_axes(path: Path) -> Axes:
     """Axes of a chart from its coordinates; raises `InputError` if a coordinate is damaged."""
     import zarr
 
     identity, _ = read_identity(path)
     group: Any = zarr.open_group(reader(path), mode="r", zarr_format=3)
-    found = []
+    found = {}
     for name in identity["dimensions"]:
         try:
-            axis = axis_of(name, group[name][:])
-            if axis.fingerprint() != identity["grid"][name]["sha256"]:
+            found[name] = axis_of(name, group[name][:])
+            if _fingerprint(found[name]) != identity["grid"][name]["sha256"]:
                 raise InputError("they are others than the chart was begun with")
         except (ArithmeticError, LookupError, OSError, TypeError, ValueError) as problem:
             raise InputError(
                 f"{path}: values of {name} are damaged: {problem}: chart the orbit by its name and"
                 " ranges, which writes them again"
             ) from None
-        found.append(axis)
-    return tuple(found)
+    return found
 
 
 def _metadata(folder: Path) -> bytes:
@@ -273,8 +273,12 @@ def write_chunk(
         raise unwritable(path, problem) from None
 
 
-def _identity(problem: ChartProblem, axes: Iterable[Axis]) -> dict[str, Any]:
-    grid = {axis.name: {"count": axis.count, "sha256": axis.fingerprint()} for axis in axes}
+def _fingerprint(axis: np.ndarray) -> str:
+    return sha256(axis.astype("<f8").tobytes()).hexdigest()
+
+
+def _identity(problem: ChartProblem, axes: Axes) -> dict[str, Any]:
+    grid = {n: {"count": len(row), "sha256": _fingerprint(row)} for n, row in axes.items()}
     return {"format": FORMAT, **problem.identity(), "dimensions": list(grid), "grid": grid}
 
 
@@ -314,13 +318,10 @@ def _begin(path: Path, problem: ChartProblem, grid: Grid, identity: Mapping[str,
         beside = {"version": version("nonsmooth"), "held": problem.held()}
         told = {**identity, "chunk": list(grid.chunk), **beside}
         group = zarr.create_group(str(temporary), attributes={ATTRIBUTE: told}, zarr_format=3)
-        for axis in grid.axes:
-            _create(
-                group,
-                Variable(axis.name, "<f8", float("nan"), problem.axis_attributes(axis.name)),
-                (axis.count,), (min(axis.count, BLOCK),), (axis.name,),
-            )  # fmt: skip
-            _write_axis(temporary, axis)
+        for name, row in grid.axes.items():
+            coordinate = Variable(name, "<f8", float("nan"), problem.axis_attributes(name))
+            _create(group, coordinate, row.shape, (min(len(row), _BLOCK),), (name,))
+            _open_array(temporary / name)[:] = row
         for variable in problem.variables():
             _create(group, variable, grid.shape, grid.chunk, grid.names)
         _seal(temporary)
@@ -353,12 +354,6 @@ def _create(
         attributes=variable.attributes,
         dimension_names=names,
     )  # fmt: skip
-
-
-def _write_axis(path: Path, axis: Axis) -> None:
-    array = _open_array(path / axis.name)
-    for begin, part in axis.blocks():
-        array[begin : begin + len(part)] = part
 
 
 def _open_array(path: Path) -> Any:

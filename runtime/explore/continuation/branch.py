@@ -107,11 +107,6 @@ class Branch(Kept):
             raise InputError(f"the branch has {len(self)} points, no point {place!r}")
         return OrbitFamily(self.orbit, self.parameter).at(z)
 
-    def _motion_at(self, place: int) -> Motion | Trajectory:
-        """The motion at a point, where a phase may take no time."""
-        z = np.append(self.unknowns[place], self.parameter_values[place])
-        return OrbitFamily(self.orbit, self.parameter).motion(z)
-
     def next_itineraries(
         self, event: Event, parameters: Mapping[str, Any] | None = None
     ) -> tuple[Orbit, ...]:
@@ -194,8 +189,10 @@ class Branch(Kept):
         if name == "frequency":
             return np.asarray(2 * np.pi / self.period)
         if isinstance(name, str) and name.startswith("amplitude_"):
-            state = name.removeprefix("amplitude_")
-            return np.array([_amplitude_of(self._motion_at(k), state) for k in range(len(self))])
+            state, family = name.removeprefix("amplitude_"), OrbitFamily(self.orbit, self.parameter)
+            points = np.column_stack([self.unknowns, self.parameter_values])
+            # at a point a phase may take no time
+            return np.array([_amplitude_of(family.motion(z), state) for z in points])
         if name == "energy":
             places = range(len(self))
             return np.array([energy_of(composed_family(self, place)[0]) for place in places])

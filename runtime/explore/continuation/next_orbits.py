@@ -114,14 +114,14 @@ def _others(
     own, ways = canonical_itinerary(base.itinerary), _candidates(base, event)
     for distances in ways_off:
         for distance in distances:
+            orbits: list[Orbit] = []
             try:
                 here, period = system_at(event.value + side * distance * span)
-                orbits = [
-                    *_composed(base, ways, here, event, period, short),
-                    *_without_boundary(base, here, event),
-                ]
-            except InputError:  # beyond a domain
-                break
+                orbits.extend(_composed(base, ways, here, event, period, short))
+                orbits.extend(_without_boundary(base, here, event))
+            except InputError:  # beyond a domain; those that are known already count
+                if not orbits:
+                    break
             if settling and distance > 0 and period is None:
                 orbits += _settled(base, here)
             for orbit in orbits:
@@ -164,14 +164,19 @@ def _candidates(base: Orbit, event: Event) -> list[_Way]:
     if event.phase is None:
         return []
     first, count = _first(base, event)
+    structure, at = base.tables.cycle.structure, (event.phase - first) % count
     phases = [base.itinerary[(first + k) % len(base.itinerary)] for k in range(count + 1)]
-    found: list[_Way] = []
-    for begin, end, way in _ways(
-        base.tables.cycle.structure, phases, (event.phase - first) % count
-    ):
-        itinerary = (*phases[:begin], *way, *phases[end + 1 : count])
-        found.append(_Way(itinerary, begin, end, len(way)))
-    return found[:_MOST_WAYS]
+    found = [
+        _Way((*phases[:begin], *way, *phases[end + 1 : count]), begin, end, len(way))
+        for begin, end in [(at, at), (at - 1, at), (at, at + 1), (at - 1, at - 1), (at - 1, at + 1)]
+        if 0 <= begin <= end < count
+        for way in _paths(
+            structure, phases[begin][0], phases[end + 1][0], end - begin + 1 + _LONGER
+        )
+        if way != tuple(phases[begin : end + 1])
+    ]
+    # shorter ones first
+    return sorted(found, key=lambda each: each.phases - (each.end - each.begin))[:_MOST_WAYS]
 
 
 def _composed(
@@ -217,7 +222,7 @@ def _composed(
                 period=period,
                 symmetry=None if symmetry is None else symmetry.matrix,
             )
-            if orbit.converged and orbit.admissibility.verdict is True and not repeated_part(orbit):
+            if _is_motion(orbit) and not repeated_part(orbit):
                 yield orbit
 
 
@@ -247,27 +252,6 @@ def _solved(
         if told:
             return [(found.dwell[k], found.starts[k, 0]) for k in told]
     return []
-
-
-def _ways(
-    structure: Structure, phases: Sequence[tuple[str, str]], at: int
-) -> Iterator[tuple[int, int, _Phases]]:
-    """Ways that replace the phases `begin` to `end` at a collision, shorter ones first.
-
-    The last entry of `phases` is the one where the cycle goes on.
-    """
-    count = len(phases) - 1
-    spans = [(at, at), (at - 1, at), (at, at + 1), (at - 1, at - 1), (at - 1, at + 1)]
-    found = [
-        (begin, end, way)
-        for begin, end in spans
-        if 0 <= begin <= end < count
-        for way in _paths(
-            structure, phases[begin][0], phases[end + 1][0], end - begin + 1 + _LONGER
-        )
-        if way != tuple(phases[begin : end + 1])
-    ]
-    yield from sorted(found, key=lambda each: len(each[2]) - (each[1] - each[0]))
 
 
 def _paths(structure: Structure, source: str, target: str, most: int) -> Iterator[_Phases]:
@@ -317,7 +301,7 @@ def _without_boundary(base: Orbit, parameters: Mapping[str, Any], event: Event) 
         )
     except InputError:  # no forcing
         return
-    if orbit.converged and orbit.admissibility.verdict is True:
+    if _is_motion(orbit):
         yield orbit
 
 
@@ -326,9 +310,13 @@ def _settled(base: Orbit, parameters: Mapping[str, Any]) -> list[Orbit]:
     start = base.states[0].astype(float).tolist()
     with suppress(InputError):  # no such motion, or it does not come back
         orbit = settled_orbit(base.system, parameters, start, base.itinerary[0][0])
-        if orbit is not None and orbit.converged and orbit.admissibility.verdict is True:
+        if orbit is not None and _is_motion(orbit):
             return [orbit]
     return []
+
+
+def _is_motion(orbit: Orbit) -> bool:
+    return orbit.converged and orbit.admissibility.verdict is True
 
 
 def _near(period: Any, base: Orbit) -> bool:
@@ -388,7 +376,7 @@ def other_branch(
             f"the other branch has one value of {parameter} only, which does not tell its orbits"
             f" apart: {event.text}"
         )
-    found.sort(key=lambda orbit: not orbit.converged or orbit.admissibility.verdict is not True)
+    found.sort(key=lambda orbit: not _is_motion(orbit))
     return found[0]
 
 

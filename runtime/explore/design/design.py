@@ -191,7 +191,8 @@ def design(
         raise KeyboardInterrupt
     if not stopped and not all(map(points.is_motion, ended.point.members)):
         status, ended = NOT_REACHED, ended._replace(reason="the orbit there is no motion")
-    iterates = _iterates_of(names, aim, history, asked)
+    rows = (_values_of(names, aim, point, asked) for point in history)
+    iterates = [[row[name] for name in (*names, *asked)] for row in rows]
     found = Design(
         aim=question.aim,
         quantity=quantity,
@@ -208,7 +209,7 @@ def design(
         active=left.active,
         corner=left.corner,
         residual=left.residual,
-        history=iterates if resume is None else np.vstack([resume.history, iterates]),
+        history=np.array([*(() if resume is None else resume.history), *iterates]),
         status=NOT_REACHED if stopped else status,
         message=_message_of(aim, ended, left, converged=status == CONVERGED),
         start=orbit if resume is None else resume.start,
@@ -272,15 +273,6 @@ def _gradient_of(
         slopes = worst.quantities.slopes[name][: len(names)].tolist()
         found[name] = dict(zip(names, slopes, strict=True))
     return found
-
-
-def _iterates_of(
-    names: Sequence[str], aim: Aim, history: Iterable[Trial], asked: Iterable[str]
-) -> np.ndarray:
-    """Parameters and quantities (k, q + m) of the iterates."""
-    quantities = tuple(asked)
-    rows = [_values_of(names, aim, point, quantities) for point in history]
-    return np.array([[row[name] for name in (*names, *quantities)] for row in rows])
 
 
 def _message_of(aim: Aim, ended: Ended, left: Optimality, *, converged: bool) -> str:

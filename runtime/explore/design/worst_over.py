@@ -9,7 +9,7 @@ changes by the parameters as the quantity does at a fixed value (J. Danskin, 196
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -73,13 +73,6 @@ def _alarms(aim: Aim, member: DesignPoint, length: float) -> tuple[np.ndarray, n
     )
 
 
-class _Scan(NamedTuple):
-    """Orbits along a branch."""
-
-    parts: np.ndarray  # (k,), position of the branch's parameter in its interval, from 0 to 1
-    members: tuple[DesignPoint, ...]
-
-
 def _member_at(points: DesignPoints, place: np.ndarray, part: float) -> DesignPoint:
     """The orbit at parameters `place` (q,) and at a part (0 to 1) of the branch's interval.
 
@@ -94,8 +87,10 @@ def _member_at(points: DesignPoints, place: np.ndarray, part: float) -> DesignPo
         raise Beyond(ended.near, ended.target, ended.distance, told) from None
 
 
-def _scanned(points: DesignPoints, place: np.ndarray, begin: float, count: int) -> _Scan:
-    """`count` orbits along a branch, each reached from a neighbour.
+def _scanned(
+    points: DesignPoints, place: np.ndarray, begin: float, count: int
+) -> list[DesignPoint]:
+    """`count` orbits evenly along a branch, each reached from a neighbour.
 
     `points` covers the parameters of the design, at `place` (q,), and, as the last, that of the
     branch, where an orbit is known at the part `begin`. Raises `Beyond` if the branch does not
@@ -103,20 +98,21 @@ def _scanned(points: DesignPoints, place: np.ndarray, begin: float, count: int) 
     """
     parts = np.linspace(0.0, 1.0, count)
     order = np.argsort(np.abs(parts - begin), kind="stable")
-    found: dict[int, DesignPoint] = {}
-    for k in order.tolist():
-        found[k] = _member_at(points, place, float(parts[k]))
-    return _Scan(parts, tuple(found[k] for k in range(count)))
+    found = {k: _member_at(points, place, float(parts[k])) for k in order.tolist()}
+    return [found[k] for k in range(count)]
 
 
-def _worst_places(points: DesignPoints, aim: Aim, place: np.ndarray, scan: _Scan) -> list[_Place]:
+def _worst_places(
+    points: DesignPoints, aim: Aim, place: np.ndarray, scan: Sequence[DesignPoint]
+) -> list[_Place]:
     """Places along a branch where something is worst, in order.
 
     For the quantity that is minimised they are all local maxima; for each condition and each
     margin they are the place where it is nearest to a violation. `scan` is that of the branch
     at the parameters `place` (q,). Raises `Beyond` if the branch does not lead to one of them.
     """
-    alarms = np.array([_alarms(aim, member, points.lengths[-1]) for member in scan.members])
+    parts = np.linspace(0.0, 1.0, len(scan))
+    alarms = np.array([_alarms(aim, member, points.lengths[-1]) for member in scan])
     found: list[_Place] = []
     for row in range(alarms.shape[2]):
 
@@ -126,7 +122,7 @@ def _worst_places(points: DesignPoints, aim: Aim, place: np.ndarray, scan: _Scan
             return float(value[row]), float(slope[row])
 
         values, slopes = alarms[:, :, row].T
-        least = _least(scan.parts, values, slopes, at, every=row == 0)
+        least = _least(parts, values, slopes, at, every=row == 0)
         found += [_Place(part, row, bend) for part, bend in least]
     found.sort()
     return [w for k, w in enumerate(found) if k == 0 or w.part - found[k - 1].part > _APART]
@@ -255,11 +251,11 @@ def spread(points: DesignPoints, aim: Aim) -> tuple[Aim, BranchPoints]:
     try:
         scan = _scanned(points, place, begin, _LOOKS)
         margins = dict(aim.margins)
-        for member in scan.members if margins else ():
+        for member in scan if margins else ():
             for key, unit in watched_margins(member.quantities, aim.lengths).items():
                 margins.setdefault(key, unit)
-        size = max(abs(member.quantities.values[aim.quantity]) for member in scan.members)
-        every = [member.quantities.derivatives for member in scan.members]
+        size = max(abs(member.quantities.values[aim.quantity]) for member in scan)
+        every = [member.quantities.derivatives for member in scan]
         whole = replace(
             aim,
             margins=margins,

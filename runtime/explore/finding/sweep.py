@@ -19,6 +19,7 @@ from nonsmooth.runtime.explore.finding.outcomes import Outcome, settled
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of, load_system
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
+from nonsmooth.runtime.model.parameters import parameter_points
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.model.saved_system import KeptSystemName, check_same_system
 from nonsmooth.runtime.model.structure import structure_of
@@ -291,6 +292,7 @@ def _at_phase(kernels: SystemKernels, diagram: Sweep, here: slice, threads: int 
     states, possible = np.full((taken, len(first)), np.nan), False
     outcomes, last = np.array([int(Outcome.ILLEGAL)]), states[-1]
     point = {**diagram.parameters, diagram.parameter: float(diagram.values[here][0])}
+    parameter_points(kernels, point)  # refuses wrong names
     with suppress(InputError):  # no such system, or no state at which a motion may start
         system = piecewise(kernels, point)
         start, chosen = _beginning(system, diagram.next_start, first)
@@ -308,10 +310,11 @@ def _at_phase(kernels: SystemKernels, diagram: Sweep, here: slice, threads: int 
         if np.isfinite(last).all():
             # what is at rest has moved by rounding, as no start may; the entry is exact
             last, _ = _beginning(system, last, run.states[phases[-1]])
-            goes_on = simulate_many(
-                kernels, point, last[None], transitions=_KEPT, keep=_KEPT, threads=threads
-            )
-            outcomes = settled(kernels, point, goes_on, threads).outcomes
+    if np.isfinite(last).all():
+        goes_on = simulate_many(
+            kernels, point, last[None], transitions=_KEPT, keep=_KEPT, threads=threads
+        )
+        outcomes = settled(kernels, point, goes_on, threads).outcomes
     column = structure_of(kernels).states.index(diagram.state)
     return states[None, :, column], outcomes, last, possible
 

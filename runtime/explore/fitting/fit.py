@@ -6,6 +6,8 @@ import math
 import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
+from operator import attrgetter
 from typing import Any, Literal, cast
 
 import numpy as np
@@ -29,7 +31,6 @@ from nonsmooth.runtime.explore.fitting.statistics import (
     combination_text,
     nearest,
     nearest_grazing,
-    nearest_grazing_of_response,
     statistics,
 )
 from nonsmooth.runtime.explore.fitting.steady_responses import points_under
@@ -591,6 +592,7 @@ def _experiment(
             along=_along(experiment),
         )
     assert prediction.motion is not None
+    columns = unknowns.columns(number)
     # no farther than the record: what the motion does later concerns no datum
     last = [float(values.max()) - condition.offset for values in prediction.values]
     length = max([experiment.last - condition.offset, *last]) * (1 + _PAST)
@@ -605,7 +607,12 @@ def _experiment(
         configurations=motion.configurations,
         boundaries=tuple("+".join(names) for names in motion.boundaries[1:]),
         same_sequence=_same_sequence(experiment, prediction.motion, condition.offset),
-        grazing=nearest_grazing(motion, unknowns, number, covariance),
+        grazing=nearest_grazing(
+            motion,
+            lambda: motion.derivatives(columns).moved_phases(),
+            [*columns.values()],
+            covariance,
+        ),
     )
 
 
@@ -627,7 +634,12 @@ def _responses(
             dwell_times=each.orbit.dwell_times.astype(float),
             start=each.orbit.states[0].astype(float),
             stability=each.orbit.stability.verdict,
-            grazing=nearest_grazing_of_response(each, columns, covariance),
+            grazing=nearest_grazing(
+                each.orbit.trajectory(),
+                partial(attrgetter("along.moved"), each),
+                columns,
+                covariance,
+            ),
         )
         for point, each in zip(points, prediction.orbits, strict=True)
     )

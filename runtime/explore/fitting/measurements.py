@@ -13,7 +13,7 @@ import os
 import warnings
 import zipfile
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
@@ -94,6 +94,11 @@ class MeasuredSeries:
     values: Row  # (m,), measured values; for events their times
     sigma: AnyRow  # (m,), standard deviations that were given, else NaN
 
+    def at(self, kept: np.ndarray) -> MeasuredSeries:
+        """The part of the series where a mask (m,) is set."""
+        columns = ("places", "times", "values", "sigma")
+        return replace(self, **{name: getattr(self, name)[kept] for name in columns})
+
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Measured:
@@ -127,6 +132,12 @@ class Measured:
     def first(self) -> float:
         """The first time on the clock of the data."""
         return min(float(series.times[0]) for series in self.series)
+
+    def passed(self, series: MeasuredSeries) -> np.ndarray:
+        """Part of its record that has passed at each datum (m,) of a series; 0 without a motion."""
+        if self.steady:
+            return np.zeros(len(series.values))
+        return (series.times - self.first) / ((self.last - self.first) or 1.0)
 
 
 class _Columns(NamedTuple):

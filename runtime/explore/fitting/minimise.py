@@ -89,14 +89,8 @@ class FitProblem:
     @property
     def passed(self) -> np.ndarray:
         """Fraction of its record that has passed at each datum, (m,); 0 for steady responses."""
-        found = []
-        for each in self.experiments:
-            if each.steady:
-                found += [np.zeros(len(series.values)) for series in each.series]
-                continue
-            length = (each.last - each.first) or 1.0
-            found += [(series.times - each.first) / length for series in each.series]
-        return np.concatenate(found)
+        found = (each.passed(series) for each in self.experiments for series in each.series)
+        return np.concatenate([*found])
 
     def beginning(self, part: float) -> FitProblem:
         """The same problem with only the first part of the record of each motion.
@@ -105,12 +99,8 @@ class FitProblem:
         """
         experiments = []
         for each in self.experiments:
-            if each.steady:
-                experiments.append(each)
-                continue
-            last = each.first + part * (each.last - each.first)
-            kept = (_until(series, last) for series in each.series)
-            series = tuple(found for found in kept if len(found.values))
+            kept = ((series, each.passed(series) <= part) for series in each.series)
+            series = tuple(one.at(inside) for one, inside in kept if inside.any())
             experiments.append(replace(each, series=series))
         return replace(self, experiments=tuple(experiments))
 
@@ -164,13 +154,6 @@ class FitProblem:
         except (NonsmoothError, ArithmeticError, np.linalg.LinAlgError):
             count = self.data + len(self.unknowns.priors)
             return Residuals(np.full(count, np.nan), np.full((count, len(point)), np.nan), ())
-
-
-def _until(series: MeasuredSeries, last: float) -> MeasuredSeries:
-    """The part of a series until a time on the clock of the data."""
-    kept = series.times <= last
-    columns = ("places", "times", "values", "sigma")
-    return replace(series, **{name: getattr(series, name)[kept] for name in columns})
 
 
 @dataclass(frozen=True, eq=False)

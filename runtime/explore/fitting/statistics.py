@@ -18,20 +18,16 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
 import numpy as np
 
 from nonsmooth.runtime.core.complex_steps import imaginary_parts
 from nonsmooth.runtime.core.errors import NonsmoothError, unknown_name
 from nonsmooth.runtime.core.json_codec import AnyDigits, Digits
-from nonsmooth.runtime.explore.fitting.unknowns import Unknowns
 from nonsmooth.runtime.simulation.moved_phases import MovedPhases
 from nonsmooth.runtime.simulation.phase_functions import boundary_rows, local_maxima, phases_of
 from nonsmooth.runtime.simulation.trajectory import Trajectory
-
-if TYPE_CHECKING:
-    from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
 
 __all__ = [
     "NearestGrazing",
@@ -41,7 +37,6 @@ __all__ = [
     "loss_of",
     "nearest",
     "nearest_grazing",
-    "nearest_grazing_of_response",
     "statistics",
 ]
 
@@ -233,40 +228,6 @@ class _Approach:
     margin: float
 
 
-def nearest_grazing(
-    motion: Trajectory,
-    unknowns: Unknowns,
-    number: int,
-    covariance: np.ndarray,
-) -> NearestGrazing | None:
-    """The place where a motion is the fewest standard errors from grazing, or None.
-
-    It is None if no boundary function has a maximum in a phase. `number` is that of the
-    experiment, `covariance` (q, q) that of the unknowns.
-    """
-    columns = unknowns.columns(number)
-
-    def moved() -> MovedPhases | None:
-        return motion.derivatives(columns).moved_phases() if columns else None
-
-    return _nearest(motion, moved, [*columns.values()], covariance)
-
-
-def nearest_grazing_of_response(
-    orbit: OrbitDerivatives, columns: Sequence[int], covariance: np.ndarray
-) -> NearestGrazing | None:
-    """The place where a steady response is the fewest standard errors from grazing, or None.
-
-    It is None if no boundary function has a maximum in a phase. `orbit` has the derivatives by
-    free parameters, whose places among the unknowns are `columns`; `covariance` is (q, q).
-    """
-
-    def moved() -> MovedPhases:
-        return orbit.along.moved
-
-    return _nearest(orbit.orbit.trajectory(), moved, columns, covariance)
-
-
 def nearest(found: Iterable[NearestGrazing | None]) -> NearestGrazing | None:
     """The grazing that is the fewest standard errors away."""
 
@@ -277,15 +238,16 @@ def nearest(found: Iterable[NearestGrazing | None]) -> NearestGrazing | None:
     return min((each for each in found if each is not None), key=far, default=None)
 
 
-def _nearest(
+def nearest_grazing(
     motion: Trajectory,
-    moved: Callable[[], MovedPhases | None],
+    moved: Callable[[], MovedPhases],
     columns: Sequence[int],
     covariance: np.ndarray,
 ) -> NearestGrazing | None:
-    """The place that is the fewest standard errors away; None if there is none.
+    """The place where a motion is the fewest standard errors from grazing, or None.
 
-    `moved` gives the phases as they move with the unknowns in `columns`; without derivatives the
+    It is None if no boundary function has a maximum in a phase. `moved` gives the phases as they
+    move with the unknowns in `columns`, of which `covariance` (q, q) is; without derivatives the
     distance is NaN.
     """
     structure = motion.structure
@@ -294,9 +256,8 @@ def _nearest(
         return None
     gradients = np.zeros((len(found), len(covariance)))
     try:
-        phases = moved()
-        if phases is not None:
-            gradients[:, list(columns)] = _gradients(phases, found)
+        if columns:
+            gradients[:, list(columns)] = _gradients(moved(), found)
     except NonsmoothError:
         gradients[:] = np.nan
 

@@ -225,10 +225,8 @@ def _responses_at(
         lost.append(reference)
     for reference in lost[:1] if not unstable and lost and lost[0] is known[0] else []:
         for other in _settled_beside(kernels, reference.orbit, parameters):
-            try:
-                add(other.derivatives(list(by)))
-            except NonsmoothError:
-                continue
+            if (derivatives := _differentiated(other, by)) is not None:
+                add(derivatives)
     return found, lost
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -52,6 +52,11 @@ class MotionSettings:
     start: dict[str, object]
     offset: float
 
+    def by_kind(self) -> dict[str, dict[str, Any]]:
+        """Copies of the numbers by the kind of a free number, then by its target."""
+        own = {OFFSET: self.offset}
+        return {"parameter": {**self.parameters}, "start": {**self.start}, "offset": own}
+
 
 @dataclass(frozen=True, eq=False)
 class Unknowns:
@@ -95,18 +100,11 @@ class Unknowns:
 
     def condition(self, point: np.ndarray, experiment: int) -> MotionSettings:
         """Parameters, start and clock of an experiment at a point (q,) of the unknowns."""
-        fixed = self.fixed[experiment]
-        parameters, start, offset = dict(fixed.parameters), dict(fixed.start), fixed.offset
+        known = self.fixed[experiment].by_kind()
         for entry, value in zip(self.entries, point.tolist(), strict=True):
-            if not entry.concerns(experiment):
-                continue
-            if entry.kind == "parameter":
-                parameters[entry.target] = value
-            elif entry.kind == "start":
-                start[entry.target] = value
-            else:
-                offset = value
-        return MotionSettings(parameters, start, offset)
+            if entry.concerns(experiment):
+                known[entry.kind][entry.target] = value
+        return MotionSettings(known["parameter"], known["start"], known["offset"][OFFSET])
 
 
 def unknowns_of(
@@ -243,16 +241,7 @@ def _guess(
     mean: float | None,
 ) -> float:
     """Start of the search for a free number: given value, prior, or middle of the bounds."""
-    place = entry.experiment or 0
-    given: object | None
-    if entry.kind == "parameter":
-        given = fixed[place].parameters.get(entry.target)
-    elif entry.kind == "start":
-        given = fixed[place].start.get(entry.target)
-    else:
-        given = fixed[place].offset
-    if given is None:
-        given = mean
+    given = fixed[entry.experiment or 0].by_kind()[entry.kind].get(entry.target, mean)
     if given is not None:
         value = float(as_value(given))
         if entry.kind == "offset":

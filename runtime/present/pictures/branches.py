@@ -11,13 +11,14 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import one_or_several, unknown_name
+from nonsmooth.runtime.core.errors import InputError, one_or_several, unknown_name
 from nonsmooth.runtime.explore.continuation.branch import forcing_frequencies, usual_quantities
 from nonsmooth.runtime.model.naming import shown_name, symbol, units_of
 from nonsmooth.runtime.present.pictures.drawing import (
     LINES,
     drawn_alone,
     finish,
+    widen,
 )
 
 if TYPE_CHECKING:
@@ -49,7 +50,6 @@ _MARKERS = {
 }
 _OTHER = "h"
 _REFUSED = "not admissible"
-_CONSTANT, _AROUND = 1e-9, 0.05  # of the size of a quantity: below is rounding; what is shown
 
 
 def draw_branch(
@@ -69,8 +69,9 @@ def draw_branch(
     "cycles" per unit of time. The result is the Axes that are given, or else the figure. An
     unknown quantity raises `InputError`.
     """
-    names = () if quantity is None else one_or_several(quantity)
-    shown = names or usual_quantities(branch)
+    shown = usual_quantities(branch) if quantity is None else one_or_several(quantity)
+    if not shown:
+        raise InputError("no quantity is named: there is nothing to draw")
 
     def draw(place: Axes, name: str = shown[0]) -> None:
         _draw(branch, name, over or branch.parameter, place, frequency)
@@ -161,20 +162,10 @@ def _draw(branch: Branch, quantity: str, over: str, axes: Any, frequency: str) -
             zorder=3,
         )
         told.add(kind)
-    _widen(axes)
+    widen(axes)
     if over == "energy" and x.min() > 0:
         axes.set_xscale("log")
     finish(axes, shown_name(branch.name), across.label, up.label)
-
-
-def _widen(axes: Any) -> None:
-    """Widen the range of an axis if the values on it differ by rounding only."""
-    low, high = axes.dataLim.intervaly
-    size = max(abs(low), abs(high))
-    if high - low < _CONSTANT * size:
-        left = axes.dataLim.intervalx[0]
-        axes.update_datalim([(left, low - _AROUND * size), (left, high + _AROUND * size)])
-        axes.autoscale_view()
 
 
 class _Shown(NamedTuple):

@@ -39,6 +39,7 @@ __all__ = [
     "noun",
     "shaded",
     "tex_number",
+    "widen",
     "within",
 ]
 
@@ -51,6 +52,7 @@ SHADES = 3  # of a colour that can be told apart
 _HEIGHT, _WIDTH = 0.07, 0.12  # of a label, in those of the data
 _LETTER, _HANDLE = 0.066, 0.45  # inches: of small print, and of what stands before a label
 _TITLE = 0.08  # inches of a letter of a title
+_CONSTANT, _AROUND = 1e-9, 0.05  # of the size of what is drawn: below is rounding; what is shown
 _CONFIGURATIONS = (
     *("#99DDFF", "#EEDD88", "#FFAABB", "#BBCC33", "#DDDDDD"),
     *("#EE8866", "#77AADD", "#44BB99", "#AAAA00"),
@@ -210,6 +212,16 @@ def finish(axes: Axes, title: str, across: str = "", up: str = "") -> None:
         text = within(title, room)
         axes.set_title(text, loc="left", fontsize="medium", pad=6 + 14 * rows, va="bottom")
     axes.spines[["top", "right"]].set_visible(False)
+
+
+def widen(axes: Axes) -> None:
+    """Widen the range of the upright axis if the values on it differ by rounding only."""
+    low, high = axes.dataLim.intervaly
+    size = max(abs(low), abs(high))
+    if high - low < _CONSTANT * size:
+        left = axes.dataLim.intervalx[0]
+        axes.update_datalim([(left, low - _AROUND * size), (left, high + _AROUND * size)])
+        axes.autoscale_view()
 
 
 def within(title: str, room: float) -> str:

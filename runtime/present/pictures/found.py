@@ -16,6 +16,7 @@ from nonsmooth.runtime.present.pictures.drawing import (
     drawn_alone,
     finish,
     mark_style,
+    widen,
 )
 from nonsmooth.runtime.present.pictures.plot import draw
 from nonsmooth.runtime.present.pictures.view import orbit_view
@@ -99,5 +100,6 @@ def _draw_diagram(axes: Axes, diagram: Sweep) -> None:
     )
     units = units_of(diagram.system)
     axes.margins(0.02, 0.05)
+    widen(axes)
     title = f"{shown_name(diagram.system)}: {diagram.state} {diagram.when}"
     finish(axes, title, units.label(diagram.parameter), units.label(diagram.state))
