@@ -1,9 +1,7 @@
 """The first derivative of an affine function that is not zero, in any arithmetic.
 
 What a function does behind an instant is told by the first of its derivatives along a field
-that is not zero there. How a sign is told belongs to the arithmetic: doubles and mpmath compare
-with a bound on their error (`Located`), balls with zero, exact rows with what is known to be
-zero of the state.
+that is not zero there. Doubles and mpmath tell a sign by a bound on their error (`Located`).
 """
 
 from __future__ import annotations
@@ -11,19 +9,15 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import accumulate, islice, repeat
 from operator import matmul, mul
-from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypeVar
+from typing import Any, Generic, NamedTuple, TypeVar
 
 import numpy as np
-
-if TYPE_CHECKING:
-    from flint import arb
 
 __all__ = [
     "UNIT",
     "Leading",
     "Located",
     "Row",
-    "Undecided",
     "Vector",
     "derivatives",
     "dot",
@@ -38,18 +32,6 @@ UNIT = 2.0**-48  # 16 eps, the rounding of a sum of products
 
 R = TypeVar("R")
 Vector = Sequence[Any] | np.ndarray
-
-
-class Undecided(Exception):
-    """An arithmetic cannot tell a sign.
-
-    `reason` says why. `at` is a ball around the time in the phase, None at its start.
-    `digits` says whether more digits may help.
-    """
-
-    def __init__(self, reason: str, at: arb | None = None, *, digits: bool = True) -> None:
-        super().__init__(reason)
-        self.reason, self.at, self.digits = reason, at, digits
 
 
 class Leading(NamedTuple, Generic[R]):
@@ -67,8 +49,7 @@ def leading(
 
     `functions` are the derivatives from order 0 on, as rows or as values; no more are made
     than needed. `sign` gives the sign of a derivative from its order and itself, 0 where it
-    is zero, and raises `Undecided` where it cannot tell. Derivatives of order below `first`
-    are known to be zero.
+    is zero. Derivatives of order below `first` are known to be zero.
 
     Examples
     --------

@@ -526,7 +526,7 @@ class Conditions:
     def taken(self, values: np.ndarray) -> np.ndarray:
         """Return which of its transitions each phase takes (k, p), from values (k, c); -1 for none.
 
-        As `first_following`, over the many points of a branch at once.
+        The first whose conditions hold, over the many points of a branch at once.
         """
         signs: dict[ConditionRow | None, Any] = dict(zip(self.rows, values.T > 0, strict=True))
         signs[None] = False

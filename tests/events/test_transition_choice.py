@@ -21,6 +21,7 @@ from tests.engines import with_both
 from tests.simulation.test_contact_law import declared
 
 FRICTION = dict(chi="1/2", eta="1", V="1", us1="1", us2="3/4", ur1="3/2", ur2="5/4")
+PLACE = sp.Rational(65, 64)  # which no swing of a drawn start just touches
 STOP = dict(m1="1", m2="2", k1="1", k2="3/2", r="4/5")
 
 
@@ -30,7 +31,7 @@ def pair(
 ) -> tuple[System, dict[str, str]]:
     """Two masses that the mass matrix couples, each at a stop on a side; declared in an order."""
     side = "upper" if sign > 0 else "lower"
-    both = [RigidStop(x, sign, "1/2", side=side, name=f"at-{x}") for x in ("x1", "x2")]
+    both = [RigidStop(x, sign * PLACE, "1/2", side=side, name=f"at-{x}") for x in ("x1", "x2")]
     mass = sp.Matrix([[1, sp.Rational(coupling)], [sp.Rational(coupling), 2]])
     system = oscillator(
         "pair", ["x1", "x2"], mass, sp.eye(2), elements=both[::order], simultaneous_impacts=law
@@ -78,11 +79,12 @@ def told_by_all(system: Any, data: Any, state: Any, where: str | None) -> tuple[
     """What follows the start, by proof; each engine says the same where that decides."""
     start = list(map(str, state))
     try:
-        motions = with_both(ns.simulate, system, data, start, where, transitions=1)
+        motions = with_both(ns.simulate, system, data, start, where, until=3, transitions=1)
     except ns.InputError:  # it belongs elsewhere, if anywhere
         return ("outside", None) if where is None else told_by_all(system, data, state, None)
-    if motions[0].status.name == "QUIET":  # what takes the proof long to see
-        return "QUIET", motions[1].status
+    if motions[0].transitions == 0:  # what a proof takes long to see
+        assert motions[1].transitions == 0
+        return "late", None
     proof = ns.certify.motion(system, data, start, motions[0].configurations[0], 1)
     for motion in motions:
         if proof.decided:
@@ -99,9 +101,7 @@ def test_every_arithmetic_makes_the_same_choice(name: str) -> None:
         where, state = drawn_start(rng, exact)
         if state is not None:
             seen.add(told_by_all(system, data, state, where)[0])
-    print(name, seen)
     assert seen >= {"TRANSITIONS", "later"}
-    assert ("AMBIGUOUS" in seen) == (name == "coupled")
 
 
 @pytest.mark.slow
@@ -120,17 +120,17 @@ def test_balls_say_of_a_law_what_doubles_say() -> None:
         state = state_where(rng, [limits[int(rng.integers(len(limits)))], *given])
         if state is not None:
             seen.add(told_by_all(system, data, state, "stick-stick"))
-    print(seen)
-    assert len({where for when, where in seen if when == "TRANSITIONS"}) > 2
+    assert len({where for _, where in seen}) > 2
 
 
-@pytest.mark.parametrize("start", [[1, 1, 1, 2], [1, 1, 0, 1]])
-def test_stops_struck_together_have_no_order_and_no_side(start: list[int]) -> None:
+@pytest.mark.parametrize("speeds", [[1, 2], [0, 1]])
+def test_stops_struck_together_have_no_order_and_no_side(speeds: list[int]) -> None:
     found = []
     for sign in (1, -1):
         for order in (1, -1):
             system, data = pair("1/4", None, order, sign)
-            motion = ns.simulate(system, data, [sign * x for x in start], transitions=1)
+            start = [sign * x for x in (PLACE, PLACE, *speeds)]
+            motion = ns.simulate(system, data, start, transitions=1)
             found.append((motion.status, *(sign * motion.states[-1]).round(13)))
     assert len({*found}) == 1
 
