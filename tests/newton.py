@@ -47,18 +47,18 @@ class Newton:
         return np.array([self._number(entries.get(name, 0)) for name in self.names])
 
     def _number(self, text: Any, state: dict[str, float] | None = None) -> float:
+        if isinstance(text, int | float):
+            return float(text)
         found = sp.sympify(text)
-        return float(
-            found.subs({symbol: (state or {})[symbol.name] for symbol in found.free_symbols})
-        )
+        known = {symbol: (state or {})[symbol.name] for symbol in found.free_symbols}
+        return float(found.subs(known) if known else found)
 
     def obeyed_by(self, motion: Trajectory) -> None:
         """Check all phases that are long enough to take differences, and all transitions."""
         for begin, end in pairwise([*motion.times.tolist(), motion.end]):
-            for time in np.linspace(begin + 3 * _STEP, end - 3 * _STEP, 6)[
-                : end > begin + 0.01 or 0
-            ]:
-                self._between(motion, time)
+            if end > begin + 0.01:
+                for time in np.linspace(begin + 3 * _STEP, end - 3 * _STEP, 5):
+                    self._between(motion, time)
         size = len(self.names)
         just = np.nextafter(motion.times[1:], 0)
         np.testing.assert_allclose(motion(just), motion.before[1:], rtol=0, atol=1e-10)
@@ -96,7 +96,7 @@ class Newton:
         size = len(self.names)
         found = self.load - self.stiffness @ state[:size] - self.damping @ state[size : 2 * size]
         for wave in self.forcing:
-            angle = self._number(wave.frequency) * time
+            angle = self._number(wave.frequency) * time + self._number(wave.phase)
             found = (
                 found
                 + self._row(wave.cosine) * np.cos(angle)
@@ -115,8 +115,9 @@ class Newton:
         if isinstance(element, Slider):
             force = -self._number(element.stiffness) * (place - state[f"s_{element.name}"])
             slack = self._number(element.limit) - abs(force)
-            creeps = force * state[f"s_{element.name}'"]  # it gives way to the spring at its limit
-            assert abs(slack) < _FORCE > creeps or (slack > -_FORCE and abs(creeps) < _FORCE)
+            creeps = force * state[f"s_{element.name}'"]
+            gives_way = abs(slack) < _FORCE and creeps < _FORCE  # to the spring, at its limit
+            assert gives_way or (slack > -_FORCE and abs(creeps) < _FORCE)
             return force
         if isinstance(element, Friction):
             load, relative = (

@@ -17,7 +17,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import product
-from typing import Any, Literal, NamedTuple, Protocol
+from typing import Literal, NamedTuple, Protocol
 
 import numpy as np
 
@@ -134,7 +134,7 @@ class Chooser:
         if signs is None:
             return None
         values = signs.rows @ at.state
-        errors = at.unit * (signs.bounds @ at.sizes) + abs(signs.rows @ at.moved)
+        errors = UNIT * (signs.bounds @ at.sizes) + abs(signs.rows @ at.moved)
         zero = abs(values) <= errors
         if ((values > 0) != signs.positive)[~zero].any():
             return None
@@ -295,9 +295,7 @@ def _by_law(structure: Structure, source: int, boundaries: frozenset[int], judge
 class Decider:
     """The choice of transitions by the tables of a system at one parameter point.
 
-    The tables are arrays of floats or mpmath numbers: fields (c, N, N + 1), rows (R, N + 1)
-    and resets (r, N, N + 1). The law of coupled contacts needs floats. `unit` is the rounding
-    of a sum of products.
+    The tables are arrays: fields (c, N, N + 1), rows (R, N + 1) and resets (r, N, N + 1).
     """
 
     def __init__(
@@ -306,10 +304,8 @@ class Decider:
         fields: np.ndarray,
         rows: np.ndarray,
         resets: np.ndarray,
-        unit: Any = UNIT,
     ) -> None:
         self.structure, self.fields, self.rows, self.resets = structure, fields, rows, resets
-        self.unit = unit
         self._pairs: dict[tuple[int, int], tuple[list[Row], list[Row]]] = {}
 
     @cached_property
@@ -335,7 +331,7 @@ class Decider:
         return self._chooser.outcome(event, at)
 
     def located(
-        self, source: int, state: np.ndarray, error: Any, sizes: np.ndarray | None = None
+        self, source: int, state: np.ndarray, error: float, sizes: np.ndarray | None = None
     ) -> Located:
         """A state (N + 1,) that the configuration `source` led to, and how well it is known.
 
@@ -343,7 +339,7 @@ class Decider:
         of absolute values behind the coordinates, by default the absolute values of these.
         """
         moved = np.append(error * (self.fields[source] @ state), 0.0)
-        return Located(state, abs(state) if sizes is None else sizes, moved, error, self.unit)
+        return Located(state, abs(state) if sizes is None else sizes, moved, error)
 
     def choice(
         self,
@@ -385,7 +381,7 @@ class _AtEvent(NamedTuple):
         images = np.array([part @ self.at.state for part in parts])
         sizes = np.array([abs(part) @ self.at.sizes for part in parts]).max(axis=0)
         apart = images.max(axis=0) - images.min(axis=0)
-        return bool((apart <= _ROUNDINGS * self.at.unit * sizes).all())
+        return bool((apart <= _ROUNDINGS * UNIT * sizes).all())
 
     def targets(self, event: ContactEvent) -> tuple[int, ...]:
         return self.decider.outcome(event, self.at).targets

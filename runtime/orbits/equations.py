@@ -505,7 +505,7 @@ class ConditionRow:
         `ends` (k, p, N) has the states at the ends of the phases.
         """
         end, field = ends[:, self.place], numbers.fields[:, self.along]
-        *_, row = derivatives(numbers.rows[..., self.row, :], field, self.order + 1, _rate)
+        *_, row = derivatives(numbers.rows[..., self.row, :], field, self.order + 1)
         return np.asarray((row[..., :-1] * end).sum(axis=-1) + row[..., -1])
 
 
@@ -569,14 +569,9 @@ def _deciding(
         size = float(abs(function[:-1]) @ abs(end) + abs(function[-1]))
         return abs(value) > _ZERO * size
 
-    functions = derivatives(numbers.rows[row], numbers.fields[along], len(end) + 1, _rate)
+    functions = derivatives(numbers.rows[row], numbers.fields[along], len(end) + 1)
     found = leading(functions, differs, int(row == own))
     return None if found is None else ConditionRow(place, row, along, found.order)
-
-
-def _rate(row: Any, field: Any) -> Any:
-    """Return the derivative of an affine function along an affine field."""
-    return (row[..., None, :-1] @ field)[..., 0, :]
 
 
 def phase_waves(

@@ -135,6 +135,33 @@ def test_stops_struck_together_have_no_order_and_no_side(speeds: list[int]) -> N
     assert len({*found}) == 1
 
 
+def test_what_an_error_of_the_time_moves_away_from_zero_is_zero() -> None:
+    """Along either field: the one that led to the event, and the one behind it."""
+    point = piecewise("dry-friction", FRICTION)
+    decider = Decider(point.structure, point.fields, point.rows, point.resets)
+    rng, error, told = np.random.default_rng(1), 1e-6, 0
+    for case in range(80):
+        source, along = rng.integers(len(point.fields), size=2).tolist()
+        place = int(rng.integers(len(point.rows)))
+        row, exact = point.rows[place], np.append(rng.normal(size=4), 1.0)
+        if not row[:-1].any():
+            continue
+        exact[:-1] -= row[:-1] * (row @ exact) / (row[:-1] @ row[:-1])
+        moved = np.append(point.fields[(source, along)[case % 2]] @ exact, 0.0)
+        state = exact + error * rng.uniform(-0.9, 0.9) * moved
+        rate = row[:-1] @ point.fields[along] @ exact
+        if abs(row @ state) < 1e-9 or abs(rate) < 1e-2:
+            continue
+        for known, sign in ((error, np.sign(rate)), (0.0, np.sign(row @ state))):
+            at = decider.located(source, state, known)
+            found = at.leading(*decider.pair(place, along))
+            assert found is not None
+            assert found.sign == sign
+            assert at.signs(row[None], abs(row)[None], point.fields[along]) == [sign]
+        told += 1
+    assert told > 20
+
+
 def altered(*transitions: TransitionShape) -> tuple[Decider, frozenset[int], np.ndarray]:
     """Dry friction with other transitions, at a state where both masses reach the belt."""
     point = piecewise("dry-friction", FRICTION)

@@ -91,7 +91,8 @@ CASES: dict[str, tuple[tuple[Any, ...], dict[str, Any], set[str]]] = {
     "chain": (
         (["x1", "x2", "x3"], *chain_matrices([1, 2, 1], [3, 2, 2], [0.1, 0.2, 0.1])),
         {"elements": [RigidStop("x1", 0.3, 0.8), RigidStop("x3", -0.6, 0.6, "lower")],
-         "forcing": [Harmonic(1.1, {"x2": 2}), Harmonic(2.7, sine={"x3": 0.5})]}, {"free"}),
+         "forcing": [Harmonic(1.1, {"x2": 2}, phase=2), Harmonic(2.7, sine={"x3": 0.5}, phase=1)]},
+        {"free"}),
 }  # fmt: skip
 
 
