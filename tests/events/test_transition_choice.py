@@ -171,16 +171,19 @@ def altered(*transitions: TransitionShape) -> tuple[Decider, frozenset[int], np.
     return Decider(structure, point.fields, point.rows, point.resets), frozenset({0, 1}), known
 
 
-def test_an_order_in_which_nothing_follows_leaves_it_open() -> None:
+def test_orders_in_which_nothing_or_something_else_follows_leave_it_open() -> None:
     both = frozenset({0, 1})
     never = ((0, 0, True), (0, 0, False))
-    for conditions, verdict in (((), "chosen"), (never, "ambiguous")):
+    for conditions, target, verdict, options in (
+        ((), 3, "chosen", ()),
+        (never, 3, "ambiguous", (3,)),
+        ((), 4, "ambiguous", (3, 4)),
+    ):
         decider, reached, known = altered(
-            TransitionShape(both, (), 0, 3, 1), TransitionShape(both, conditions, 0, 3, 2)
+            TransitionShape(both, (), 0, 3, 1), TransitionShape(both, conditions, 0, target, 2)
         )
         found = decider.choice(0, reached, decider.located(0, known, 0.0))
-        assert found.verdict == verdict
-    assert found.options == (3,)
+        assert (found.verdict, found.options) == (verdict, options)
     alone = decider.choice(0, frozenset({0}), decider.located(0, known, 0.0))
     assert alone.verdict == "undeclared"
 
