@@ -127,7 +127,6 @@ class Crossing(NamedTuple):
 
     time: float | None  # None if there is none
     error: float = 0.0  # bound on the error of the time
-    tangent: bool = False  # whether the boundary is touched at a maximum, within rounding
     # time and depth of maxima within rounding of zero that were passed by
     touched: tuple[tuple[float, float], ...] = ()
     never: bool = False  # whether there is none after the window either
@@ -200,10 +199,10 @@ class _Search:
     def none(self, never: bool) -> Crossing:
         return Crossing(None, touched=tuple(self.touched), never=never)
 
-    def found(self, time: float, error: float, tangent: bool = False) -> Crossing:
+    def found(self, time: float, error: float) -> Crossing:
         if time > self.end:
             return self.none(False)
-        return Crossing(time, error + 4 * math.ulp(time), tangent, tuple(self.touched))
+        return Crossing(time, error + 4 * math.ulp(time), tuple(self.touched))
 
     def leave(self, widest: float) -> float:
         """The time halfway to where the next derivative could first undo the leading one."""
@@ -235,7 +234,7 @@ class _Search:
                 if self.top is not None:
                     depth, time = self.top
                     if self.reached:
-                        return self.found(time, self._time_error(time), True)
+                        return self.found(time, self._time_error(time))
                     self.touched.append((time, depth))
                     self.top = None
             elif value > 2 * error:

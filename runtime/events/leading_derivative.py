@@ -1,29 +1,23 @@
 """The first derivative of an affine function that is not zero, in any arithmetic.
 
 What a function does behind an instant is told by the first of its derivatives along a field
-that is not zero there. How a sign is told belongs to the arithmetic: doubles and mpmath compare
-with a bound on their error (`Located`), balls with zero, exact rows with what is known to be
-zero of the state.
+that is not zero there. Doubles tell a sign by a bound on their error (`Located`).
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import accumulate, islice, repeat
-from operator import matmul, mul
-from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypeVar
+from operator import mul
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
-
-if TYPE_CHECKING:
-    from flint import arb
 
 __all__ = [
     "UNIT",
     "Leading",
     "Located",
     "Row",
-    "Undecided",
     "Vector",
     "derivatives",
     "dot",
@@ -31,71 +25,52 @@ __all__ = [
     "leading_signs",
     "orders",
     "rows_of",
-    "square",
 ]
 
-UNIT = 2.0**-48  # 16 eps, the rounding of a sum of products
+UNIT = 2.0**-48  # 16 eps, the rounding of a sum of products by that of absolute values
 
 R = TypeVar("R")
 Vector = Sequence[Any] | np.ndarray
 
 
-class Undecided(Exception):
-    """An arithmetic cannot tell a sign.
-
-    `reason` says why. `at` is a ball around the time in the phase, None at its start.
-    `digits` says whether more digits may help.
-    """
-
-    def __init__(self, reason: str, at: arb | None = None, *, digits: bool = True) -> None:
-        super().__init__(reason)
-        self.reason, self.at, self.digits = reason, at, digits
-
-
-class Leading(NamedTuple, Generic[R]):
+class Leading(NamedTuple):
     """The first derivative that is not zero."""
 
     order: int
     sign: int  # 1 or -1 as the arithmetic told it, or 1 where it is only known not to be zero
-    derivative: R  # as it was given
 
 
 def leading(
     functions: Iterable[R], sign: Callable[[int, R], int], first: int = 0
-) -> Leading[R] | None:
+) -> Leading | None:
     """The first derivative that is not zero; None where all are.
 
     `functions` are the derivatives from order 0 on, as rows or as values; no more are made
     than needed. `sign` gives the sign of a derivative from its order and itself, 0 where it
-    is zero, and raises `Undecided` where it cannot tell. Derivatives of order below `first`
-    are known to be zero.
+    is zero. Derivatives of order below `first` are known to be zero.
 
     Examples
     --------
     >>> leading([0.0, -2.0, 5.0], lambda order, value: (value > 0) - (value < 0))
-    Leading(order=1, sign=-1, derivative=-2.0)
+    Leading(order=1, sign=-1)
     """
     for order, function in enumerate(functions):
         if order >= first and (found := sign(order, function)):
-            return Leading(order, found, function)
+            return Leading(order, found)
     return None
 
 
-def derivatives(
-    row: R, field: Any, count: int, product: Callable[[R, Any], R] = matmul
-) -> Iterator[R]:
+def derivatives(row: np.ndarray, field: np.ndarray, count: int) -> Iterator[np.ndarray]:
     """An affine function and its derivatives along a field, `count` rows order by order.
 
-    The row (..., N + 1) and the field (..., N + 1, N + 1), see `square`, act on (y, 1);
-    `product` multiplies a row by the field. Where the first N + 1 are zero, so are all others.
+    The row (..., N + 1) and the field (N, N + 1), or one for each row (..., N, N + 1), act on
+    (y, 1). Where the first N + 1 are zero, so are all others.
     """
-    return islice(accumulate(repeat(field), product, initial=row), count)
+    return islice(accumulate(repeat(field), _rate, initial=row), count)
 
 
-def square(field: np.ndarray) -> np.ndarray:
-    """A field (..., N, N + 1) with the rate of 1, which is 0, below: (..., N + 1, N + 1)."""
-    below = np.zeros_like(field[..., :1, :])
-    return np.concatenate([field, below], axis=-2)
+def _rate(row: np.ndarray, field: np.ndarray) -> np.ndarray:
+    return np.asarray(np.einsum("...i,...ij->...j", row[..., :-1], field))
 
 
 def dot(row: Iterable[Any], vector: Iterable[Any]) -> Any:
@@ -117,26 +92,24 @@ def orders(row: np.ndarray, field: np.ndarray, count: int) -> tuple[list[Row], l
     The row is (N + 1,), the field (N, N + 1). Both results are `count` rows of N + 1 numbers,
     those of the function first; sizes are sums of absolute values.
     """
-    matrix = square(field)
     with np.errstate(over="ignore", invalid="ignore"):  # what is not finite judges no start
-        values = list(derivatives(row, matrix, count))
-        bounds = list(derivatives(abs(row), abs(matrix), count))
+        values = list(derivatives(row, field, count))
+        bounds = list(derivatives(abs(row), abs(field), count))
     return rows_of(np.array(values)), rows_of(np.array(bounds))
 
 
 class Located(NamedTuple):
-    """A state at an event, extended by 1, and how well it is known, in floats or mpmath."""
+    """A state at an event, extended by 1, and how well it is known."""
 
     state: Vector  # N + 1 numbers
     sizes: Vector  # N + 1 sums of absolute values behind the coordinates
     # change of the state within the error of the time, along the field that led there
     moved: Vector
-    error: Any  # of the time
-    unit: Any = UNIT  # rounding of a sum of products, relative to its sum of absolute values
+    error: float  # of the time
 
     def leading(
         self, rows: Sequence[Sequence[Any]], bounds: Sequence[Sequence[Any]], first: int = 0
-    ) -> Leading[Sequence[Any]] | None:
+    ) -> Leading | None:
         """The first derivative that is not zero beyond its error; None if there is none.
 
         `rows` are the function and its derivatives along a field, one more than is judged;
@@ -149,7 +122,7 @@ class Located(NamedTuple):
             # the time errs: the state may have moved on along either field
             ahead = self.error * abs(dot(rows[order + 1], self.state))
             drift = max(ahead, abs(dot(row, self.moved)))
-            if abs(value) > self.unit * dot(bounds[order], self.sizes) + drift:
+            if abs(value) > UNIT * dot(bounds[order], self.sizes) + drift:
                 return 1 if value > 0 else -1
             return 0
 
@@ -162,16 +135,15 @@ class Located(NamedTuple):
         field is (N, N + 1). It is `leading` for functions that no table holds, with one product
         for all of them.
         """
-        matrix = square(field)
 
         def judged() -> Iterator[tuple[np.ndarray, np.ndarray]]:
             count = len(self.state)
-            every = derivatives(rows, matrix, count + 1)
-            behind, row = derivatives(bounds, abs(matrix), count), next(every)
+            every = derivatives(rows, field, count + 1)
+            behind, row = derivatives(bounds, abs(field), count), next(every)
             for following, bound in zip(every, behind, strict=True):
                 ahead = self.error * abs(following @ self.state)
                 drift = np.maximum(ahead, abs(row @ self.moved))
-                yield row @ self.state, self.unit * (bound @ self.sizes) + drift
+                yield row @ self.state, UNIT * (bound @ self.sizes) + drift
                 row = following
 
         return leading_signs(judged())

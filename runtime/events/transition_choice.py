@@ -13,15 +13,15 @@ is consistent is the outcome.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import product
-from typing import Any, Literal, NamedTuple, Protocol, TypeVar
+from typing import Literal, NamedTuple, Protocol
 
 import numpy as np
 
-from nonsmooth.runtime.events.leading_derivative import UNIT, Located, Row, Undecided, dot, orders
+from nonsmooth.runtime.events.leading_derivative import UNIT, Located, Row, dot, orders
 from nonsmooth.runtime.model.boundary_sets import mask_of
 from nonsmooth.runtime.model.contacts.law import HOLDING, ContactEvent, Law, Regimes
 from nonsmooth.runtime.model.contacts.stages import Path, Stage, requirements
@@ -37,7 +37,6 @@ __all__ = [
     "Judge",
     "batch_decider",
     "choose",
-    "first_following",
 ]
 
 _SWEEPS = 200  # of the iteration that guesses what holds
@@ -135,7 +134,7 @@ class Chooser:
         if signs is None:
             return None
         values = signs.rows @ at.state
-        errors = at.unit * (signs.bounds @ at.sizes) + abs(signs.rows @ at.moved)
+        errors = UNIT * (signs.bounds @ at.sizes) + abs(signs.rows @ at.moved)
         zero = abs(values) <= errors
         if ((values > 0) != signs.positive)[~zero].any():
             return None
@@ -231,20 +230,14 @@ def _box(law: Law, index: int, kinetic: bool, values: Sequence[float]) -> tuple[
 class Choice(NamedTuple):
     """What follows a set of boundaries."""
 
-    # ambiguous is what orders of stops do not agree on, or the law leaves open; undecided is what
-    # the arithmetic cannot tell
-    verdict: Literal["chosen", "ambiguous", "undecided", "undeclared"]
-    # the one that follows, or of which it is not decided whether it does
-    transition: TransitionShape | None = None
+    # ambiguous is what orders of stops do not agree on, or the law leaves open
+    verdict: Literal["chosen", "ambiguous", "undeclared"]
+    transition: TransitionShape | None = None  # the one that follows
     options: tuple[int, ...] = ()  # configurations that may follow where that is ambiguous
-    open: str = ""  # why it is undecided
 
 
 class Judge(Protocol):
-    """An arithmetic, at the state in which boundaries are reached.
-
-    Its methods raise `Undecided` where it cannot tell.
-    """
+    """An arithmetic, at the state in which boundaries are reached."""
 
     def sign(self, row: int, along: int) -> int:
         """Sign of the leading derivative of a row along a field, 0 for none.
@@ -259,35 +252,11 @@ class Judge(Protocol):
         """Configurations that may follow by the contact law."""
 
 
-class _Conditional(Protocol):
-    @property
-    def conditions(self) -> Iterable[Sequence[Any]]:
-        """Conditions: the arguments of a sign, and last whether it has to be positive."""
-
-
-C = TypeVar("C", bound=_Conditional)
-
-
-def first_following(
-    candidates: Iterable[C], sign: Callable[..., int]
-) -> tuple[C | None, Undecided | None]:
-    """The first candidate whose conditions hold or may hold, and why that is open.
-
-    `sign` takes the entries of a condition but the last, which says whether the sign has to
-    be positive; it raises `Undecided` where it cannot tell. The candidate is None where none
-    follows; the reason is None where it is certain that the candidate does.
-    """
-    for candidate in candidates:
-        trouble: Undecided | None = None
-        for *function, positive in candidate.conditions:
-            try:
-                if (sign(*function) > 0) != positive:
-                    break
-            except Undecided as found:
-                trouble = trouble or found
-        else:
-            return candidate, trouble
-    return None, None
+def _holds(transition: TransitionShape, judge: Judge) -> bool:
+    """Whether all conditions of a transition hold."""
+    return all(
+        (judge.sign(row, along) > 0) == positive for row, along, positive in transition.conditions
+    )
 
 
 def choose(structure: Structure, source: int, boundaries: frozenset[int], judge: Judge) -> Choice:
@@ -297,10 +266,7 @@ def choose(structure: Structure, source: int, boundaries: frozenset[int], judge:
     found = []
     for order in structure.orders(source, boundaries):
         own = [t for t in shapes if t.order in (0, order)]
-        transition, trouble = first_following(own, judge.sign)
-        if trouble is not None:
-            return Choice("undecided", transition, (), trouble.reason)
-        found.append(transition)
+        found.append(next((t for t in own if _holds(t, judge)), None))
     strikes = [t for t in found if t is not None]
     if not strikes:
         return _by_law(structure, source, boundaries, judge)
@@ -319,10 +285,7 @@ def _by_law(structure: Structure, source: int, boundaries: frozenset[int], judge
     event = None if law is None else law.event(source, names)
     if law is None or event is None:
         return Choice("undeclared")
-    try:
-        targets = judge.targets(event)
-    except Undecided as trouble:
-        return Choice("undecided", None, (), trouble.reason)
+    targets = judge.targets(event)
     if len(targets) != 1:
         return Choice("ambiguous", None, targets)
     (target,) = targets
@@ -332,9 +295,7 @@ def _by_law(structure: Structure, source: int, boundaries: frozenset[int], judge
 class Decider:
     """The choice of transitions by the tables of a system at one parameter point.
 
-    The tables are arrays of floats or mpmath numbers: fields (c, N, N + 1), rows (R, N + 1)
-    and resets (r, N, N + 1). The law of coupled contacts needs floats. `unit` is the rounding
-    of a sum of products.
+    The tables are arrays: fields (c, N, N + 1), rows (R, N + 1) and resets (r, N, N + 1).
     """
 
     def __init__(
@@ -343,10 +304,8 @@ class Decider:
         fields: np.ndarray,
         rows: np.ndarray,
         resets: np.ndarray,
-        unit: Any = UNIT,
     ) -> None:
         self.structure, self.fields, self.rows, self.resets = structure, fields, rows, resets
-        self.unit = unit
         self._pairs: dict[tuple[int, int], tuple[list[Row], list[Row]]] = {}
 
     @cached_property
@@ -372,7 +331,7 @@ class Decider:
         return self._chooser.outcome(event, at)
 
     def located(
-        self, source: int, state: np.ndarray, error: Any, sizes: np.ndarray | None = None
+        self, source: int, state: np.ndarray, error: float, sizes: np.ndarray | None = None
     ) -> Located:
         """A state (N + 1,) that the configuration `source` led to, and how well it is known.
 
@@ -380,7 +339,7 @@ class Decider:
         of absolute values behind the coordinates, by default the absolute values of these.
         """
         moved = np.append(error * (self.fields[source] @ state), 0.0)
-        return Located(state, abs(state) if sizes is None else sizes, moved, error, self.unit)
+        return Located(state, abs(state) if sizes is None else sizes, moved, error)
 
     def choice(
         self,
@@ -422,7 +381,7 @@ class _AtEvent(NamedTuple):
         images = np.array([part @ self.at.state for part in parts])
         sizes = np.array([abs(part) @ self.at.sizes for part in parts]).max(axis=0)
         apart = images.max(axis=0) - images.min(axis=0)
-        return bool((apart <= _ROUNDINGS * self.at.unit * sizes).all())
+        return bool((apart <= _ROUNDINGS * UNIT * sizes).all())
 
     def targets(self, event: ContactEvent) -> tuple[int, ...]:
         return self.decider.outcome(event, self.at).targets

@@ -471,40 +471,30 @@ def written(
     )
 
 
+def _noted(sign: str) -> tuple[Callable[..., _Traced], Callable[..., _Traced]]:
+    """An operator of traced numbers, and the same with its operands the other way round."""
+
+    def plain(self: _Traced, other: Any) -> _Traced:
+        return self.writer.number(sign, self, other)
+
+    def turned(self: _Traced, other: Any) -> _Traced:
+        return self.writer.number(sign, other, self)
+
+    return plain, turned
+
+
 class _Traced:
     """A number of a kernel that is written down: its operations are noted."""
 
     __slots__ = ("place", "writer")
+    __add__, __radd__ = _noted("+")
+    __sub__, __rsub__ = _noted("-")
+    __mul__, __rmul__ = _noted("*")
+    __truediv__, __rtruediv__ = _noted("/")
+    __pow__, _ = _noted("**")
 
     def __init__(self, writer: _Writer, place: int) -> None:
         self.writer, self.place = writer, place
-
-    def __add__(self, other: Any) -> _Traced:
-        return self.writer.number("+", self, other)
-
-    def __radd__(self, other: Any) -> _Traced:
-        return self.writer.number("+", other, self)
-
-    def __sub__(self, other: Any) -> _Traced:
-        return self.writer.number("-", self, other)
-
-    def __rsub__(self, other: Any) -> _Traced:
-        return self.writer.number("-", other, self)
-
-    def __mul__(self, other: Any) -> _Traced:
-        return self.writer.number("*", self, other)
-
-    def __rmul__(self, other: Any) -> _Traced:
-        return self.writer.number("*", other, self)
-
-    def __truediv__(self, other: Any) -> _Traced:
-        return self.writer.number("/", self, other)
-
-    def __rtruediv__(self, other: Any) -> _Traced:
-        return self.writer.number("/", other, self)
-
-    def __pow__(self, exponent: int) -> _Traced:
-        return self.writer.number("**", self, exponent)
 
     def __neg__(self) -> _Traced:
         return self.writer.number("negative", self)

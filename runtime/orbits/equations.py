@@ -21,7 +21,7 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.exponentials.matrices import eigenvalues
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves
-from nonsmooth.runtime.events.leading_derivative import derivatives, leading, square
+from nonsmooth.runtime.events.leading_derivative import derivatives, leading
 from nonsmooth.runtime.model.factored_flows import FactoredFlows
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at, tables_at
 from nonsmooth.runtime.model.time_functions import functions_at
@@ -482,8 +482,8 @@ class ConditionRow:
         `ends` (k, p, N) has the states at the ends of the phases.
         """
         end, field = ends[:, self.place], numbers.fields[:, self.along]
-        *_, row = derivatives(numbers.rows[:, [self.row]], square(field), self.order + 1)
-        return np.asarray((row[:, 0, :-1] * end).sum(axis=-1) + row[:, 0, -1])
+        *_, row = derivatives(numbers.rows[..., self.row, :], field, self.order + 1)
+        return np.asarray((row[..., :-1] * end).sum(axis=-1) + row[..., -1])
 
 
 @dataclass(frozen=True)
@@ -503,7 +503,7 @@ class Conditions:
     def taken(self, values: np.ndarray) -> np.ndarray:
         """Return which of its transitions each phase takes (k, p), from values (k, c); -1 for none.
 
-        As `first_following`, over the many points of a branch at once.
+        The first whose conditions hold, over the many points of a branch at once.
         """
         signs: dict[ConditionRow | None, Any] = dict(zip(self.rows, values.T > 0, strict=True))
         signs[None] = False
@@ -546,7 +546,7 @@ def _deciding(
         size = float(abs(function[:-1]) @ abs(end) + abs(function[-1]))
         return abs(value) > _ZERO * size
 
-    functions = derivatives(numbers.rows[row], square(numbers.fields[along]), len(end) + 1)
+    functions = derivatives(numbers.rows[row], numbers.fields[along], len(end) + 1)
     found = leading(functions, differs, int(row == own))
     return None if found is None else ConditionRow(place, row, along, found.order)
 

@@ -20,7 +20,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.events.crossings_and_maxima import maximum
-from nonsmooth.runtime.events.leading_derivative import derivatives, leading, square
+from nonsmooth.runtime.events.leading_derivative import derivatives, leading
 from nonsmooth.runtime.events.quasi_polynomials import ModeFunctions, functions_along
 from nonsmooth.runtime.events.transition_choice import Decider, choose
 from nonsmooth.runtime.model.boundary_sets import lowest_of, mask_of
@@ -178,7 +178,7 @@ class _AtEnd:
             error = rounding * float(abs(derivative) @ sizes) if order else noise
             return 0 if not abs(value) > error else 1 if value > 0 else -1
 
-        rows = derivatives(function, square(self.numbers.fields[along]), len(sizes))
+        rows = derivatives(function, self.numbers.fields[along], len(sizes))
         # the boundary that has just been reached is zero itself
         found = leading(rows, sign, int(row == self.cycle.rows[self.place]))
         return 0 if found is None else found.sign

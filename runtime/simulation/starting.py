@@ -299,18 +299,13 @@ def orders_along(
     speed = lengths[:, :, :-1].sum(axis=2).max(axis=1)
     shortest = np.divide(1.0, speed, out=np.zeros_like(speed), where=speed > 0)
     count = whole.shape[1]
-    bounds = derivatives(np.abs(row), lengths, count + 1, _rates)
+    bounds = derivatives(np.abs(row), lengths, count + 1)
     behind = ((bound * sizes).sum(axis=-1) for bound in bounds)
     size = next(behind)
-    for function, following in zip(derivatives(row, field, count, _rates), behind, strict=True):
+    for function, following in zip(derivatives(row, field, count), behind, strict=True):
         value = (function * whole).sum(axis=-1)
         yield value, _ERROR * (size + shortest * following)
         size = following
-
-
-def _rates(rows: np.ndarray, fields: np.ndarray) -> np.ndarray:
-    """Derivatives (n, N + 1) of rows along the flow, each with its own field or all with one."""
-    return np.asarray((rows[:, :-1, None] * fields).sum(axis=1))
 
 
 def _violated(system: PiecewiseLinear, c: int, state: np.ndarray) -> str:

@@ -12,15 +12,6 @@ from nonsmooth.runtime.core.box_grid import BoxGrid, DividedGrid
 GRID = BoxGrid((-2, -1), (-3, 2), (7, 5))
 
 
-def test_a_grid_covers_its_box_with_sides_that_are_short_enough():
-    grid = BoxGrid.around(np.array([-1.0, 0.3]), np.array([2.0, 0.9]), np.array([0.3, 0.1]))
-    low, high = grid.bounds(np.arange(len(grid)))
-    assert grid.exponents == (-2, -4)
-    assert (low.min(axis=0) <= [-1, 0.3]).all()
-    assert (high.max(axis=0) >= [2, 0.9]).all()
-    assert len(grid) == 12 * 11
-
-
 def test_a_grid_covers_its_box_or_is_refused():
     """At all magnitudes of ends and sides, in exact arithmetic."""
     numbers, refused = random.Random(5), 0
@@ -65,32 +56,66 @@ def test_boxes_are_halved_only_as_long_as_doubles_hold_their_places():
         flags.append(np.array([True, False]))
 
 
-@pytest.fixture
-def boxes():
+def divided(seed: int) -> DividedGrid:
+    """Boxes of several sizes, of a grid whose boxes were halved three times here and there."""
+    random = np.random.default_rng(seed)
+    found = DividedGrid.of(GRID)
+    for _ in range(3):
+        found, _ = found.halved(random.random(len(found)) < 0.3)
+    return found
+
+
+@pytest.mark.parametrize("grid", [GRID, *map(divided, range(3))], ids=["alike", *"012"])
+def test_boxes_cover_the_region_once_and_those_are_met_that_overlap(grid):
     random = np.random.default_rng(1)
-    low = random.uniform((-1, 0.8), (1, 3.6), (300, 2))
-    return low, low + random.uniform(0, 1.2, (300, 2))
+    low, high = grid.bounds(np.arange(len(grid)))
+    least, most = (
+        bounds[[0, -1]][k] for bounds, k in zip(GRID.bounds(np.arange(35)), (0, 1), strict=True)
+    )
+    assert (high - low).prod(axis=1).sum() == (most - least).prod()
+    points = random.uniform(least, most, (300, 2))
+    owner, number, inside = grid.numbers_met(points, points)
+    assert inside.all()
+    assert sorted(owner.tolist()) == list(range(300))
+    assert ((low[number] <= points[owner]) & (points[owner] < high[number])).all()
+    corner = random.uniform(least - 0.3, most, (300, 2))
+    further = corner + random.random((300, 2)) ** 3
+    # some that end on borders
+    corner[::7], further[::5] = np.round(4 * corner[::7]) / 4, np.round(4 * further[::5]) / 4 + 1
+    owner, number, inside = grid.numbers_met(corner, further)
+    told = np.zeros((300, len(grid)), dtype=bool)
+    told[owner, number] = True
+    assert len(owner) == told.sum()
+    met = ((low[None] <= further[:, None]) & (corner[:, None] < high[None])).all(axis=2)
+    assert (told == met).all()
+    assert (inside == ((corner >= least) & (further < most)).all(axis=1)).all()
+    assert 0 < inside.sum() < 300
+    if grid is GRID:  # covered where all that is met is good
+        good = random.random(len(grid)) < 0.9
+        covered = grid.covered(grid.sums(good), corner, further)
+        assert (covered == (inside & ~(met & ~good).any(axis=1))).all()
+        assert 0 < covered.sum() < 300
 
 
-def test_the_boxes_that_are_met_are_those_that_overlap(boxes):
-    low, high = boxes
-    owner, number, inside = GRID.numbers_met(low, high)
-    least, most = GRID.bounds(np.arange(len(GRID)))
-    for k in range(len(low)):
-        overlap = ((least <= high[k]) & (low[k] < most)).all(axis=1)
-        assert set(number[owner == k]) == set(np.flatnonzero(overlap))
-        assert inside[k] == bool((low[k] >= least[0]).all() and (high[k] < most[-1]).all())
-    assert 0 < inside.sum() < len(low)
-
-
-def test_boxes_are_covered_where_all_that_they_meet_are_good(boxes):
-    low, high = boxes
-    good = np.random.default_rng(2).random(len(GRID)) < 0.9
-    owner, number, inside = GRID.numbers_met(low, high)
-    covered = GRID.covered(GRID.sums(good), low, high)
-    for k in range(len(low)):
-        assert covered[k] == bool(inside[k] and good[number[owner == k]].all())
-    assert 0 < covered.sum() < len(low)
+def test_a_box_alone_is_a_grid_and_parts_know_what_they_are_parts_of():
+    grid = BoxGrid((-2,), (3,), (5,))
+    found = DividedGrid.of(grid)
+    every = np.arange(5)
+    assert all(map(np.array_equal, found.bounds(every), grid.bounds(every)))
+    same, origin = found.halved(np.zeros(5, dtype=bool))
+    assert same == found
+    assert origin.tolist() == [*range(5)]
+    more, origin = found.halved(np.array([False, True, False, False, True]))
+    assert origin.tolist() == [0, 2, 3, 1, 1, 4, 4]
+    last, origin = more.halved(np.array([True, False, False, False, True, False, False]))
+    assert origin.tolist() == [1, 2, 0, 0, 3, 5, 6, 4, 4]
+    low, high = last.bounds(np.arange(len(last)))
+    before = more.bounds(origin)
+    assert (before[0] <= low).all()
+    assert (high <= before[1]).all()
+    assert last.finest.tolist() == [1 / 16]
+    assert last == DividedGrid(grid, last.divided)
+    assert last != more
 
 
 @pytest.mark.parametrize("first", [-1, 0, 1, 2])

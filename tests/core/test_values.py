@@ -207,18 +207,16 @@ def test_single_precision_means_its_own_shortest_decimal(number: float) -> None:
     assert as_value(np.float32(number)).exact == Fraction(str(np.float32(number)))
 
 
-@given(st.fractions(max_denominator=10**30))
-def test_fractions_are_exact_and_print_as_they_read(number: Fraction) -> None:
-    value = as_value(number)
-    assert value.exact == number
-    assert parse(value.text).exact == number
+@given(
+    st.fractions(max_denominator=10**30)
+    | st.integers(-(10**300), 10**300)
+    | st.decimals(allow_nan=False, allow_infinity=False, min_value=-(10**9), max_value=10**9)
+)
+def test_exact_numbers_stay_so_and_print_as_they_read(number: Fraction | Decimal | int) -> None:
+    value, exact = as_value(number), Fraction(number)
+    assert value.exact == parse(value.text).exact == exact
     with ctx.workprec(300):
-        assert value.ball(300).overlaps(arb(number.numerator) / arb(number.denominator))
-
-
-@given(st.decimals(allow_nan=False, allow_infinity=False, min_value=-(10**9), max_value=10**9))
-def test_decimals_are_exact(number: Decimal) -> None:
-    assert as_value(number).exact == Fraction(number)
+        assert value.ball(300).overlaps(arb(exact.numerator) / arb(exact.denominator))
 
 
 @given(finite.filter(lambda number: number == 0 or abs(number) > 1e-300))
@@ -228,11 +226,6 @@ def test_mpmath_numbers_are_exact(number: float) -> None:
         exact = as_value(third).exact
         assert mpmath.mpf(exact.numerator) / exact.denominator == third
     assert as_value(mpmath.mpf(number)).exact == Fraction(number)
-
-
-@given(st.integers(-(10**300), 10**300))
-def test_integers_are_exact(number: int) -> None:
-    assert as_value(number).exact == number
 
 
 def test_numpy_integers_and_values_pass() -> None:
@@ -301,21 +294,15 @@ def test_a_number_of_sympy_with_a_double_in_it_has_the_digits_of_a_double(number
     assert float(as_value(symbolic)) == float(symbolic)
 
 
-def test_assignment() -> None:
+def test_assignments() -> None:
     assert parse_assignment("eta=0.98") == ("eta", parse("0.98"))
     assert parse_assignment(" e1 = 2*pi ") == ("e1", parse("2*pi"))
-
-
-@pytest.mark.parametrize("text", ["eta", "eta=", "=1", "", "2x=1", "a b=1"])
-def test_assignment_without_its_parts(text: str) -> None:
-    with pytest.raises(InputError, match="is not of the form name=value"):
-        parse_assignment(text)
-
-
-@pytest.mark.parametrize("text", ["eta=0.5x", "eta==1", "eta=1=2"])
-def test_assignment_names_the_culprit(text: str) -> None:
-    with pytest.raises(InputError, match=r"^eta: '.*' is not a number or expression: "):
-        parse_assignment(text)
+    for text in ("eta", "eta=", "=1", "", "2x=1", "a b=1"):
+        with pytest.raises(InputError, match="is not of the form name=value"):
+            parse_assignment(text)
+    for text in ("eta=0.5x", "eta==1", "eta=1=2"):
+        with pytest.raises(InputError, match=r"^eta: '.*' is not a number or expression: "):
+            parse_assignment(text)
 
 
 @pytest.mark.parametrize(

@@ -4,10 +4,13 @@ import math
 
 import numpy as np
 import pytest
+import stressing_search
 from stressing import Ball, Sums, first_excess, undecided
 from stressing_search import FAMILIES, random_sums, search, verdicts
 
+from nonsmooth.runtime.events.crossings_and_maxima import first_crossing
 from nonsmooth.runtime.model.kernels import compiled_engine
+from tests.sums import plain_sum
 
 pytestmark = [
     pytest.mark.compiled,
@@ -25,20 +28,39 @@ def first(sums, until, reached=False):
     return times[0] if found[0] else None
 
 
+def in_python(sums: Sums, until: np.ndarray, reached: bool) -> tuple[np.ndarray, np.ndarray]:
+    """What the search of the other engine finds, one sum after the other."""
+    times, found = until.copy(), np.zeros(len(until), dtype=bool)
+    for i, exponents in enumerate(sums.exponents):
+        values, polynomials = iter(sums.values[i].tolist()), []
+        for length, oscillates in sums.shape:
+            pairs = [(next(values), next(values) if oscillates else 0.0) for _ in range(length)]
+            polynomials.append([complex(cosine, -sine) for cosine, sine in pairs])
+        function = plain_sum([complex(*each) for each in exponents], polynomials)
+        time = first_crossing(function, float(until[i]), reached=reached).time
+        if time is not None:
+            times[i], found[i] = time, True
+    return times, found
+
+
 @pytest.mark.parametrize("reached", [False, True], ids=["exceeded", "reached"])
 @pytest.mark.parametrize("family", FAMILIES)
-def test_no_zero_is_missed_and_none_invented(family: str, reached: bool) -> None:
+@pytest.mark.parametrize("engine", ["c", pytest.param("numpy", marks=pytest.mark.slow)])
+def test_no_zero_is_missed_and_none_invented(
+    engine: str, family: str, reached: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
     rng = np.random.default_rng([*family.encode(), reached])
+    if engine == "numpy":
+        monkeypatch.setattr(stressing_search, "search", in_python)
+    count = 100 if engine == "c" else 20
     for _ in range(4):
-        sums, until = random_sums(rng, family, 100)
+        sums, until = random_sums(rng, family, count)
         counts, told = verdicts(rng, sums, until, reached)
         assert not told
-        assert counts["found"] + counts["none"] == 100
+        assert counts["found"] + counts["none"] == count
 
 
 def test_the_checks_see_a_missed_and_an_invented_zero(monkeypatch: pytest.MonkeyPatch) -> None:
-    import stressing_search
-
     sums = one(((1, False), (1, True)), [[0, 0], [0, 1]], [-0.65, 0.6, 0.3])
     rng, truth = np.random.default_rng(0), search(sums, np.array([9.0]), False)[0]
     for time, what in ((9.0, "wrong: missed"), (0.9 * truth[0], "wrong: no zero")):

@@ -65,12 +65,6 @@ def stays_below(function, duration, bound, start=0.0):
     raise AssertionError("undecided")
 
 
-def grazing(peak, frequency=2.0, at=0.83):
-    """A sum whose only maximum in one period is the peak, at a given time."""
-    cosine = (math.cos(frequency * at), math.sin(frequency * at))
-    return trigonometric(-1.0 + peak, 0.0, (cosine[0],), (cosine[1],), (frequency,))
-
-
 @laws
 @given(sums(), st.floats(0, 8))
 def test_no_value_exceeds_the_maximum_and_it_is_attained(function, duration):
@@ -108,20 +102,6 @@ def test_an_exact_zero_at_either_end_is_no_violation(function, duration):
     assert math.isfinite(value)
 
 
-@pytest.mark.parametrize("exponent", range(6, 15))
-def test_a_peak_too_narrow_to_sample_is_found(exponent):
-    peak = 10.0**-exponent
-    generator = np.random.default_rng(exponent)
-    for at in generator.uniform(0.2, 2.0, 20):
-        function = grazing(peak, at=at)
-        tolerance = 2 * function.rounding(3.0)
-        above, below = maximum(function, 3.0, 0.0), maximum(grazing(-peak, at=at), 3.0, 0.0)
-        assert abs(above.value - peak) <= tolerance
-        assert abs(above.time - at) < 1e-6 if peak > tolerance else True
-        assert below.value <= tolerance
-        assert (below.value == 0) or peak <= tolerance
-
-
 def test_flat_maxima_end_and_are_right():
     """Where second derivatives vanish, or terms cancel altogether, no Newton step helps."""
     quartic = trigonometric(-3.0, 0.0, (4.0, -1.0), (0.0, 0.0), (1.0, 2.0))  # -(1 - cos t)^2 * 2
@@ -149,16 +129,6 @@ def test_a_skew_peak_does_not_mislead_newton(late):
     assert 0.4 < time < 0.58
     assert abs(function(time) - value) <= tolerance
     assert stays_below(function, 0.58, arb(value) + arb(tolerance))
-
-
-def test_a_bump_between_flat_ends_is_found():
-    """Where g = g' = 0 at both ends of a cell, only the bound on its error tells of the bump."""
-    function = fitted(lambda s: s * (1 - s) * (1 - 2 * s), 0.58)
-    function = changed(function, constant=-function(0.0))
-    top = function(0.29)
-    found = maximum(function, 0.58, 0.99 * top)
-    assert found.value == pytest.approx(top, rel=1e-6)
-    assert found.time == pytest.approx(0.29, abs=1e-3)
 
 
 @pytest.mark.parametrize("scale", [1e-60, 1e-3, 1e6, 1e60])

@@ -19,6 +19,7 @@ def forces(random: np.random.Generator) -> dict[str, Fraction]:
     found = {}
     for k in "12":
         us, e = (Fraction(int(n), int(d)) for n, d in random.integers(1, 60, (2, 2)))
+        us += Fraction(int(random.integers(9)), 10**300)  # digits that no double holds
         found |= {f"e{k}": e, f"us{k}": us, f"ur{k}": us + e}
     return found
 

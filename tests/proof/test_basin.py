@@ -11,11 +11,10 @@ import nonsmooth as ns
 from nonsmooth.derive import Harmonic, SoftStop, oscillator
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
 from nonsmooth.runtime.proof.exact_tables import exact_system
 from nonsmooth.runtime.proof.sets import certify_basin as certifying
-from nonsmooth.runtime.proof.sets.attracting_core import attracting_core
+from nonsmooth.runtime.proof.sets.attracting_core import Undecided, attracting_core
 from nonsmooth.runtime.proof.sets.basin_section import section_of as basin_section
 from nonsmooth.runtime.proof.sets.starting_tiles import next_tiles
 from tests.certified import accepted

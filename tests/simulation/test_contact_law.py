@@ -5,7 +5,6 @@ from __future__ import annotations
 import copy
 import json
 from dataclasses import replace
-from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -28,6 +27,7 @@ from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.compare_declarations import compare
 from nonsmooth.runtime.proof.certificate import Certificate
 from tests.engines import with_both
+from tests.newton import Newton
 
 pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
 
@@ -43,15 +43,20 @@ def both(system: System, data: dict[str, Any], start: list[float], until: float)
 def stack(reverse: bool) -> System:
     """Two blocks on each other; the lower one is driven, the upper one loaded."""
     load, drive = sp.symbols("P A", real=True)
+    return oscillator(
+        "stack", *stacked(reverse, load, drive)[0], **stacked(reverse, load, drive)[1]
+    )
+
+
+def stacked(reverse: bool, load: Any, drive: Any) -> tuple[list[Any], dict[str, Any]]:
     contacts = [
         Friction("x1", kinetic=1, static=2, name="ground"),
         Friction({"x2": 1, "x1": -1}, kinetic="1/5", static="3/2", name="between"),
     ]
-    return oscillator(
-        "stack", ["x1", "x2"], sp.eye(2), sp.zeros(2, 2), load=[0, load],
-        forcing=[Harmonic(sp.Rational(1, 10), sine=[drive, 0])],
-        elements=contacts[::-1] if reverse else contacts,
-    )  # fmt: skip
+    return [["x1", "x2"], sp.eye(2), sp.zeros(2, 2)], {
+        "load": [0, load], "forcing": [Harmonic(sp.Rational(1, 10), sine=[drive, 0])],
+        "elements": contacts[::-1] if reverse else contacts,
+    }  # fmt: skip
 
 
 @pytest.mark.slow
@@ -63,32 +68,8 @@ def test_the_contact_that_needs_less_than_its_limit_holds(reverse: bool) -> None
         assert motion.status == run_.status == Status.UNTIL
         assert_allclose(sign * motion(8.0)[:2], [2.20143911] * 2, atol=1e-8)
         assert_allclose(run_.states, motion.states, atol=1e-13)
-        assert_allclose(bristles(8.0), [2.20143911] * 2, atol=2e-3)
-
-
-@cache
-def bristles(until: float) -> np.ndarray:
-    """Places of the stack's blocks, its contacts critically damped bristles that slip."""
-    kinetic, static = np.array([1.0, 0.2]), np.array([2.0, 1.5])
-    stiffness, h, t = 4e4, 2e-4, 5.0  # nothing moves before
-    damping = 2 * np.sqrt(stiffness)
-    x, v, slips = np.zeros(2), np.zeros(2), np.zeros(2)
-    held = np.array([2 * np.sin(0.1 * t) + 1, 1.0])
-    anchor = -held / stiffness
-    while t < until:
-        relative, place = np.array([v[0], v[1] - v[0]]), np.array([x[0], x[1] - x[0]])
-        sticking = -stiffness * (place - anchor) - damping * relative
-        breaks = (slips == 0) & (abs(sticking) > static)
-        slips = np.where(breaks, -np.sign(sticking), slips)
-        stays = (slips != 0) & (relative * slips < 0)
-        anchor = np.where(stays, place, anchor)
-        slips = np.where(stays, 0.0, slips)
-        force = np.where(slips != 0, -slips * kinetic, sticking)
-        drive = np.array([2 * np.sin(0.1 * t), 1.0])
-        v = v + h * (drive + np.array([force[0] - force[1], force[1]]))
-        x = x + h * v
-        t += h
-    return x
+        matrices, more = stacked(reverse, sign, 2 * sign)
+        Newton(*matrices, **more).obeyed_by(motion)
 
 
 def drawn(seed: int, count: int) -> tuple[list[str], Any, list[dict[str, Any]], list[Any]]:
@@ -268,13 +249,6 @@ def test_the_choice_is_the_minimum(seed: int, count: int, monkeypatch: pytest.Mo
         assert point.structure.configurations[found.target] == expected
         seen.add(expected)
     assert len(seen) > 3
-
-
-@pytest.mark.slow
-def test_four_coupled_contacts_are_declared_at_all() -> None:
-    system = declared(7, 4, [2, 0, 3, 1])
-    assert len(system.configurations) == 81
-    assert not system.transitions
 
 
 def test_forces_that_are_not_unique_are_ambiguous() -> None:

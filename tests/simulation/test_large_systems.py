@@ -7,11 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-import sympy as sp
 from numpy.testing import assert_allclose
 
-from nonsmooth import simulate
-from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.model.engine_layout import layout_of, numbers_of
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import compiled_engine
@@ -103,29 +100,6 @@ def test_what_is_kept_of_many_motions() -> None:
     for state, sets in zip(states, ends.last_sets, strict=True):
         known = with_engine("numpy", follow, system, state, 0, transitions=44)
         assert [sets[k % kept] for k in range(40, 45)] == known.sets[40:].tolist()
-
-
-def test_a_declared_chain() -> None:
-    """Twelve masses through the declaration, derived in a second: the motion of the matrices."""
-    count = 12
-    stiffness = 2 * sp.eye(count)
-    for i in range(count - 1):
-        stiffness[i, i + 1] = stiffness[i + 1, i] = -1
-    place = Parameter("place", "of the stop")
-    declared = oscillator(
-        "long-chain",
-        [f"x{i}" for i in range(count)],
-        mass=sp.eye(count),
-        stiffness=stiffness,
-        damping=(stiffness + sp.eye(count)) / 50,
-        forcing=[Harmonic(sp.Rational(7, 10), cosine=[1, *[0] * (count - 1)])],
-        elements=[RigidStop(f"x{count - 1}", at=place.symbol, restitution="4/5", name="stop")],
-        parameters=[place],
-    )
-    found = simulate(declared, {"place": "0.3"}, start_of(count, 9), transitions=15)
-    known = with_engine("numpy", follow, chain(count), start_of(count, 9), 0, transitions=15)
-    assert_allclose(found.times, known.times, rtol=0, atol=1e-11)
-    assert_allclose(found.states, known.states, rtol=0, atol=1e-11)
 
 
 def test_factors_that_no_mode_has_are_refused() -> None:

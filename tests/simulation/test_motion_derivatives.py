@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
@@ -17,15 +19,15 @@ START = [0, 0, 1.5, 0.3]
 ALL = ("m1", "m2", "k1", "k2", "r", "x10", "x20", "v10", "v20")
 
 
-def test_states_follow_all_numbers_through_impacts() -> None:
-    found = ns.motion_function("rigid-stop", DATA, START, by=ALL, times=[1.0, 5.0, 9.9])
-    assert_allclose(found.jacobian(found.reference), in_doubles(found, found.reference), atol=3e-9)
-
-
-def test_times_of_transitions_follow_all_numbers() -> None:
-    found = ns.motion_function("rigid-stop", DATA, START, by=ALL, transitions=6)
+@pytest.mark.parametrize(
+    ("asked", "atol"), [({"times": [1.0, 5.0, 9.9]}, 3e-9), ({"transitions": 6}, 1e-8)], ids=str
+)
+def test_states_and_times_follow_all_numbers_through_impacts(
+    asked: dict[str, Any], atol: float
+) -> None:
+    found = ns.motion_function("rigid-stop", DATA, START, by=ALL, **asked)
     assert_allclose(
-        found.jacobian(found.reference), in_doubles(found, found.reference), rtol=1e-8, atol=1e-8
+        found.jacobian(found.reference), in_doubles(found, found.reference), rtol=1e-8, atol=atol
     )
 
 

@@ -134,17 +134,6 @@ def test_averages_are_those_of_adaptive_quadrature(name: str, last: float) -> No
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_mean_velocities_are_changes_of_positions(name: str) -> None:
-    """Positions are continuous, so the mean of a velocity is an end minus a start."""
-    trajectory = motion(name)
-    found = observe(trajectory, 3.25)
-    change = trajectory(trajectory.end) - trajectory(3.25)
-    assert_allclose(
-        [found.means["v1"], found.means["v2"]], change[:2] / found.duration, rtol=0, atol=1e-13
-    )
-
-
-@pytest.mark.parametrize("name", NAMES)
 def test_fractions_of_time(name: str) -> None:
     trajectory = motion(name)
     found = observe(trajectory, 12.5)

@@ -41,19 +41,6 @@ def test_the_orbit_is_that_of_the_simulated_phase(phase: float) -> None:
     assert (abs(other.states[-1, 1] - motion.states[-1, 1]) > 1e-3) == (phase != 0)
 
 
-def test_the_force_is_that_of_the_phase() -> None:
-    """Where no stop is near: the motion under both phases, by its particular solution."""
-    system, speeds, phases = two(1, 3, 2), (1.5, 3.0), (2.0, 1.0)
-    motion = ns.simulate(system, {}, {"x": "-9", "v": 0}, until=0.5)
-    step = 1e-4
-    times = np.array([0.1, 0.2, 0.4])
-    x = [motion(times + k * step)[:, 0] for k in (-1, 0, 1)]
-    acceleration = (x[0] - 2 * x[1] + x[2]) / step**2
-    velocity = motion(times)[:, 1]
-    force = sum(np.cos(w * times + p) for w, p in zip(speeds, phases, strict=True))
-    np.testing.assert_allclose(acceleration + 0.1 * velocity + x[1], force, atol=1e-5)
-
-
 @pytest.mark.slow
 def test_a_certificate_is_of_the_phase() -> None:
     """Its cosine and sine are exact, rational or not, and never as if they were zero."""

@@ -4,7 +4,6 @@ from functools import cache
 
 import numpy as np
 import pytest
-from scipy.linalg import expm
 
 import nonsmooth
 from nonsmooth import InputError, NoConvergence
@@ -72,25 +71,6 @@ def test_more_than_twenty_impacts() -> None:
     assert abs(product.imag / area) < 1e-10
     for rough, exact in zip(orbit.unknowns.values(), precise.unknowns.values(), strict=True):
         assert abs(rough - exact) <= 10.0**-orbit.digits * max(1, abs(exact))
-
-
-@pytest.mark.compiled
-def test_many_impacts_by_matrix_exponentials() -> None:
-    orbit = long_orbit()
-    field = np.array([[0, 1, 0, 0], [-1, -0.1, 1, 0], [0, 0, 0, -1.272], [0, 0, 1.272, 0]])
-    following = np.roll(orbit.states, -1, axis=0)
-    for (_, boundary), time, start, after in zip(
-        orbit.itinerary, orbit.dwell_times, orbit.states, following, strict=True
-    ):
-        end = expm(field * time) @ start
-        stop = 0.5 if boundary == "reaches-right" else -0.5
-        assert end[0] == pytest.approx(stop, abs=1e-11)
-        end[1] *= -0.8
-        np.testing.assert_allclose(end, after, rtol=0, atol=1e-11)
-        inside = [
-            (expm(field * part) @ start)[0] for part in np.linspace(0.02 * time, 0.98 * time, 25)
-        ]
-        assert max(map(abs, inside)) < 0.5
 
 
 @pytest.mark.compiled

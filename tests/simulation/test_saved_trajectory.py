@@ -168,14 +168,6 @@ def test_every_bit_comes_back(name: str, path: Path) -> None:
     assert os.listdir(path.parent) == [path.name]
 
 
-def test_a_loaded_motion_is_a_motion(path: Path) -> None:
-    friction().save(path)
-    after = nonsmooth.load(path)
-    times = np.linspace(0, 60, 301)
-    assert np.array_equal(after(times), friction()(times))
-    assert np.array_equal(after.configuration(times), friction().configuration(times))
-
-
 def test_the_file_tells_where_it_is_from(path: Path) -> None:
     friction().save(path)
     header, arrays = parts(path)
@@ -190,12 +182,6 @@ def test_the_file_tells_where_it_is_from(path: Path) -> None:
     assert header["sha256"] == checksum(header, arrays)
     assert np.array_equal(arrays["times"], friction().times)
     assert tuple(arrays["configurations"]) == friction().configurations
-
-
-def test_two_boundaries_stand_in_one_cell(path: Path) -> None:
-    others()["together"].save(path)
-    _, arrays = parts(path)
-    assert "+" in arrays["boundaries"][1]
 
 
 def test_pandas_reads_the_table(tmp_path: Path) -> None:
@@ -218,14 +204,6 @@ def test_a_cut_file_is_refused(path: Path) -> None:
     for length in range(0, len(whole) - 1, 97):
         path.write_bytes(whole[:length])
         refusal(path)
-
-
-def test_a_missing_row_is_refused(tmp_path: Path) -> None:
-    path = tmp_path / "motion.csv"
-    friction().save(path)
-    lines = path.read_text(encoding="utf-8").splitlines()
-    path.write_text("\n".join(lines[:-1]) + "\n", encoding="utf-8")
-    assert refusal(path) == "edited or damaged: the checksum differs"
 
 
 @pytest.mark.slow
@@ -481,19 +459,3 @@ def test_wrong_targets(tmp_path: Path) -> None:
         friction().save(tmp_path / "file" / "motion.csv")
     with pytest.raises(InputError, match=r"motion\.npz: cannot be read: no such file"):
         nonsmooth.load(tmp_path / "motion.npz")
-
-
-def test_what_was_there_stays_when_writing_fails(
-    path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    friction().save(path)
-    content = path.read_bytes()
-
-    def fail(*_: object) -> None:
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr(os, "fsync", fail)
-    with pytest.raises(InputError, match="no space left on device"):
-        others()["impacts"].save(path)
-    assert path.read_bytes() == content
-    assert os.listdir(path.parent) == [path.name]

@@ -15,12 +15,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.core.float_sets import Floats
-from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
 from nonsmooth.runtime.proof.chaos.h_sets import HSet, decimal_set, grid_in_cube
 from nonsmooth.runtime.proof.refusals import REFUSED
 
-__all__ = ["AttractingCore", "attracting_core"]
+__all__ = ["AttractingCore", "Undecided", "attracting_core"]
 
 _LARGEST, _SMALLEST = 2, 24  # powers of 1/2: sizes of sets that are tried, of the scale
 _POWERS = (1, 2, 4, 8)
@@ -38,6 +37,10 @@ class AttractingCore(NamedTuple):
     iterates: int  # the power of the map
     way: tuple[tuple[int, int, int], ...]  # source, mask of boundaries and target on the way
     contraction: Fraction  # factor of the contraction, below 1
+
+
+class Undecided(Exception):
+    """No set is proved, for a reason."""
 
 
 def attracting_core(
@@ -62,23 +65,23 @@ def attracting_core(
             trouble = reason
             continue
         if np.abs(centre - point).max() > _NEAR * scale:
-            raise Undecided("another orbit is there, and not this one", digits=False)
+            raise Undecided("another orbit is there, and not this one")
         frame = _frame(slope)
         turned = np.linalg.inv(frame) @ slope @ frame
         if np.abs(turned).sum(axis=1).max() >= 1:
-            trouble = Undecided("the map does not contract about the orbit", digits=False)
+            trouble = Undecided("the map does not contract about the orbit")
             continue
         way = tuple(floats.way(centre, power))
         for size in range(_LARGEST, _SMALLEST):
             h_set = decimal_set("core", centre.tolist(), frame * scale * 2.0**-size)
             if not _promising(floats, power, h_set):
-                trouble = Undecided("a set around the orbit is not contracted", digits=False)
+                trouble = Undecided("a set around the orbit is not contracted")
                 continue
             core = AttractingCore(h_set, power, way, Fraction(1))
             try:
                 found = _above(judge(core))
             except REFUSED as reason:
-                trouble = Undecided(str(reason), digits=False)
+                trouble = Undecided(str(reason))
                 continue
             if found < 1:
                 return core._replace(contraction=found)
@@ -115,7 +118,7 @@ def _about(floats: FloatSection, power: int, point: Floats, scale: float) -> tup
     for _ in range(_STEPS):
         images, slopes = _images(floats, power, point[None], np.full(size, scale))
         if not (np.isfinite(images).all() and np.isfinite(slopes).all()):
-            raise Undecided("states around the orbit do not go one way", digits=False)
+            raise Undecided("states around the orbit do not go one way")
         point = point + np.linalg.solve(np.eye(size) - slopes[0], images[0] - point)
     return point, np.asarray(slopes[0])
 

@@ -17,7 +17,6 @@ from nonsmooth.runtime.core.float_sets import Floats
 from nonsmooth.runtime.core.parallel import check_workers, in_processes
 from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.explore.finding.find import start_box
 from nonsmooth.runtime.model.kernels import known_system
 from nonsmooth.runtime.model.saved_system import check_same_system
@@ -25,7 +24,7 @@ from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
 from nonsmooth.runtime.proof.exact_tables import ExactSystem, exact_system
 from nonsmooth.runtime.proof.kept_state import KeptState
-from nonsmooth.runtime.proof.sets.attracting_core import AttractingCore, attracting_core
+from nonsmooth.runtime.proof.sets.attracting_core import AttractingCore, Undecided, attracting_core
 from nonsmooth.runtime.proof.sets.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.sets.basin_section import MetSection, section_of
 from nonsmooth.runtime.proof.sets.section_record import named_way, section_entries, stated_section
@@ -161,7 +160,7 @@ def certify_basin(
         try:
             core = question.core(met, scale)
         except Undecided as reason:
-            return question.undecided(met, reason.reason)
+            return question.undecided(met, str(reason))
     return question.tiled(question.on_section(met, core), tiles, workers, keep)
 
 
