@@ -45,18 +45,3 @@ def test_it_goes_on_with_what_was_kept(tmp_path: Path) -> None:
     assert [part["verdict"] for part in told["intervals"]] == ["unstable", "stable"]
     assert told["events"][0]["enclosures"]["V"]["mid"].startswith("1.0805880741771120197670640759")
     assert len(told["tiles"]) == len(json.loads(file.read_text())["tiles"])
-
-
-@pytest.mark.parametrize(
-    ("words", "told"),
-    [
-        (ASKED[:3], "one parameter has to be a range"),
-        ((*ASKED, "--digits", "30"), "no such option"),
-        ((*ASKED, "--tiles", "0"), "not a positive integer"),
-        ((*ASKED, "eta=0.9:1.1"), "one parameter has to be a range"),
-    ],
-)
-def test_what_is_wrong_is_told_in_a_line(words: tuple[str, ...], told: str) -> None:
-    found = run(*words)
-    assert found.code == 2
-    assert told in found.err

@@ -33,16 +33,3 @@ def test_a_time_ends_it_and_says_so(tmp_path: Path) -> None:
     assert "ended: unfinished" in found.out
     assert "1e-06 s that were given are over" in found.out
     assert run("certify", "check", str(file)).code == 0
-
-
-@pytest.mark.parametrize(
-    ("words", "told"),
-    [
-        ((*ASKED[:3], "V=1.08"), "one parameter has to be a range"),
-        ((*ASKED[:3], "V=1.2:1.3"), "has no flips"),
-    ],
-)
-def test_what_is_wrong_is_told_in_a_line(words: tuple[str, ...], told: str) -> None:
-    found = run(*words)
-    assert found.code == 2
-    assert told in found.err

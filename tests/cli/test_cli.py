@@ -610,60 +610,6 @@ def test_interrupt_is_130_and_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
 # --- wrong input
 
 
-@pytest.mark.parametrize("command", ["solve", "verify"])
-@pytest.mark.parametrize(
-    ("arguments", "part"),
-    [
-        ("dry-friction/global-stik", "did you mean 'dry-friction/global-stick'?"),
-        (f"{ORBIT} chi=1.2", "chi = 1.2"),
-        (f"{ORBIT} V=nan", "V: 'nan'"),
-        (f"{ORBIT} eta", "'eta' is not of the form name=value"),
-        (f"{ORBIT} eta=", "'eta=' is not of the form name=value"),
-        (f"{ORBIT} eta=1 eta=1", "parameter eta is given twice"),
-        (f"{ORBIT} --digits 0", "digits = 0"),
-        (f"{ORBIT} --digits {10**9}", f"digits = {10**9}"),
-        (f"{ORBIT} --guess tau", "'tau' is not of the form name=value"),
-        (f"{ORBIT} --guess tau=nan", "tau: 'nan'"),
-        (f"{ORBIT} --guess tau=2,tau=2", "unknown tau is given twice"),
-        (f"{ORBIT} --unknown e1", "as many of one as of the other"),
-        (f"{ORBIT} --unknown e1,e2 --given ta=1,ta=2", "unknown ta is given twice"),
-        ("rigid-stop/one-impact T=1e6", "more than 100000 radians of its fastest oscillation"),
-        ("dry-friction/solution-ii --unknown V --given ta=0", "'ta'; did you mean 'tau'?"),
-    ],
-)
-def test_wrong_input_is_2_with_one_line(command: str, arguments: str, part: str) -> None:
-    code, out, err = run(command, *arguments.split())
-    assert (code, out) == (2, "")
-    assert err.startswith("nonsmooth: error: ")
-    assert err.count("\n") == 1
-    assert part in err
-    assert f"nonsmooth: error: {told(command, *arguments.split(), code=2)['error']}\n" == err
-
-
-@pytest.mark.parametrize(
-    "arguments",
-    [
-        ["solv"],
-        ["simulate"],
-        ["find"],
-        ["simulate", "rigid-stop", "--transitions", "many"],
-        ["solve"],
-        ["solve", ORBIT, "--digits", "many"],
-        ["solve", ORBIT, "--require", "proved"],
-        ["plot"],
-        ["plot", "orbit.json", "--kind", "phases"],
-        ["solve", ORBIT, "--digts", "3"],
-        ["equations", "dry-friction", "--format", "word"],
-    ],
-)
-def test_wrong_usage_is_2(arguments: list[str]) -> None:
-    code, out, err = run(*arguments)
-    assert (code, out) == (2, "")
-    (line,) = err.splitlines()
-    assert line.startswith("nonsmooth: error: ")
-    assert line.endswith(" --help shows the usage")
-
-
 def test_unknown_backend_is_2(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("NONSMOOTH_BACKEND", "fortran")
     assert run("solve", ORBIT) == (
@@ -782,22 +728,6 @@ def test_html_without_its_extra_names_it(monkeypatch: pytest.MonkeyPatch) -> Non
     )
 
 
-@pytest.mark.parametrize(
-    ("name", "part"),
-    [
-        ("dry-frictoin", "unknown system 'dry-frictoin'; did you mean 'dry-friction'?"),
-        ("dry-friction/", "unknown orbit 'dry-friction/'"),
-        ("dry-friction/global-stik", "did you mean 'dry-friction/global-stick'?"),
-        ("found.json:1", "`nonsmooth find FILE.py ... --write FILE.py`"),
-    ],
-)
-def test_equations_of_unknown_names(name: str, part: str) -> None:
-    code, out, err = run("equations", name)
-    assert (code, out) == (2, "")
-    assert part in err
-    assert err.count("\n") == 1
-
-
 def test_out_that_cannot_be_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for target in (Path("/dev/null/equations.tex"), tmp_path):
         code, out, err = run("equations", "dry-friction", "--out", str(target))
@@ -887,12 +817,6 @@ def test_regenerate_outside_a_checkout_is_2(
         code, out, err = run("regenerate", *options)
         assert (code, out) == (2, "")
         assert reason in err
-
-
-def test_regenerate_an_unknown_system_is_2() -> None:
-    code, _, err = run("regenerate", "dry-fricton")
-    assert code == 2
-    assert "did you mean 'dry-friction'?" in err
 
 
 @pytest.mark.usefixtures("committed_derivation")

@@ -149,41 +149,6 @@ def test_prove():
     assert "proved motion of dry-friction, 12 transitions" in run(*FRICTION.split(), "--prove")[1]
 
 
-@pytest.mark.parametrize(
-    ("change", "part"),
-    [
-        (("eta=1", "eta=nan"), "eta: 'nan'"),
-        (("eta=1", "eta=1 eta=1"), "parameter eta is given twice"),
-        (("x1=0", "x1=nan"), "x1: 'nan'"),
-        (("x1=0", "x1"), "'x1' is not of the form name=value"),
-        (("x1=0", "x1=0,x1=0"), "state x1 is given twice"),
-        ((ZERO, ""), "the start is missing, such as --from x1=0,x2=0,v1=0,v2=0"),
-        (("--transitions 12", "--transitions 0"), "transitions = 0"),
-        (("--transitions 12", ""), "nothing ends the motion"),
-        (("--transitions 12", "--until nan"), "'nan'"),
-        (("--transitions 12", "--until 5 --in stick-stick"), "v1 - 1 is -1 there, not 0"),
-        (("--transitions 12", "--until 5 --save m.txt"), "m.txt does not end in .npz, .csv"),
-        (("--transitions 12", "--until 5 --plot m.gif"), "m.gif does not end in .png, .svg, .pdf"),
-        (("--transitions 12", "--until 5 --observe --since 6"), "since = 6.0"),
-        (("v2=0", "v2=sqrt(2)/4"), None),
-        (("v2=0 --transitions 12", "v2=sqrt(2)/4 --prove --until 5"), "not rational: no proof"),
-    ],
-)
-def test_wrong_motions_are_2_with_one_line(change, part, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    command = FRICTION.replace(*change)
-    assert command != FRICTION
-    if part is None:
-        assert run(*command.split())[0] == 0
-    else:
-        refused(command, part)
-        assert not list(tmp_path.iterdir())
-
-
-def test_a_start_beyond_a_stop_is_named():
-    refused(SIMULATE.replace("x1=0,", "x1=2,"), "beyond first-reaches-stop, x1 - 1 is 1 > 0")
-
-
 def test_unwritable_files(tmp_path, monkeypatch):
     monkeypatch.setattr("os.access", lambda path, mode: False)
     for command in (f"{SIMULATE} --save m.npz", f"{FIND} --save f.json", f"{SWEEP} --plot s.png"):
@@ -254,32 +219,6 @@ def test_seed_and_box_reach_the_search(found):
     assert [float(x) for x in document["box"]["x2"]] == pytest.approx(found.box[1])
 
 
-@pytest.mark.parametrize(
-    ("options", "part"),
-    [
-        ("--transitions 1", "transitions = 1"),
-        ("--seed -1", "-1 is no seed"),
-        ("x1=2:1", "box of x1: 2.0 to 1.0 is no interval"),
-        ("x1=nan:1", "'nan'"),
-        ("z1=0:1", "unknown state 'z1'"),
-        ("x1=0:1:5", "'x1=0:1:5' is not NAME=A:B"),
-        ("x1=0:1 x1=0:1", "parameter x1 is given twice"),
-        ("V=2", "parameter V is given twice"),
-        ("z=16..30", "z: '16..30' is no number; a range, where one is taken, is 16:30"),
-        ("--starts -3", "--starts takes an integer"),
-    ],
-)
-def test_wrong_searches_are_2(options, part, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    command = f"find dry-friction {B} {options}"
-    if "--starts" not in options:
-        command += " --starts 3"
-    if "--transitions" not in options:
-        command += " --transitions 60"
-    refused(command, part)
-    assert not list(tmp_path.iterdir())
-
-
 # --- sweep
 
 
@@ -319,30 +258,6 @@ def test_a_diagram_may_go_downward():
 
 
 @pytest.mark.parametrize(
-    ("change", "part"),
-    [
-        (("V=0.95:1.05:3", "V=1"), "one parameter has to be a range A:B:N, not 0"),
-        (("chi=0.5", "chi=0.4:0.6:3"), "one parameter has to be a range A:B:N, not 2"),
-        (("V=0.95:1.05:3", "V=0.95:1.05"), "is not NAME=A:B:N"),
-        (("V=0.95:1.05:3", "V=0.95:1.05:0"), "values of V"),
-        (("V=0.95:1.05:3", "V=nan:1.05:3"), "'nan'"),
-        (("V=0.95:1.05:3", "V=0.95:1.05:3 V=1"), "parameter V is given twice"),
-        (("--quantity x1", ""), "--quantity is missing"),
-        (("--at slip-stick", ""), "--at is missing"),
-        ((ZERO, ""), "the start is missing, such as --from x1=0,x2=0,v1=0,v2=0"),
-        (("--quantity x1 --at slip-stick", ""), "--quantity and --at are missing"),
-        (("--samples 12", "--plot d.gif"), "d.gif does not end in .png, .svg, .pdf"),
-    ],
-)
-def test_wrong_sweeps_are_2(change, part, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    command = SWEEP.replace(*change)
-    assert command != SWEEP
-    refused(command, part)
-    assert not list(tmp_path.iterdir())
-
-
-@pytest.mark.parametrize(
     ("command", "drawer"),
     [
         (f"{FRICTION} --plot", "plot.motion_figure"),
@@ -363,11 +278,6 @@ def test_a_picture_that_fails_loses_nothing(command, drawer, tmp_path, monkeypat
     assert kept.exists()
 
 
-def test_a_chart_of_motions_says_what_its_start_needs(tmp_path):
-    command = f"chart rigid-stop r=0.5:0.9:3 --out {tmp_path / 'F.zarr'}"
-    refused(command, "such as --from x1=0,x2=0,v1=0,v2=0")
-
-
 def test_simulate_writes_derivatives() -> None:
     found = told(*SIMULATE.split(), "--derivatives", "r,v10")["derivatives"]
     motion = simulate("rigid-stop", values(STOP), [0, 0.5, 1, 0], transitions=6)
@@ -378,20 +288,3 @@ def test_simulate_writes_derivatives() -> None:
     assert len(told(*SIMULATE.split(), "--derivatives", "all")["derivatives"]["by"]) == 9
     assert "v1 behind it" in run(*SIMULATE.split(), "--derivatives", "r")[1]
     refused(f"{SIMULATE} --derivatives rr", "unknown parameter or start 'rr'")
-
-
-@pytest.mark.parametrize(
-    ("options", "part"),
-    [
-        ("--derivatives WRONG", "WRONG"),
-        ("--derivatives k1,x10,foo", "foo"),
-        ("--observe --since soon", "soon"),
-        ("--prove --from x1=0,x2=sqrt(2),v1=1,v2=0", "x2"),
-    ],
-)
-def test_what_is_refused_has_written_nothing(options, part, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    start = "" if "--from" in options else "--from x1=0,x2=0.5,v1=1,v2=0"
-    command = f"simulate rigid-stop {STOP} {start} --transitions 6 {options}"
-    refused(f"{command} --save o.npz --plot o.png", part)
-    assert not list(tmp_path.iterdir())

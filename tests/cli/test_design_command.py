@@ -76,24 +76,3 @@ def test_what_is_required_and_not_met() -> None:
     options = ("design", ORBIT, "V=0.6:0.7", "--minimise", "period")
     code, _, error = run(*options, "--require", "stable")
     assert (code, error) == (3, "nonsmooth: required: stable; found: unstable\n")
-
-
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        (("V=1", "--minimise", "period"), "no parameter varies: give its bounds"),
-        (("V=0.6:1.3",), "one of minimise, maximise and solve is given, not 0"),
-        (("V=0.6:1.3", "V=1", "--minimise", "period"), "parameter V is given twice"),
-        (("V=0.6:1.3", "--minimise", "perid"), "did you mean 'period'"),
-        (("us1=0.6:1.3", "--minimise", "period"), "depends on us1"),
-        (("V=0.6:1.3", "--solve", "period=4", "--solve", "trace=1"), "2 wanted values for 1"),
-        (("V=0.6:1.3", "--minimise", "period", "--overwrite"), "--overwrite is for the file"),
-        (("V=0.6:1.3", "--minimise", "period", "--worst-over", "V=1:2"), "V varies: it cannot"),
-    ],
-)
-def test_what_is_wrong_is_told_in_one_line(arguments: tuple[str, ...], message: str) -> None:
-    code, out, error = run("design", ORBIT, *arguments)
-    assert code == 2
-    assert message in error
-    assert error.count("\n") == 1
-    assert not out

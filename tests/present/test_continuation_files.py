@@ -13,7 +13,7 @@ import pytest
 import nonsmooth
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from tests.cli.test_cli import run
-from tests.core.test_result_files import composed, file_of
+from tests.core.test_result_files import file_of
 from tests.pictures import figure_in
 
 STICK = "dry-friction/global-stick"
@@ -29,21 +29,6 @@ def same(first: Branch, second: Branch) -> None:
         np.testing.assert_array_equal(getattr(first, name), getattr(second, name))
     for name in ("name", "parameter", "unknown_names", "stability", "events", "ends", "start"):
         assert getattr(first, name) == getattr(second, name)
-
-
-def test_saved_and_read(tmp_path: Path) -> None:
-    path = tmp_path / "branch.json"
-    branch().save(path)
-    read = nonsmooth.load(path)
-    same(read, branch())
-    assert read.orbit.unknowns == branch().orbit.unknowns
-    assert read.orbit_at(3).trace == branch().orbit_at(3).trace
-
-
-def test_composed_branch_saved_and_read(tmp_path: Path) -> None:
-    found = nonsmooth.continue_orbit(composed(), "period", (6.0, 6.5), step=0.1)
-    found.save(tmp_path / "branch.json")
-    same(nonsmooth.load(tmp_path / "branch.json"), found)
 
 
 def test_no_other_file_is_gone_on_with(tmp_path: Path) -> None:
@@ -143,33 +128,6 @@ def test_a_saved_branch_is_drawn_as_asked(tmp_path: Path, monkeypatch: pytest.Mo
         code, _, err = run("plot", *command.split(), "--out", "never.png")
         assert (code, told in err) == (2, True), err
         assert not Path("never.png").exists()
-
-
-def test_command_as_json() -> None:
-    code, out, _ = run("continue", STICK, "V=1.05:1.3", "eta=1.01", "--step", "0.1", "--json")
-    told = json.loads(out)
-    assert code == 0
-    assert told["orbit"] == STICK
-    assert len(told["values"]) == len(told["unknowns"]["ta"]) == len(told["admissible"])
-    assert [event["kind"] for event in told["events"]] == ["vanishing-phase"]
-    assert told["ends"][1] == "ta goes to zero"
-
-
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        (["eta=1"], "one parameter has to be a range"),
-        (["V=0.8:1.2", "eta=1:2"], "one parameter has to be a range"),
-        (["V=0.8:1.2", "V=1"], "parameter V is given twice"),
-        (["V=0.8:1.2:5"], "is not NAME=A:B"),
-        (["V=0.8:0.9", "--from", "V=1"], "is not in 0.8 to 0.9"),
-        (["V=0.8:1.2", "--plot", "branch.txt"], "does not end in"),
-    ],
-)
-def test_wrong_commands(arguments: list[str], message: str) -> None:
-    code, _, err = run("continue", STICK, *arguments)
-    assert code == 2
-    assert message in err
 
 
 def test_a_picture_that_fails_does_not_lose_the_branch(tmp_path: Path) -> None:
