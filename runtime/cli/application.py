@@ -7,15 +7,13 @@ met, 130 when it was interrupted, 141 when nobody reads the answer any more.
 
 from __future__ import annotations
 
-import inspect
 import json
 import os
 import sys
 import traceback
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from enum import Enum
-from typing import Annotated, Any, NoReturn, get_args
+from typing import Annotated, Any, NoReturn
 
 import typer
 from typer.core import TyperGroup
@@ -37,21 +35,7 @@ __all__ = [
 ]
 
 ANSWERED, UNANSWERED, WRONG_INPUT, NOT_MET = 0, 1, 2, 3
-_SHORTEST = 4  # of an option with its dashes: a shorter one is like any other
 _UNREAD = 141  # as of a program that the closed pipe's signal ends
-_WORDS = {int: "an integer", float: "a number"}
-# what has another place than in versions before
-_MOVED = {
-    "--bits": "--digits",
-    "--box": "a range, V=0.9:1.1",
-    "--n": "--starts",
-    "--phase": "--at forcing-phase=pi/2",
-    "--region": "a range, x2=2:13",
-    "--simulate": "--from, with a system",
-    "--threads": "--workers",
-    "graph": "certify region",
-    "trapping": "certify region",
-}
 _UsageError: Any = typer.BadParameter.__base__  # Typer has a Click of its own, or shares it
 
 
@@ -73,9 +57,9 @@ class Commands(TyperGroup):
         """Find the command of the first word."""
         name = args[0] if args else ""
         proofs: Any = ctx.find_root().command.commands.get("certify", self)
-        if name not in self.commands and (name in _MOVED or name in proofs.commands):
-            place = _MOVED.get(name, f"certify {name}")
-            raise _UsageError(f"no such command '{name}'; in its place: nonsmooth {place}", ctx)
+        if name not in self.commands and name in proofs.commands:
+            place = f"nonsmooth certify {name}"
+            raise _UsageError(f"no such command '{name}'; in its place: {place}", ctx)
         return super().resolve_command(ctx, args)
 
 
@@ -158,9 +142,7 @@ def _reason(problem: BaseException) -> tuple[int, str]:
             return WRONG_INPUT, one_line(str(problem))
         case _UsageError():
             path = problem.ctx.command_path if problem.ctx else "nonsmooth"
-            if len(getattr(problem, "option_name", "")) < _SHORTEST:
-                problem.possibilities = None
-            told = _wrong_value(problem) or one_line(problem.format_message()).rstrip(".?")
+            told = one_line(problem.format_message()).rstrip(".?")
             told = f"{told[:1].lower()}{told[1:]}{_elsewhere(problem)}"
             return WRONG_INPUT, f"{told}; {path} --help shows the usage"
         case MemoryError():
@@ -175,34 +157,11 @@ def _reason(problem: BaseException) -> tuple[int, str]:
     return UNANSWERED, f"internal error: {told}; run again with --debug and report it"
 
 
-def _wrong_value(problem: Any) -> str:
-    """What an option or argument takes that has a value of another type; empty for others."""
-    parameter = getattr(problem, "param", None)
-    if type(problem) is not typer.BadParameter or parameter is None or problem.ctx is None:
-        return ""
-    callback: Any = problem.ctx.command.callback
-    own = inspect.signature(callback).parameters
-    kind, *details = get_args(own[parameter.name].annotation)
-    while inner := [each for each in get_args(kind) if each is not type(None)]:
-        kind = inner[0]
-    if kind in _WORDS:
-        low = getattr(details[0], "min", None)
-        words = _WORDS[kind] if low is None else f"{_WORDS[kind]} from {low} on"
-    elif isinstance(kind, type) and issubclass(kind, Enum):
-        words = " or ".join(each.value for each in kind)
-    else:
-        return ""
-    flag = next((name for name in parameter.opts if name.startswith("-")), parameter.metavar)
-    return f"{flag} takes {words}"
-
-
 def _elsewhere(problem: Any) -> str:
     """Where an option is that a command has not; empty if nowhere, and for other problems."""
     name = getattr(problem, "option_name", None)
     if name is None or problem.ctx is None:
         return ""
-    if name in _MOVED:
-        return f"; in its place: {_MOVED[name]}"
     every = dict(_commands(problem.ctx.find_root().command, "nonsmooth"))
     word = f"nonsmooth certify {name.lstrip('-')}"
     if word in every:

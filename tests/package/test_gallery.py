@@ -228,16 +228,6 @@ def impact_start(n: int, w: float, r: float, sigma: float, U: float) -> dict[str
     return {"T": 2 * math.pi * n / w, **dict(start)}
 
 
-def doubling(n: int, w: Any, r: Any, lib: Any = math) -> tuple[Any, Any]:
-    """The stop's position and the impact velocity at a period doubling."""
-    period, g = 2 * lib.pi * n / w, 1 / (1 - w * w)
-    C = 1 / lib.tan(period / 2)
-    bend = (1 + r * r - 2 * r * lib.cos(period)) / ((1 + r) * lib.sin(period))
-    q = ((1 - w * w) * (1 + r) * C / 2 + bend) / w**2
-    U = abs(g) / lib.sqrt((q + (1 + r) * C / 2) ** 2 + ((1 - r) / (2 * w)) ** 2)
-    return q * U, U
-
-
 NAMES = {1: ("one-period", 2.4), 2: ("two-periods", 4.4), 3: ("three-periods", 6.4)}
 
 
@@ -334,25 +324,6 @@ def test_the_elastic_stop_agrees_with_direct_integration(name: str, w: float, tu
     assert area == pytest.approx(math.exp(-0.1 * orbit.period), rel=1e-11)
 
 
-@pytest.mark.slow
-def test_the_elastic_stop_doubles_periods() -> None:
-    def least(w: float) -> float:
-        return multipliers(solved("piecewise_stiffness", "one-contact", {"w": repr(w)}))[0].real
-
-    low = brentq(lambda w: least(w) + 1, 2.34, 2.37, xtol=1e-11)
-    assert least(2.34) > -1 > least(2.37)
-    assert least(low) == pytest.approx(-1, abs=1e-6)
-    det = math.exp(-0.1 * 2 * math.pi / low)
-    found = solved("piecewise_stiffness", "one-contact", {"w": repr(low)})
-    assert multipliers(found)[1] == pytest.approx(-det, abs=1e-6)
-    # behind it the single orbit is unstable and the doubled one, near it, is stable
-    for w, near in ((low + 0.002, 0.1), (low + 0.03, 0.5)):
-        doubled = solved("piecewise_stiffness", "doubled", {"w": repr(w)})
-        assert doubled.stability.verdict == "stable"
-        apart = abs(doubled.dwell_times[:2] - doubled.dwell_times[2:]).max()
-        assert 1e-3 < apart < near * 2.5
-
-
 # --- a beam of finite elements ------------------------------------------------------------
 
 BEAM = {"F": "1/2", "gap": "1/50", "k": "20"}
@@ -422,14 +393,6 @@ def test_an_itinerary_of_three_masses_from_a_motion() -> None:
     )
     assert half.itinerary == orbit.itinerary
     assert_allclose(half.states, orbit.states, rtol=0, atol=1e-11)
-
-
-@pytest.mark.compiled
-def test_three_masses_are_searched() -> None:
-    found = ns.find_orbits(page("three_masses"), CHAIN, 20, transitions=600)
-    assert found.orbits[0].share == 1
-    known = solved("three_masses", "two-each")
-    assert found.orbits[0].period == pytest.approx(known.period, rel=1e-12)
 
 
 # --- belts --------------------------------------------------------------------------------

@@ -149,27 +149,9 @@ def sampled(suffix: str, files: int, count: int) -> list[tuple[str, Place]]:
     return chosen
 
 
-@pytest.mark.slow
-def test_a_bug_of_the_repository_parses_and_changes_its_place_alone() -> None:
-    chosen = sampled(".py", 12, 4)
-    assert len(chosen) > 24  # small modules have fewer than four
-    for text, bug in chosen:
-        changed = planted(text, bug)
-        begin, end = bug.change.begin, len(text) - bug.change.end
-        assert changed[:begin] == text[:begin]
-        assert changed[len(changed) - end :] == text[len(text) - end :]
-        before, after = (ast.parse(each).body for each in (text, changed))
-        around = [
-            k
-            for k, each in enumerate(before)
-            if each.end_lineno and each.end_lineno >= bug.line >= first_line(each)
-        ]
-        assert len(before) == len(after)
-        assert [k for k in around if ast.dump(before[k]) != ast.dump(after[k])] == around[:1], bug
-
-
-def first_line(statement: ast.stmt) -> int:
-    return min([statement.lineno, *(d.lineno for d in getattr(statement, "decorator_list", ()))])
+def test_a_bug_of_python_parses() -> None:
+    for text, bug in sampled(".py", 6, 4):
+        assert ast.dump(ast.parse(planted(text, bug))) != ast.dump(ast.parse(text)), bug
 
 
 def test_a_bug_of_the_engine_changes_one_token_or_leaves_one_statement_out() -> None:
@@ -263,11 +245,3 @@ def test_a_survivor_is_tried_with_the_slow_tests(
     (boundary, _) = places("order.py", text)
     measured = [mutate.Measured("test_order.py", 1.0, ["order.py::less"])]
     assert mutate.attempted(tmp_path, boundary, measured, 60.0) == outcome
-
-
-@pytest.mark.slow
-def test_most_bugs_of_a_module_are_noticed(capsys: pytest.CaptureFixture[str]) -> None:
-    mutate.main(["runtime/model/vectorised.py", "--sample", "5", "--seed", "1",
-                 "--tests", "tests/model/test_vectorised.py"])  # fmt: skip
-    told = re.search(r"^(\d+) of 5 bugs are noticed$", capsys.readouterr().out, re.MULTILINE)
-    assert int(told[1]) >= 3

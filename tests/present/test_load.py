@@ -136,6 +136,10 @@ def test_a_design_is_solved_where_it_ends(folder: Path) -> None:
         ('{"format": "other", "a": 1}', "its format is 'other'"),
         ('{"format": "nonsmooth fit", "format": "nonsmooth design"}', "'format' is there twice"),
         ('{"format": "nonsmooth fit"}', "version None of the format"),
+        (
+            '{"format": "nonsmooth orbit", "version": 4}',
+            "version 4 of the format, where 5 is known: use the release that wrote it",
+        ),
         ("\x00\xff", "cut, or not JSON"),
         ("[" * 200_000, "cut, or not JSON"),
         ("9" * 10_000, "cut, or not JSON"),

@@ -166,17 +166,6 @@ def content(path: Path) -> dict[str, Any]:
     return found
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("name", MAKE)
-def test_files_load_without_their_declaration(name: str, folder: Path) -> None:
-    found = ns.load(folder / name)
-    assert found is not None
-    if hasattr(found, "save") and name != "found.json":  # whose orbits are solved again
-        again = folder / f"again-{name}"
-        found.save(again)
-        assert again.read_bytes() == (folder / name).read_bytes()
-
-
 @pytest.mark.parametrize("name", ["own", "found", "motions"])
 def test_a_chart_goes_on_to_the_same_bits(name: str, folder: Path) -> None:
     place = folder / f"{name}.zarr"
@@ -238,23 +227,6 @@ def test_a_forged_name_runs_nothing(name: str, folder: Path) -> None:
             ns.load(forged)
         found = CliRunner().invoke(app, ["plot", "forged.json", "--out", "a.png"])
         assert found.exit_code == 2
-
-
-@pytest.mark.parametrize("name", [name for name in MAKE if name.endswith(".json")])
-def test_a_file_of_an_older_version_is_refused(name: str, folder: Path) -> None:
-    """So is one that holds an orbit's file of an older version."""
-    old, count = folder / "old.json", len(_with("version", content(folder / name)))
-    for k in range(count):
-        changed = content(folder / name)
-        entry = _with("version", changed)[k]
-        entry["version"] -= 1
-        for part in _with("sha256", changed):
-            part["sha256"] = checksum_of(part)
-        old.write_text(json.dumps(changed))
-        known = rf"version {entry['version']} of the format, where {entry['version'] + 1} is known"
-        with pytest.raises(InputError, match=f"{known}: use the release that wrote it"):
-            ns.load(old)
-    assert count
 
 
 def _with(name: str, entries: Any) -> list[dict[str, Any]]:

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from nonsmooth import InputError, observe, simulate, sweep
+from nonsmooth import observe, simulate, sweep
 from nonsmooth.runtime.simulation.trajectory import Trajectory
-from tests.pictures import figure_of, figure_of_saved
+from tests.pictures import figure_of_saved
 
 matplotlib = pytest.importorskip("matplotlib")
 matplotlib.use("Agg")
@@ -22,7 +22,6 @@ from matplotlib.patches import StepPatch
 
 FRICTION = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
 STOP = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": "0.8"}
-KINDS = ("time", "velocity", "phase", "strip", "all")
 CONFIGURATIONS = ["stick-stick", "slip-stick", "slip-slip", "stick-slip"]
 
 
@@ -39,22 +38,6 @@ def many() -> Trajectory:
 @cache
 def impacts(count: int = 6) -> Trajectory:
     return simulate("rigid-stop", {**STOP, "r": 1}, [0, 0.5, 3, 0], transitions=count)
-
-
-MOTIONS = {
-    "few": few,
-    "many": many,
-    "impacts": impacts,
-    "many impacts": lambda: impacts(2000),
-    "elastic": lambda: simulate(
-        "elastic-stop",
-        {**{k: v for k, v in STOP.items() if k != "r"}, "k3": 3},
-        [0, 0, 2, 0],
-        until=40,
-    ),
-    "no transition": lambda: simulate("rigid-stop", STOP, [0, 0, 0.1, 0], until=9),
-    "long phase": lambda: simulate("rigid-stop", STOP, [0, 0, 0.1, 0], until=9000),
-}
 
 
 @pytest.fixture(autouse=True)
@@ -81,47 +64,6 @@ def levels(axes: Axes) -> list[str]:
 
 
 # --- every kind
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("name", "kind"),
-    [*(("few", kind) for kind in KINDS[:-1]), *((name, "all") for name in MOTIONS)],
-)
-def test_every_kind_draws_every_motion(name: str, kind: str) -> None:
-    motion = MOTIONS[name]()
-    figure = figure_of(motion.plot(kind))
-    figure.draw_without_rendering()
-    assert len(figure.axes) == {"all": 5, "phase": 2}.get(kind, 1)
-    stated = motion.name == "dry-friction"  # the others are in the user's own units
-    for axes in figure.axes:
-        assert ("nondimensional" in axes.get_xlabel()) == stated
-        named = axes.get_ylabel() != "configuration"
-        assert ("nondimensional" in axes.get_ylabel()) == (stated and named)
-        frame = axes.get_window_extent()
-        boxes = [axes._left_title, *([axes.get_legend()] if axes.get_legend() else [])]
-        extents = [b.get_window_extent() for b in boxes if b is axes.get_legend() or b.get_text()]
-        assert all(box.y0 >= frame.y1 - 1 for box in extents)
-        assert all(box.x1 <= figure.bbox.x1 for box in extents)
-    title = figure.get_suptitle() if kind == "all" else figure.axes[0].get_title(loc="left")
-    plural = "" if motion.transitions == 1 else "s"
-    assert title == f"{motion.name}, {motion.transitions:,} transition{plural}"
-
-
-def test_new_and_given_axes() -> None:
-    assert isinstance(few().plot("time"), Axes)
-    assert len(few().plot("phase")) == 2
-    assert len(few().plot("all")) == 5
-    assert len(pyplot.get_fignums()) == 3
-    for count, kind in ((1, "strip"), (2, "phase"), (5, "all")):
-        places = axes_of(count)
-        found = few().plot(kind, places if count > 1 else places[0])
-        assert found == tuple(places) if count > 1 else found is places[0]
-    (one,) = axes_of()
-    assert few().plot("phase", one) is one
-    assert {"($x_{1}$, $x_{1}'$)", "($x_{2}$, $x_{2}'$)", "sticking"} <= set(legend(one))
-    assert len(legend(one)) == len(set(legend(one)))
-    assert len(pyplot.get_fignums()) == 3
 
 
 # --- what is drawn
@@ -224,18 +166,6 @@ def test_portraits_are_the_motion_with_impacts_apart() -> None:
     assert_allclose(curve(second, "end"), motion.states[-1:, [1, 3]])
 
 
-def test_belt_and_sticking_in_portraits() -> None:
-    motion = simulate("dry-friction", {**FRICTION, "V": "0.9"}, [5, 3, 0.9, 0.9], transitions=4)
-    for axes in motion.plot("phase"):
-        assert levels(axes) == ["$V$"]
-        (belt,) = [line for line in axes.get_lines() if line.get_linestyle() == ":"]
-        assert set(belt.get_ydata()) == {0.9}
-        bands = [b for b in axes.get_lines() if b.get_linewidth() == 6 and len(b.get_xdata())]
-        drawn = np.concatenate([np.array(b.get_xydata(), dtype=float) for b in bands])
-        assert_allclose(drawn[np.isfinite(drawn[:, 0]), 1], 0.9, rtol=1e-14)
-        assert "sticking" in legend(axes)
-
-
 def test_a_level_is_the_parameter_that_moves_it() -> None:
     """V = us1 = us2 = 1 in these data, and the stop's 1 is no parameter."""
     (axes,) = axes_of()
@@ -257,13 +187,6 @@ def test_dense_portraits_are_faint_pieces() -> None:
     low, high = axes.get_xlim()
     assert low < segments[:, 0].min()
     assert high > 1
-
-
-@pytest.mark.parametrize("masses", [(0,), [1]])
-def test_one_mass_alone(masses: list[int]) -> None:
-    figure = figure_of(few().plot("all", masses=masses))
-    assert len(figure.axes) == 4
-    assert figure.axes[0].get_ylabel().startswith(f"position $x_{{{masses[0] + 1}}}$")
 
 
 # --- bifurcations
@@ -289,23 +212,3 @@ def test_a_bifurcation_is_its_samples() -> None:
 
 
 # --- wrong input
-
-
-@pytest.mark.parametrize(
-    ("kind", "options", "part"),
-    [
-        ("phases", {}, "unknown kind of picture 'phases'; did you mean 'phase'"),
-        ("multipliers", {}, "unknown kind of picture"),
-        ("time", {"masses": [2]}, r"masses = \[2\]: dry-friction has \[0, 1\]"),
-        ("time", {"masses": []}, r"masses = \[\]"),
-        ("time", {"points": 0}, "points = 0 is not a positive integer"),
-        ("time", {"axes": axes_of(2)}, "'time' is drawn into 1 Axes; given: 2 Axes"),
-        ("phase", {"axes": axes_of(3)}, "'phase' is drawn into 1 or 2 Axes"),
-        ("all", {"axes": axes_of(4)}, "'all' is drawn into 5 Axes"),
-        ("time", {"axes": 3}, "given: 1 int"),
-    ],
-)
-def test_wrong_input(kind: str, options: dict, part: str) -> None:
-    with pytest.raises(InputError, match=part):
-        few().plot(kind, **options)
-    assert not pyplot.get_fignums()

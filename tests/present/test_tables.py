@@ -64,6 +64,7 @@ def test_words_are_broken_into_lines_in_a_pipe() -> None:
     [
         ("/home/me/gear.py:rattle", "gear/rattle"),
         ("gear.py", "gear"),
+        ("found.json:2", "found.json:2"),
         ("/home/me/my_kernels:loop", "my_kernels/loop"),
         ("dry-friction/symmetric", "dry-friction/symmetric"),
         ("dry-friction", "dry-friction"),
