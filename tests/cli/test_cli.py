@@ -569,6 +569,8 @@ def test_equations_print_or_write(form: str, start: str, tmp_path: Path) -> None
     assert printed["text"].startswith(start)
     target = tmp_path / "equations"
     assert run("equations", *options, "--out", str(target)) == (0, f"{target} written\n", "")
+    again = told("equations", *options, "--out", str(target))
+    assert again == {"name": "dry-friction", "format": form, "file": str(target)}
     assert target.read_text(encoding="utf-8") == printed["text"]
 
 
@@ -594,17 +596,6 @@ def test_equations_of_a_system_have_one_section() -> None:
     code, out, error = run("equations", "dry-friction", "--section", "trace")
     assert (code, out) == (2, "")
     assert "dry-friction is a system: its orbits have a part 'trace' (symmetric, " in error
-
-
-@pytest.mark.usefixtures("described")
-def test_equations_as_json_name_the_file(tmp_path: Path) -> None:
-    target = tmp_path / "equations.tex"
-    assert told("equations", "dry-friction", "--out", str(target)) == {
-        "name": "dry-friction",
-        "format": "latex",
-        "file": str(target),
-    }
-    assert target.read_text(encoding="utf-8") == run("equations", "dry-friction")[1]
 
 
 @pytest.mark.usefixtures("described")
@@ -639,21 +630,6 @@ def test_html_without_its_extra_names_it(monkeypatch: pytest.MonkeyPatch) -> Non
     assert (code, out) == (2, "")
     assert err == (
         'nonsmooth: error: latex2mathml is not installed: pip install "nonsmooth[html]"\n'
-    )
-
-
-def test_out_that_cannot_be_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    for target in (Path("/dev/null/equations.tex"), tmp_path):
-        code, out, err = run("equations", "dry-friction", "--out", str(target))
-        assert (code, out) == (2, "")
-        assert err.startswith(f"nonsmooth: error: cannot write {target}: ")
-        assert err.count("\n") == 1
-    monkeypatch.setattr(os, "access", lambda path, mode: False)
-    target = tmp_path / "equations.tex"
-    assert run("equations", "dry-friction", "--out", str(target)) == (
-        2,
-        "",
-        f"nonsmooth: error: cannot write {target}: permission denied\n",
     )
 
 
@@ -731,15 +707,6 @@ def test_regenerate_outside_a_checkout_is_2(
         code, out, err = run("regenerate", *options)
         assert (code, out) == (2, "")
         assert reason in err
-
-
-@pytest.mark.usefixtures("committed_derivation")
-def test_regenerate_into_a_file_is_2(tmp_path: Path) -> None:
-    file = tmp_path / "file"
-    file.touch()
-    code, out, err = run("regenerate", "--out", str(file))
-    assert (code, out) == (2, "")
-    assert err.startswith(f"nonsmooth: error: cannot write {file}: ")
 
 
 # --- scripts

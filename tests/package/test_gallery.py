@@ -5,18 +5,16 @@ from __future__ import annotations
 import math
 import runpy
 import shlex
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
-from pathlib import Path
 from typing import Any
 
 import mpmath
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-from scipy.integrate import solve_ivp
 from scipy.linalg import expm
-from scipy.optimize import brentq, fsolve
+from scipy.optimize import brentq
 
 import nonsmooth as ns
 from nonsmooth.runtime.explore.design import worst_over
@@ -256,12 +254,6 @@ def test_orbits_of_one_impact_have_closed_forms(n: int, place: float) -> None:
 # --- impacts with the ground --------------------------------------------------------------
 
 
-def test_a_ball_without_rebound_stays() -> None:
-    motion = ns.simulate(page("bouncing_ball"), {"gravity": 2, "r": 0}, [1, 0], until=3.0)
-    assert motion.configurations[-1] == "contact"
-    assert motion.times[1:] == pytest.approx(1, rel=1e-15)
-
-
 def test_the_first_impact_of_siconos_example() -> None:
     data = {"m": "1e-3", "k": 100, "gravity": "9.81", "e": "0.9"}
     motion = ns.simulate(page("spring_and_ground"), data, [1, 0], transitions=3)
@@ -277,51 +269,7 @@ def test_the_first_impact_of_siconos_example() -> None:
 # --- switched damping ---------------------------------------------------------------------
 
 
-def test_switched_damping_from_two_exponentials() -> None:
-    fast, slow = (second_order(1, 2 * zeta, 2 * zeta) for zeta in (0.3, -0.1))
-
-    def misses(unknown: np.ndarray) -> list[float]:
-        x, ta, tb = unknown
-        turn = expm(fast * ta) @ [x, 1, 1]
-        end = expm(slow * tb) @ turn
-        return [turn[1] - 1, end[1] - 1, end[0] - x]
-
-    x, ta, tb = fsolve(misses, [-2.9, 2.4, 4.0], xtol=1e-12)
-    orbit = solved("switched_damping", "limit-cycle")
-    assert list(orbit.unknowns.values()) == pytest.approx([ta, tb, x, 1], abs=1e-10)
-    assert orbit.period == pytest.approx(6.367077, abs=5e-7)
-    assert orbit.multipliers[0] == pytest.approx(0.538924872, abs=5e-10)
-    # forces are continuous: areas shrink by the exponential of the damping
-    shrunk = math.exp(-2 * (0.3 * ta - 0.1 * tb))
-    assert orbit.multipliers[0] == pytest.approx(shrunk, rel=1e-10)
-    times = np.linspace(ta, orbit.period * (1 - 1e-12), 20001)
-    amplitude = (orbit.trajectory()(times)[:, 0] + 0.2).max()
-    assert amplitude == pytest.approx(2.150651224, abs=2e-8)
-
-
 # --- the piecewise-linear oscillator ------------------------------------------------------
-
-
-def shaw_directly(w: float, start: Sequence[float], angle: float, end: float) -> np.ndarray:
-    def rates(t: float, y: np.ndarray) -> list[float]:
-        spring = y[0] if y[0] < 0 else 10 * y[0]
-        return [y[1], math.cos(w * t + angle) - 0.1 * y[1] - spring]
-
-    found = solve_ivp(rates, (0, end), start, "DOP853", rtol=1e-11, atol=1e-12, max_step=2e-3)
-    return np.asarray(found.y[:, -1])
-
-
-@pytest.mark.parametrize(
-    ("name", "w", "turns"), [("one-contact", 2.3, 1), ("doubled", 2.4, 2), ("subharmonic", 3.0, 2)]
-)
-def test_the_elastic_stop_agrees_with_direct_integration(name: str, w: float, turns: int) -> None:
-    orbit = solved("piecewise_stiffness", name)
-    assert orbit.period == pytest.approx(2 * math.pi * turns / w, rel=1e-12)
-    x, v, c, s = orbit.states[0]
-    found = shaw_directly(w, [x, v], math.atan2(s, c), orbit.period)
-    assert_allclose(found, [x, v], rtol=0, atol=1e-8)
-    area = np.prod(orbit.multipliers)
-    assert area == pytest.approx(math.exp(-0.1 * orbit.period), rel=1e-11)
 
 
 # --- a beam of finite elements ------------------------------------------------------------
@@ -398,33 +346,6 @@ def test_an_itinerary_of_three_masses_from_a_motion() -> None:
 # --- belts --------------------------------------------------------------------------------
 
 
-def test_two_belts_by_matrix_exponentials() -> None:
-    springs = np.array([[1.5, -0.5], [-0.5, 1.5]])
-
-    def field(*stuck: int) -> np.ndarray:
-        matrix = second_order(springs, None, np.array([0.5, 0.4]))
-        for place in stuck:
-            matrix[2 + place] = 0
-        return matrix
-
-    def pull(y: np.ndarray, place: int) -> float:
-        return float(springs[place] @ y[:2])
-
-    rules = {
-        ("slip-slip", "first-reaches-belt"): (field(), lambda y: y[2] - 0.5, kept),
-        ("stick-slip", "first-breaks-forward"): (field(0), lambda y: pull(y, 0) - 1, kept),
-        ("slip-slip", "second-reaches-belt"): (field(), lambda y: y[3] - 0.3, kept),
-        ("slip-stick", "second-breaks-forward"): (field(1), lambda y: pull(y, 1) - 1.2, kept),
-    }
-    for name in ("both-stick", "second-sticks"):
-        orbit = solved("two_belts", name)
-        assert_motion(orbit, rules)
-        data = {**orbit.given, **orbit.opened}
-        motion = ns.simulate(page("two_belts"), data, orbit.trajectory()(0.1), transitions=40)
-        again = ns.solve(page("two_belts"), data, itinerary=ns.itinerary_of(motion))
-        assert again.period == pytest.approx(orbit.period, abs=1e-11)
-
-
 @pytest.mark.parametrize(("e", "V"), [("0.3", "0.5"), ("2", "0.1"), ("0.05", "3")])
 def test_stick_slip_on_a_belt_to_forty_digits(e: str, V: str) -> None:
     orbit = ns.refine(solved("mass_on_belt", "stick-slip", {"e": e, "V": V}), 40)
@@ -435,16 +356,6 @@ def test_stick_slip_on_a_belt_to_forty_digits(e: str, V: str) -> None:
         assert abs(orbit.unknowns["ts"] - 2 * excess / speed) < mpmath.mpf(10) ** -38
     assert orbit.admissibility.verdict is True
     assert abs(complex(orbit.multipliers[0])) < 1e-30
-
-
-def test_stick_slip_has_derived_kernels_too(tmp_path: Path) -> None:
-    folder = tmp_path / "kernels"
-    code, _, err = run("generate", page("mass_on_belt"), "--out", str(folder))
-    assert code == 0, err
-    orbit = ns.solve(f"{folder}:stick-slip", {"V": "0.7"})
-    angle = 0.3 / 0.7
-    assert orbit.period == pytest.approx(2 * (math.pi - math.atan(angle) + angle), rel=1e-14)
-    assert orbit.trace == 0
 
 
 # --- two stops ----------------------------------------------------------------------------

@@ -76,28 +76,6 @@ def test_a_constant_is_drawn_as_one() -> None:
     assert high > 2.05
 
 
-@pytest.mark.slow
-def test_command(tmp_path: Path) -> None:
-    pytest.importorskip("matplotlib")
-    saved, picture = tmp_path / "branch.json", tmp_path / "branch.png"
-    code, out, _ = run(
-        "continue", STICK, "V=0.8:1.3", "--step", "0.05", "--save", str(saved),
-        "--plot", str(picture), "--quantity", "ta", "--beyond",
-    )  # fmt: skip
-    assert code == 0
-    assert "vanishing-phase" in out
-    assert "ends: ta goes to zero" in out
-    assert "beyond V = 1.20019: stick-slip > slip-slip > slip-stick > slip-slip (stable)" in out
-    assert picture.stat().st_size > 5000
-    same(nonsmooth.load(saved), branch())
-    drawn = tmp_path / "again.png"
-    assert run("plot", str(saved), "--out", str(drawn))[0] == 0
-    assert drawn.stat().st_size > 5000
-    code, _, err = run("plot", str(saved), "--kind", "phase")
-    assert code != 0
-    assert "a branch has one kind of picture" in err
-
-
 def test_a_saved_branch_is_drawn_as_asked(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("matplotlib")
     monkeypatch.chdir(tmp_path)
@@ -119,6 +97,7 @@ def test_a_saved_branch_is_drawn_as_asked(tmp_path: Path, monkeypatch: pytest.Mo
     assert run("plot", "branch.json", *wanted, "--out", "asked.svg")[0] == 0
     assert Path("asked.svg").read_text() != ""
     for command, told in (
+        ("branch.json --kind phase", "a branch has one kind of picture"),
         ("branch.json --quantity nonsense", "unknown quantity 'nonsense'"),
         ("branch.json --over nonsense", "unknown quantity 'nonsense'"),
         ("orbit.json --quantity ta", "quantities are drawn of branches, and orbit.json is none"),

@@ -18,7 +18,6 @@ from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.json_codec import decode
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.explore.continuation.branch import Branch
-from nonsmooth.runtime.explore.finding.sweep import Sweep
 from nonsmooth.runtime.model.saved_system import SavedSystem
 from tests.counting import calls_of
 from tests.user_systems import declare
@@ -45,7 +44,7 @@ DATA = {"w": "2", "k": "1", "gap": "0", "r": "0.8"}
 TRAP = "from pathlib import Path\nPath(__file__).with_name('ran').touch()\n"
 
 
-def sweep(source: Path) -> Sweep:
+def sweep(source: Path) -> Any:
     values, start = {n: v for n, v in DATA.items() if n != "w"}, {"x": -1, "v": 0}
     return ns.sweep(
         source, values, "w", [1.9, 2.0], start, state="x", phase=0, transient=20, samples=4

@@ -174,6 +174,8 @@ def test_a_level_is_the_parameter_that_moves_it() -> None:
     (axes,) = axes_of()
     impacts().plot("time", axes)
     assert levels(axes) == ["$x_{1}$ = $1$"]
+    # dry friction is nondimensional, and this one is in the units of its user
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("time $t$", "positions $x_{1}$, $x_{2}$")
 
 
 def test_dense_portraits_are_faint_pieces() -> None:
