@@ -7,13 +7,15 @@ met, 130 when it was interrupted, 141 when nobody reads the answer any more.
 
 from __future__ import annotations
 
+import inspect
 import json
 import os
 import sys
 import traceback
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from typing import Annotated, Any, NoReturn
+from enum import Enum
+from typing import Annotated, Any, NoReturn, get_args
 
 import typer
 from typer.core import TyperGroup
@@ -35,7 +37,9 @@ __all__ = [
 ]
 
 ANSWERED, UNANSWERED, WRONG_INPUT, NOT_MET = 0, 1, 2, 3
+_SHORTEST = 4  # of an option with its dashes: a shorter one is like any other
 _UNREAD = 141  # as of a program that the closed pipe's signal ends
+_WORDS = {int: "an integer", float: "a number"}
 _UsageError: Any = typer.BadParameter.__base__  # Typer has a Click of its own, or shares it
 
 
@@ -142,7 +146,9 @@ def _reason(problem: BaseException) -> tuple[int, str]:
             return WRONG_INPUT, one_line(str(problem))
         case _UsageError():
             path = problem.ctx.command_path if problem.ctx else "nonsmooth"
-            told = one_line(problem.format_message()).rstrip(".?")
+            if len(getattr(problem, "option_name", "")) < _SHORTEST:
+                problem.possibilities = None
+            told = _wrong_value(problem) or one_line(problem.format_message()).rstrip(".?")
             told = f"{told[:1].lower()}{told[1:]}{_elsewhere(problem)}"
             return WRONG_INPUT, f"{told}; {path} --help shows the usage"
         case MemoryError():
@@ -155,6 +161,27 @@ def _reason(problem: BaseException) -> tuple[int, str]:
     except BaseException:  # of the exception's own text
         told = type(problem).__name__
     return UNANSWERED, f"internal error: {told}; run again with --debug and report it"
+
+
+def _wrong_value(problem: Any) -> str:
+    """What an option or argument takes that has a value of another type; empty for others."""
+    parameter = getattr(problem, "param", None)
+    if type(problem) is not typer.BadParameter or parameter is None or problem.ctx is None:
+        return ""
+    callback: Any = problem.ctx.command.callback
+    own = inspect.signature(callback).parameters
+    kind, *details = get_args(own[parameter.name].annotation)
+    while inner := [each for each in get_args(kind) if each is not type(None)]:
+        kind = inner[0]
+    if kind in _WORDS:
+        low = getattr(details[0], "min", None)
+        words = _WORDS[kind] if low is None else f"{_WORDS[kind]} from {low} on"
+    elif isinstance(kind, type) and issubclass(kind, Enum):
+        words = " or ".join(each.value for each in kind)
+    else:
+        return ""
+    flag = next((name for name in parameter.opts if name.startswith("-")), parameter.metavar)
+    return f"{flag} takes {words}"
 
 
 def _elsewhere(problem: Any) -> str:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from fractions import Fraction
 from pathlib import Path
 
 import pytest
@@ -118,28 +117,45 @@ def test_a_check_that_differs_is_told(tmp_path: Path) -> None:
     assert json.loads(out)["same"] is False
 
 
+FLIP = "certify doubling dry-friction/symmetric V=1.07:1.09 --tiles 1"
+
+
 @pytest.mark.slow
-def test_a_box_is_proved_saved_resumed_and_drawn(tmp_path: Path) -> None:
-    pytest.importorskip("matplotlib")
-    path, picture = tmp_path / "map.json", tmp_path / "map.png"
-    box = ("box", "dry-friction/symmetric", "V=0.6:1.3")
-    code, out, err = certify(*box, "--tiles", "5", "--save", str(path), "--json")
-    assert (code, err) == (1, "")  # more than one percent is undecided
-    told = json.loads(out)
-    assert told["box"] == {"V": ["3/5", "13/10"]}
-    assert told["files"] == [str(path)]
-    assert told["shares"]["undecided"] > 0.01
-    widths = [Fraction(high) - Fraction(low) for (low, high) in (x["V"] for x in told["undecided"])]
-    assert float(sum(widths)) == pytest.approx(0.7 * told["shares"]["undecided"])
-    assert float(told["enclosures"]["trace"]["rad"]) > 0
-    code, out, err = certify(
-        "box", "--resume", str(path), "--tiles", "4000", "--plot", str(picture)
-    )
-    assert (code, err) == (0, "")
-    assert "unstable" in out
-    assert "not admissible" in out
-    assert picture.read_bytes().startswith(b"\x89PNG")
-    assert ns.load(path).decided > told["shares"]["proved"]
-    again = tmp_path / "again.svg"
-    assert run("plot", str(path), "--out", str(again)).code == 0
-    assert "svg" in again.read_text()[:300]
+@pytest.mark.parametrize(
+    ("asked", "words"),
+    [
+        (
+            "certify branch dry-friction/symmetric V=0.9:1.2",
+            ("consists of exactly these intervals and events", "flip"),
+        ),
+        (
+            FLIP,
+            (
+                *("certified doubling of dry-friction/symmetric along V", "subcritical"),
+                "unstable above the flip",
+            ),
+        ),
+        ("certify box dry-friction/global-stick V=0.99:1.01", ("existence proved", "100 % proved")),
+    ],
+)
+def test_what_is_proved_is_saved_drawn_and_checked(
+    asked: str, words: tuple[str, ...], tmp_path: Path
+) -> None:
+    file, picture = str(tmp_path / "proof.json"), tmp_path / "proof.svg"
+    written = ("--save", file, "--plot", str(picture), "--require", "proved")
+    found = run(*asked.split(), *written)
+    assert found.code == 0
+    assert all(word in found.out for word in words)
+    assert picture.stat().st_size > 1000
+    check = run("certify", "check", file, "--require", "proved")
+    assert check.code == 0
+    assert "proved again from the file" in check.out
+
+
+def test_a_time_ends_it_and_says_so(tmp_path: Path) -> None:
+    file = tmp_path / "short.json"
+    found = run(*FLIP.split(), "--seconds", "1e-6", "--save", str(file))
+    assert found.code == 1
+    assert "ended: unfinished" in found.out
+    assert "1e-06 s that were given are over" in found.out
+    assert run("certify", "check", str(file)).code == 0

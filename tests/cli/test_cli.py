@@ -722,12 +722,3 @@ def test_scripts_are_the_commands(script: str, command: str) -> None:
     assert (done.returncode, done.stderr) == (0, "")
     assert f"{script}.py [OPTIONS]" in done.stdout
     assert done.stdout.partition("\n \n")[2] == run(command, "--help")[1].partition("\n \n")[2]
-
-
-@pytest.mark.slow
-def test_verify_trace_script() -> None:
-    path = str(CHECKOUT / "scripts" / "verify_trace.py")
-    words = (ORBIT, "eta=0.98", "--require", "admissible", "--json")
-    done = run_process(sys.executable, path, *words)
-    assert done.returncode == 3
-    assert json.loads(done.stdout) == told("verify", *words[:-1], code=3)

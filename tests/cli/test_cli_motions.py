@@ -79,29 +79,6 @@ def test_a_time_may_be_an_expression():
     assert found["status"] == "until"
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("ending", "start", "kind"),
-    [(*picture, kind) for picture, kind in zip(PICTURES[:2], ("npz", "csv"), strict=True)],
-)
-def test_save_and_plot(tmp_path, ending, start, kind):
-    pytest.importorskip("matplotlib")
-    motion, picture = tmp_path / f"motion.{kind}", tmp_path / f"motion.{ending}"
-    found = told(*FRICTION.split(), "--save", str(motion), "--plot", str(picture))
-    assert found["files"] == [str(motion), str(picture)]
-    assert picture.read_bytes().startswith(start)
-    loaded = nonsmooth.load(motion)
-    assert [repr(t) for t in loaded.times.tolist()] == found["times"]
-    assert list(loaded.configurations) == found["configurations"]
-    again = tmp_path / f"again.{ending}"
-    options = ("plot", str(motion), "--kind", "time", "--out", str(again))
-    assert run(*options) == (0, f"{again} written\n", "")
-    assert again.read_bytes().startswith(start)
-    assert told("plot", str(motion), "--kind", "phase", "--out", str(again)) == {
-        **{"system": "dry-friction", "kind": "phase", "file": str(again)}
-    }
-
-
 def test_observe():
     found = told(*FRICTION.split(), "--observe")["observables"]
     assert {"minima", "maxima", "means", "rms", "fractions", "sticking", "contacts"} <= found.keys()
@@ -195,24 +172,3 @@ def test_a_diagram(tmp_path, ending, start):
 def test_a_diagram_may_go_downward():
     downward = told(*SWEEP.replace("0.95:1.05", "1.05:0.95").split(), "--restart")
     assert [float(v) for v in downward["values"]] == pytest.approx([1.05, 1.0, 0.95])
-
-
-@pytest.mark.parametrize(
-    ("command", "drawer"),
-    [
-        (f"{FRICTION} --plot", "plot.motion_figure"),
-        (f"{SWEEP} --plot", "found.draw_sweep"),
-    ],
-)
-def test_a_picture_that_fails_loses_nothing(command, drawer, tmp_path, monkeypatch):
-    def fail(*_):
-        raise nonsmooth.InputError("no colours")
-
-    monkeypatch.setattr(f"nonsmooth.runtime.present.pictures.{drawer}", fail)
-    kept = tmp_path / ("kept.npz" if command.startswith("simulate") else "kept.json")
-    words = [*command.split(), str(tmp_path / "a.png"), "--save", str(kept)]
-    code, out, err = run(*words)
-    assert code == 2
-    assert f"{kept} written" in out.replace("\n", "")
-    assert err == "nonsmooth: error: no picture: no colours\n"
-    assert kept.exists()

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import inspect
 import json
+import re
 from collections import defaultdict
 from pathlib import Path
 from typing import Any
@@ -37,6 +39,15 @@ def test_a_usage_line_puts_what_may_be_left_out_in_brackets_once() -> None:
     for name, command in COMMANDS.items():
         usage = command.get_usage(typer.Context(command, info_name=name))
         assert "[[" not in usage, usage
+
+
+@pytest.mark.parametrize("name", options())
+def test_values_of_another_type_are_refused_in_the_words_of_this_program(name: str) -> None:
+    for command, option in options()[name].items():
+        kind = str(inspect.signature(COMMANDS[command].callback).parameters[option.name].annotation)
+        if not re.search(r"\[(str|bool|pathlib\.Path|list\[str\])", kind):
+            code, _, err = run(*command.split(), name, "?")
+            assert (code, f"{name} takes" in err) == (2, True), (command, kind, err)
 
 
 def test_pictures_of_answers_are_plotted_and_products_come_out() -> None:

@@ -87,8 +87,9 @@ WRONG = [
     (f"{FIND} x1=0:1 x1=0:1", "parameter x1 is given twice"),
     (f"{FIND} V=2", "parameter V is given twice"),
     (f"{FIND} z=16..30", "z: '16..30' is no number; a range, where one is taken, is 16:30"),
-    (f"{FIND} --starts -3", "'--starts'"),
+    (f"{FIND} --starts -3", "--starts takes an integer from 1 on"),
     (f"{FIND} --overwrite", "--overwrite"),
+    (f"{FIND} --n 20", "no such option: --n; nonsmooth find --help"),
     # sweep
     (f"{SWEPT.replace('0.95:1.05:3', '1')} {REST}", "has to be a range A:B:N, not 0"),
     (f"{SWEPT.replace('chi=0.5', 'chi=0.4:0.6:3')} {REST}", "has to be a range A:B:N, not 2"),
@@ -123,7 +124,7 @@ WRONG = [
     # certify
     ("certify orbit", "missing argument"),
     (f"certify bx {STICK}", "Did you mean 'box'"),
-    (f"certify {STICK} --digits 0", "'--digits'"),
+    (f"certify {STICK} --digits 0", "an integer from 1 on"),
     (f"certify {STICK} eta=0", "eta"),
     (f"certify {STICK} etta=1", "did you mean"),
     (f"certify {STICK} --derivatives W", "unknown given parameter 'W'"),
@@ -181,7 +182,7 @@ WRONG = [
     (f"{FIT} --events door", "unknown event 'door'"),
     (f"{FIT} --responses wall-reaches-stop=size:x", "unknown kind of response 'size'"),
     (f"{FIT} --loss other", "unknown loss 'other'; did you mean"),
-    (f"{FIT} --starts 0", "'--starts'"),
+    (f"{FIT} --starts 0", "--starts takes an integer"),
     (f"{FIT} --starts 4294967296", "4294967296 starts take at least"),
     (f"{FIT} --plot fit.txt", "does not end in"),
     (f"{FIT} c10=0:1", "c10 belongs to the forcing: free the offset of the clock instead"),

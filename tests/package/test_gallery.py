@@ -412,27 +412,6 @@ def test_the_symmetry_breaks_where_the_half_map_has_minus_one() -> None:
     assert half_orbit(d - 1e-4).stability.verdict == "unstable"
 
 
-@pytest.mark.compiled
-def test_two_orbits_that_are_images_of_each_other() -> None:
-    for d in (0.45, 0.5):
-        found = ns.find_orbits(
-            page("two_stops"), {"d": d, "r": "0.8", "w": "1.5"}, 12, transitions=1500
-        )
-        pair = [entry.orbit for entry in found.orbits if entry.share > 0]
-        assert len(pair) == 2
-        assert_allclose(pair[0].dwell_times, pair[1].dwell_times[::-1], atol=1e-10)
-        assert_allclose(pair[0].states, -pair[1].states[::-1], atol=1e-10)
-        assert abs(np.ptp(pair[0].dwell_times)) > 0.5
-    broken = solved("two_stops", "broken")
-    field = forced(second_order(1), 1.5, np.array([1.0]))
-    rules = {
-        ("free-free", "right-reaches-stop"): (field, lambda y: y[0] - 0.5, struck(1, 0.8)),
-        ("free-free", "left-reaches-stop"): (field, lambda y: -0.5 - y[0], struck(1, 0.8)),
-    }
-    assert_motion(broken, rules)
-    assert np.prod(broken.multipliers) == pytest.approx(0.8**4, rel=1e-10)
-
-
 # --- friction under forcing ---------------------------------------------------------------
 
 

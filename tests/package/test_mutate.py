@@ -123,21 +123,6 @@ def test_each_operator_has_its_places(file: str, text: str, bugs: dict[str, list
     assert [piece for piece in wanted.values() if piece in text] == []
 
 
-@pytest.mark.parametrize(("file", "text"), [("a.py", PYTHON), ("a.c", C)], ids=["Python", "C"])
-def test_an_address_stays_when_another_function_changes(file: str, text: str) -> None:
-    name = {"a.py": "Lévy.walk", "a.c": "one"}[file]
-    more = {
-        "a.py": "def zero(x):\n    return x < 1 + 1\n",
-        "a.c": "int zero(int x) { return -1; }\n",
-    }
-    head, point, tail = text.partition("LEAST")
-    before, after = places(file, text), places(file, f"{more[file]}{head}{point}{tail}")
-    assert [bug.address for bug in after if "::zero::" in bug.address]
-    assert {b.address: b.change.after for b in after if b.change.function == name} == {
-        b.address: b.change.after for b in before if b.change.function == name
-    }
-
-
 def sampled(suffix: str, files: int, count: int) -> list[tuple[str, Place]]:
     """Bugs of some sources of the repository, each with the text of its file."""
     chance = random.Random(1)

@@ -109,11 +109,12 @@ def test_a_saved_branch_is_drawn_as_asked(tmp_path: Path, monkeypatch: pytest.Mo
         assert not Path("never.png").exists()
 
 
-def test_a_picture_that_fails_does_not_lose_the_branch(tmp_path: Path) -> None:
+def test_a_picture_that_fails_loses_nothing(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
-    command = ["continue", "dry-friction/global-stick", "V=0.9:1.1", "--points", "5", "--json",
-               "--plot", str(tmp_path / "branch.png"), "--quantity", "energy"]  # fmt: skip
-    code, out, err = run(*command)
+    kept, picture = tmp_path / "kept.json", tmp_path / "branch.png"
+    asked = f"continue {STICK} V=0.9:1.1 --points 5 --json --quantity energy --save {kept}"
+    code, out, err = run(*asked.split(), "--plot", str(picture))
     assert code == 2
-    assert len(json.loads(out)["values"]) > 3
+    assert len(json.loads(out)["values"]) == len(nonsmooth.load(kept)) > 3
+    assert json.loads(out)["files"] == [str(kept)]
     assert "no picture: " in err

@@ -256,6 +256,7 @@ def put(path: str, entry: Any) -> Callable[[dict[str, Any]], None]:
     return change
 
 
+EMPTY = {n: [] for n in ("takes", "inputs", "outputs", "names", "since", "terms", "gives")}
 WRONG = {
     "table/boundary_rows/free/0": (-1, 10**6),
     "table/forcing_row": (99,),
@@ -273,28 +274,8 @@ WRONG = {
     "table/forcing": ([["x", "nowhere"]],),
     "table/name": ("", "../own.py", "a\nb"),
     "table/modes": ({}, {"free": [{"length": 10**9, "oscillates": True}]}),
-    "functions/__name__": (
-        {
-            "takes": [],
-            "inputs": [],
-            "outputs": [],
-            "names": [],
-            "since": [],
-            "terms": [],
-            "gives": [],
-        },
-    ),
-    "functions/SYSTEM": (
-        {
-            "takes": [],
-            "inputs": [],
-            "outputs": [],
-            "names": [],
-            "since": [],
-            "terms": [],
-            "gives": [],
-        },
-    ),
+    "functions/__name__": (EMPTY,),
+    "functions/SYSTEM": (EMPTY,),
     "functions": ({},),
     "functions/rows/gives/0": ("0, 0, 0, 0, exec(w)", "0", "10**10**10, 0, 0, 0, 0"),
     "functions/rows/outputs/0": ([1, 5], [10**9, 5], [0, 5]),

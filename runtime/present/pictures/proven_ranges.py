@@ -92,7 +92,8 @@ def _side_of_tile(found: BoxCertificate, tile: Tile) -> np.ndarray:
     corners = [(-1, -1), *edge, (1, -1)]
     points = [(at, other) if band.axis == 0 else (other, at) for other, at in corners]
     low, high = np.array([*found.where(tile).values()], dtype=float).T
-    return low + (np.array(points, dtype=float) + 1) / 2 * (high - low)
+    placed: np.ndarray = low + (np.array(points, dtype=float) + 1) / 2 * (high - low)
+    return placed
 
 
 def _draw_plane(axes: Axes, found: BoxCertificate) -> None:
