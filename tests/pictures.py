@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -27,3 +28,14 @@ def figure_of_saved(result: Any, kind: str = "all", **view: Any) -> Any:
         path = Path(folder) / "result.json"
         result.save(path)
         return figure_in(path, kind, **view)
+
+
+def with_multipliers(orbit: Any, *numbers: complex) -> Any:
+    """An orbit with other multipliers; a 1 among them is a trivial one."""
+    found, stability = replace(orbit), orbit.stability
+    (one, *_) = stability.multipliers
+    every = tuple(
+        replace(one, real=m.real, imaginary=m.imag, trivial=m == 1) for m in map(complex, numbers)
+    )
+    vars(found.evaluation)["stability"] = replace(stability, multipliers=every)
+    return found

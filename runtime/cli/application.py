@@ -40,18 +40,6 @@ ANSWERED, UNANSWERED, WRONG_INPUT, NOT_MET = 0, 1, 2, 3
 _SHORTEST = 4  # of an option with its dashes: a shorter one is like any other
 _UNREAD = 141  # as of a program that the closed pipe's signal ends
 _WORDS = {int: "an integer", float: "a number"}
-# what has another place than in versions before
-_MOVED = {
-    "--bits": "--digits",
-    "--box": "a range, V=0.9:1.1",
-    "--n": "--starts",
-    "--phase": "--at forcing-phase=pi/2",
-    "--region": "a range, x2=2:13",
-    "--simulate": "--from, with a system",
-    "--threads": "--workers",
-    "graph": "certify region",
-    "trapping": "certify region",
-}
 _UsageError: Any = typer.BadParameter.__base__  # Typer has a Click of its own, or shares it
 
 
@@ -73,9 +61,9 @@ class Commands(TyperGroup):
         """Find the command of the first word."""
         name = args[0] if args else ""
         proofs: Any = ctx.find_root().command.commands.get("certify", self)
-        if name not in self.commands and (name in _MOVED or name in proofs.commands):
-            place = _MOVED.get(name, f"certify {name}")
-            raise _UsageError(f"no such command '{name}'; in its place: nonsmooth {place}", ctx)
+        if name not in self.commands and name in proofs.commands:
+            place = f"nonsmooth certify {name}"
+            raise _UsageError(f"no such command '{name}'; in its place: {place}", ctx)
         return super().resolve_command(ctx, args)
 
 
@@ -201,8 +189,6 @@ def _elsewhere(problem: Any) -> str:
     name = getattr(problem, "option_name", None)
     if name is None or problem.ctx is None:
         return ""
-    if name in _MOVED:
-        return f"; in its place: {_MOVED[name]}"
     every = dict(_commands(problem.ctx.find_root().command, "nonsmooth"))
     word = f"nonsmooth certify {name.lstrip('-')}"
     if word in every:

@@ -12,7 +12,7 @@ import typer
 from nonsmooth.runtime.cli.command import command
 from nonsmooth.runtime.cli.completion import complete_orbits
 from nonsmooth.runtime.cli.keeping import interrupted
-from nonsmooth.runtime.cli.options import Start, Workers, Yes, missing_start, parameters_as
+from nonsmooth.runtime.cli.options import Start, Workers, Yes, missing_start, option, parameters_as
 from nonsmooth.runtime.cli.parsing import assignments, grid, split, values_and_ranges
 from nonsmooth.runtime.cli.reply import Reply
 from nonsmooth.runtime.core.errors import InputError
@@ -53,25 +53,21 @@ def chart(
     ] = None,
     out: Annotated[
         Path | None,
-        typer.Option("--out", metavar="F.zarr", help="Folder of the chart, begun or gone on with."),
+        option("--out", "Folder of the chart, begun or gone on with.", "F.zarr"),
     ] = None,
     scheduler: Annotated[
         str | None,
-        typer.Option("--scheduler", metavar="ADDRESS", help="Of a Dask cluster: tcp://host:8786."),
+        option("--scheduler", "Of a Dask cluster: tcp://host:8786.", "ADDRESS"),
     ] = None,
     chunk: Annotated[
         int | None,
-        typer.Option("--chunk", metavar="N", help="About how many points at a time."),
+        option("--chunk", "About how many points at a time.", "N"),
     ] = None,
     workers: Workers = None,
     start: Start = None,
     transitions: Annotated[
         int | None,
-        typer.Option(
-            "--transitions",
-            metavar="N",
-            help=f"After which they are looked at; {TRANSITIONS} by default.",
-        ),
+        option("--transitions", f"After which they are looked at; {TRANSITIONS} by default.", "N"),
     ] = None,
     yes: Yes = False,
     *,

@@ -13,7 +13,7 @@ import typer
 
 from nonsmooth.runtime.cli.application import app, fail, is_unread
 from nonsmooth.runtime.cli.keeping import heed_interrupts, interrupted, same_command
-from nonsmooth.runtime.cli.options import KEPT, Plot, Resume
+from nonsmooth.runtime.cli.options import KEPT, Plot, Resume, option
 from nonsmooth.runtime.cli.reply import Reply
 from nonsmooth.runtime.cli.resuming import Request
 from nonsmooth.runtime.core.errors import InputError
@@ -22,21 +22,15 @@ __all__ = ["command"]
 
 AsJson = Annotated[
     bool,
-    typer.Option(
-        "--json",
-        help="One JSON document on stdout, numbers as decimal strings.",
-        rich_help_panel=KEPT,
+    option(
+        "--json", "One JSON document on stdout, numbers as decimal strings.", rich_help_panel=KEPT
     ),
 ]
-Debug = Annotated[
-    bool, typer.Option("--debug", help="Show where an error came from.", rich_help_panel=KEPT)
-]
+Debug = Annotated[bool, option("--debug", "Show where an error came from.", rich_help_panel=KEPT)]
 Overwrite = Annotated[
     bool,
-    typer.Option(
-        "--overwrite",
-        help="Replace the file of --save if it is there already.",
-        rich_help_panel=KEPT,
+    option(
+        "--overwrite", "Replace the file of --save if it is there already.", rich_help_panel=KEPT
     ),
 ]
 

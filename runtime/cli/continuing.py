@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated, Any
 
-import typer
-
 from nonsmooth.runtime.cli.command import command
 from nonsmooth.runtime.cli.keeping import heed_interrupts, worked
 from nonsmooth.runtime.cli.options import (
@@ -15,6 +13,7 @@ from nonsmooth.runtime.cli.options import (
     Quantity,
     Save,
     Yes,
+    option,
     parameters_as,
     solved_within,
 )
@@ -64,38 +63,34 @@ def follow(
     ] = None,
     start: Annotated[
         list[str] | None,
-        typer.Option(
+        option(
             "--from",
-            metavar="NAME=VALUE,...",
-            help="Where the ranges are entered; at the reference point or in the middle.",
+            "Where the ranges are entered; at the reference point or in the middle.",
+            "NAME=VALUE,...",
         ),
     ] = None,
-    step: Annotated[
-        float, typer.Option("--step", metavar="LENGTH", help="The longest step of arclength.")
-    ] = 0.01,
-    points: Annotated[
-        int, typer.Option("--points", metavar="N", help="At most so many in each direction.")
-    ] = 2000,
+    step: Annotated[float, option("--step", "The longest step of arclength.", "LENGTH")] = 0.01,
+    points: Annotated[int, option("--points", "At most so many in each direction.", "N")] = 2000,
     admissible: Annotated[
-        bool, typer.Option("--admissible", help="End where the orbit is no motion any more.")
+        bool, option("--admissible", "End where the orbit is no motion any more.")
     ] = False,
     beyond: Beyond = False,
     switch: Annotated[
         list[str] | None,
-        typer.Option(
+        option(
             "--switch",
-            metavar="KIND[:N]",
-            help="Go over to the branch that meets this one at an event, such as flip, where the"
+            "Go over to the branch that meets this one at an event, such as flip, where the"
             " period doubles, or symmetry-breaking:2 (the second one); may be repeated.",
+            "KIND[:N]",
         ),
     ] = None,
     follow_event: Annotated[
         str | None,
-        typer.Option(
+        option(
             "--follow",
-            metavar="KIND[:N]",
-            help="Follow an event of the branch, such as flip or grazing:2 (the second one), in"
+            "Follow an event of the branch, such as flip or grazing:2 (the second one), in"
             " the plane of both ranges; --save and --plot are of that curve.",
+            "KIND[:N]",
         ),
     ] = None,
     quantity: Quantity = None,
@@ -193,11 +188,11 @@ def _check_picture(
     reply: Reply, quantity: list[str] | None, over: str | None, follow_event: str | None
 ) -> None:
     """Refuse options for the picture of a branch where no branch is drawn."""
-    for option, given in (("--quantity", quantity), ("--over", over)):
+    for flag, given in (("--quantity", quantity), ("--over", over)):
         if given and reply.plot is None:
-            raise InputError(f"{option} is for the picture of --plot, which is missing")
+            raise InputError(f"{flag} is for the picture of --plot, which is missing")
         if given and follow_event is not None:
-            raise InputError(f"{option} is of a branch: leave it out with --follow")
+            raise InputError(f"{flag} is of a branch: leave it out with --follow")
 
 
 def _check_quantities(orbit: Orbit, parameter: str, names: list[str]) -> None:

@@ -14,7 +14,7 @@ import typer
 from nonsmooth.runtime.cli.command import command
 from nonsmooth.runtime.cli.completion import complete_orbits
 from nonsmooth.runtime.cli.keeping import say
-from nonsmooth.runtime.cli.options import Check
+from nonsmooth.runtime.cli.options import Check, option
 from nonsmooth.runtime.cli.reply import Reply, show_comparison
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, missing_extra, unknown_name
 from nonsmooth.runtime.core.files import unwritable, write_file
@@ -58,16 +58,14 @@ def equations(
             help="A system or an orbit, or your own: FILE.py or FILE.py:ORBIT.",
         ),
     ],
-    form: Annotated[Format, typer.Option("--format", help="What to write.")] = Format.LATEX,
+    form: Annotated[Format, option("--format", "What to write.")] = Format.LATEX,
     section: Annotated[
         DocumentPart | None,
-        typer.Option("--section", help="Write this part alone; a system has its flows."),
+        option("--section", "Write this part alone; a system has its flows."),
     ] = None,
     out: Annotated[
         Path | None,
-        typer.Option(
-            "--out", metavar="FILE", help="Write this file; a PDF is SYSTEM-ORBIT.pdf by default."
-        ),
+        option("--out", "Write this file; a PDF is SYSTEM-ORBIT.pdf by default.", "FILE"),
     ] = None,
     *,
     reply: Reply,
@@ -109,11 +107,9 @@ def generate(
             help="A file that defines `system`, a System, and `orbits`, a list of Itinerary.",
         ),
     ],
-    out: Annotated[
-        Path, typer.Option("--out", metavar="DIR", help="Folder of the kernels, made if need be.")
-    ],
+    out: Annotated[Path, option("--out", "Folder of the kernels, made if need be.", "DIR")],
     compiled: Annotated[
-        bool, typer.Option("--compile", help="Build the kernels in C too; it takes a compiler.")
+        bool, option("--compile", "Build the kernels in C too; it takes a compiler.")
     ] = False,
     check: Check = False,
     *,
@@ -166,9 +162,7 @@ def regenerate(
     check: Check = False,
     out: Annotated[
         Path | None,
-        typer.Option(
-            "--out", metavar="DIR", help="Folder of the files; that of the checkout by default."
-        ),
+        option("--out", "Folder of the files; that of the checkout by default.", "DIR"),
     ] = None,
     *,
     reply: Reply,

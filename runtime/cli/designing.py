@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated
 
-import typer
-
 from nonsmooth.runtime.cli.application import UNANSWERED
 from nonsmooth.runtime.cli.command import command
 from nonsmooth.runtime.cli.keeping import say, worked
@@ -13,6 +11,7 @@ from nonsmooth.runtime.cli.options import (
     OrbitName,
     Require,
     Save,
+    option,
     parameters_as,
     solved_within,
 )
@@ -52,42 +51,42 @@ def design(
     ] = None,
     minimise: Annotated[
         str | None,
-        typer.Option(
+        option(
             "--minimise",
-            metavar="QUANTITY",
-            help="What is made as small as it can be: spectral_radius, period, trace,"
+            "What is made as small as it can be: spectral_radius, period, trace,"
             " determinant, an unknown, maximum:x, minimum:x, peak:x or peak_acceleration:x of a"
             " state x, dissipation, or margin.",
+            "QUANTITY",
         ),
     ] = None,
     maximise: Annotated[
         str | None,
-        typer.Option("--maximise", metavar="QUANTITY", help="What is made as large as it can be."),
+        option("--maximise", "What is made as large as it can be.", "QUANTITY"),
     ] = None,
     solve: Annotated[
         list[str] | None,
-        typer.Option(
+        option(
             "--solve",
-            metavar="QUANTITY=VALUE",
-            help="A wanted value, such as period=6.3, or multiplier=-1, a flip; as many as"
+            "A wanted value, such as period=6.3, or multiplier=-1, a flip; as many as"
             " parameters that vary.",
+            "QUANTITY=VALUE",
         ),
     ] = None,
     worst_over: Annotated[
         str | None,
-        typer.Option(
+        option(
             "--worst-over",
-            metavar="NAME=A:B",
-            help="The worst along a branch counts, as the peak over a resonance: another"
+            "The worst along a branch counts, as the peak over a resonance: another"
             " parameter, and its interval. All conditions hold all along it.",
+            "NAME=A:B",
         ),
     ] = None,
     subject: Annotated[
         list[str] | None,
-        typer.Option(
+        option(
             "--subject",
-            metavar="CONDITION",
-            help='A condition: "period<=6.5", "trace>=0" or "multiplier=-1"; may be repeated.',
+            'A condition: "period<=6.5", "trace>=0" or "multiplier=-1"; may be repeated.',
+            "CONDITION",
         ),
     ] = None,
     require: Require = None,

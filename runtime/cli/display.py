@@ -14,6 +14,17 @@ from typing import Any
 
 from rich import box
 from rich.console import Console
+from rich.progress import (
+    BarColumn,
+    MofNCompleteColumn,
+    Progress,
+    ProgressColumn,
+    SpinnerColumn,
+    TaskProgressColumn,
+    TextColumn,
+    TimeElapsedColumn,
+    TimeRemainingColumn,
+)
 from rich.table import Table
 from rich.text import Text
 
@@ -37,6 +48,7 @@ _STYLES = {  # of verdicts
 }
 _PIPE = 1_000_000  # columns: as many as it takes
 _WORDS = 80  # columns of a line, or of a cell of words in a pipe
+_WHAT = TextColumn("{task.description}")
 _LONG = 600.0  # seconds over which a rate of work is told: shares rise in jumps
 
 
@@ -151,16 +163,9 @@ def show_differences(differences: Iterable[str]) -> None:
 def steps(first: str = "") -> Iterator[Callable[[str], None]]:
     """Give a function that takes the name of each step as it begins, and shows it on stderr.
 
-    Nothing is shown unless stderr is a terminal. The step `first` begins at once unless
-    empty.
+    The step `first` begins at once unless empty.
     """
-    if not sys.stderr.isatty():
-        yield lambda step: None
-        return
-    from rich.progress import Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
-
-    columns = (SpinnerColumn(finished_text=" "), TextColumn("{task.description}"))
-    with Progress(*columns, TimeElapsedColumn(), console=Console(stderr=True)) as progress:
+    with _progress(SpinnerColumn(finished_text=" "), _WHAT, TimeElapsedColumn()) as progress:
 
         def begin(step: str) -> None:
             finish()
@@ -180,17 +185,9 @@ def steps(first: str = "") -> Iterator[Callable[[str], None]]:
 def counted(what: str, total: int | None = None) -> Iterator[Callable[..., None]]:
     """Give a function that shows a progress bar on stderr; it takes a count and the total.
 
-    Nothing is shown unless stderr is a terminal. The text `what` stands before the bar;
-    `total` is None as long as it is unknown.
+    The text `what` stands before the bar; `total` is None as long as it is unknown.
     """
-    if not sys.stderr.isatty():
-        yield lambda done, total=None: None
-        return
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
-    from rich.progress import TimeRemainingColumn as Remaining
-
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), Remaining())
-    with Progress(*columns, console=Console(stderr=True)) as progress:
+    with _progress(_WHAT, BarColumn(), MofNCompleteColumn(), TimeRemainingColumn()) as progress:
         task = progress.add_task(what, total=total)
         yield lambda done, total=None: progress.update(task, completed=done, total=total)
 
@@ -199,23 +196,19 @@ def counted(what: str, total: int | None = None) -> Iterator[Callable[..., None]
 def shared(what: str) -> Iterator[Callable[[float, int], None]]:
     """Give a function that shows progress on stderr; it takes a share in [0, 1] and a count.
 
-    Nothing is shown unless stderr is a terminal. The text `what` stands before the bar, and
-    tiles are counted. The remaining time is estimated from the share and the time that it
-    took.
+    The text `what` stands before the bar, and tiles are counted. The remaining time is estimated
+    from the share and the time that it took.
     """
-    if not sys.stderr.isatty():
-        yield lambda share, count: None
-        return
-    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn
-    from rich.progress import TimeElapsedColumn as Elapsed
-    from rich.progress import TimeRemainingColumn as Remaining
-
     tiles = TextColumn("{task.fields[count]} tiles")
-    left = (TextColumn("left"), Remaining())
-    columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), tiles)
-    shown = Progress(
-        *columns, Elapsed(), *left, console=Console(stderr=True), speed_estimate_period=_LONG
-    )
-    with shown as progress:
+    times = (TimeElapsedColumn(), TextColumn("left"), TimeRemainingColumn())
+    with _progress(
+        _WHAT, BarColumn(), TaskProgressColumn(), tiles, *times, speed_estimate_period=_LONG
+    ) as progress:
         task = progress.add_task(what, total=None, count=0)  # until a share is known
         yield lambda share, count: progress.update(task, completed=share, total=1.0, count=count)
+
+
+def _progress(*columns: ProgressColumn, **options: Any) -> Progress:
+    """Progress on stderr, of which nothing is shown unless that is a terminal."""
+    shown = sys.stderr.isatty()
+    return Progress(*columns, console=Console(stderr=True), disable=not shown, **options)

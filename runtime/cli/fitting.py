@@ -6,11 +6,9 @@ import re
 from collections.abc import Sequence
 from typing import Annotated, Any
 
-import typer
-
 from nonsmooth.runtime.cli.command import command
 from nonsmooth.runtime.cli.keeping import worked
-from nonsmooth.runtime.cli.options import Save, Seed, Start, SystemName, Yes, parameters_as
+from nonsmooth.runtime.cli.options import Save, Seed, Start, SystemName, Yes, option, parameters_as
 from nonsmooth.runtime.cli.parsing import (
     Range,
     assignments,
@@ -55,61 +53,53 @@ def fit(
     start: Start = None,
     outputs: Annotated[
         list[str] | None,
-        typer.Option(
+        option(
             "--outputs",
-            metavar="COLUMN=EXPRESSION,...",
-            help="What columns measure: gap=x1-x2, a=acceleration:x1, f=force:wall. One with a"
+            "What columns measure: gap=x1-x2, a=acceleration:x1, f=force:wall. One with a"
             " state's name is that state.",
+            "COLUMN=EXPRESSION,...",
         ),
     ] = None,
     responses: Annotated[
         list[str] | None,
-        typer.Option(
+        option(
             "--responses",
-            metavar="COLUMN=KIND:OUTPUT,...",
-            help="What columns measure of steady responses, each row at the parameters in its other"
+            "What columns measure of steady responses, each row at the parameters in its other"
             " columns: A=amplitude:x1. Kinds: maximum, minimum, peak, amplitude, mean, rms, and of"
             " the first harmonic harmonic and phase. A column with such a name needs no mention.",
+            "COLUMN=KIND:OUTPUT,...",
         ),
     ] = None,
     events: Annotated[
         list[str] | None,
-        typer.Option(
+        option(
             "--events",
-            metavar="NAME,...",
-            help="Columns with the times at which boundaries are reached: hits=wall-reaches-stop,"
+            "Columns with the times at which boundaries are reached: hits=wall-reaches-stop,"
             " or `wall` for a column of this name or a file that has one column. One with a"
             " boundary's name needs no mention.",
+            "NAME,...",
         ),
     ] = None,
     sigma: Annotated[
         list[str] | None,
-        typer.Option(
+        option(
             "--sigma",
-            metavar="COLUMN=VALUE,...",
-            help="Standard deviations, or one for all columns; estimated if not given, here or as"
+            "Standard deviations, or one for all columns; estimated if not given, here or as"
             " columns sigma_NAME.",
+            "COLUMN=VALUE,...",
         ),
     ] = None,
     prior: Annotated[
         list[str] | None,
-        typer.Option(
-            "--prior", metavar="NAME=MEAN+-SIGMA,...", help="What is known before: k=10+-1."
-        ),
+        option("--prior", "What is known before: k=10+-1.", "NAME=MEAN+-SIGMA,..."),
     ] = None,
     loss: Annotated[
         str,
-        typer.Option(
-            "--loss",
-            metavar="NAME",
-            help="linear; or soft_l1, huber or cauchy, which heed outliers less.",
-        ),
+        option("--loss", "linear; or soft_l1, huber or cauchy, which heed outliers less.", "NAME"),
     ] = "linear",
     starts: Annotated[
         int,
-        typer.Option(
-            "--starts", min=1, metavar="N", help="Searches: from the guess, and from random points."
-        ),
+        option("--starts", "Searches: from the guess, and from random points.", "N", min=1),
     ] = 1,
     seed: Seed = 0,
     yes: Yes = False,

@@ -22,6 +22,7 @@ from nonsmooth.runtime.cli.options import (
     SystemName,
     Yes,
     missing_start,
+    option,
     parameters_as,
 )
 from nonsmooth.runtime.cli.parsing import assignments, ends, grid, split, values_and_ranges
@@ -35,9 +36,7 @@ _FORCING = "forcing-phase"
 
 SaveMotion = Annotated[
     Path | None,
-    typer.Option(
-        "--save", metavar="FILE", help="Save the motion: .npz or .csv.", rich_help_panel=KEPT
-    ),
+    option("--save", "Save the motion: .npz or .csv.", "FILE", rich_help_panel=KEPT),
 ]
 
 
@@ -58,23 +57,17 @@ def simulate(
     parameters: Physical = None,
     start: Start = None,
     configuration: Configuration = None,
-    transitions: Annotated[
-        int | None, typer.Option("--transitions", metavar="N", help="End after so many.")
-    ] = None,
-    until: Annotated[
-        str | None, typer.Option("--until", metavar="TIME", help="End at this time.")
-    ] = None,
+    transitions: Annotated[int | None, option("--transitions", "End after so many.", "N")] = None,
+    until: Annotated[str | None, option("--until", "End at this time.", "TIME")] = None,
     observe: Annotated[
         bool,
-        typer.Option("--observe", help="Peaks, averages, contact forces, Lyapunov exponent too."),
+        option("--observe", "Peaks, averages, contact forces, Lyapunov exponent too."),
     ] = False,
-    since: Annotated[
-        str | None, typer.Option("--since", metavar="TIME", help="Where --observe begins.")
-    ] = None,
+    since: Annotated[str | None, option("--since", "Where --observe begins.", "TIME")] = None,
     derivatives: Derivatives = None,
     prove: Annotated[
         bool,
-        typer.Option("--prove", help="Prove the sequence of configurations by ball arithmetic."),
+        option("--prove", "Prove the sequence of configurations by ball arithmetic."),
     ] = False,
     yes: Yes = False,
     *,
@@ -171,20 +164,16 @@ def find(
             " drawn, x1=-4:4.",
         ),
     ] = None,
-    starts: Annotated[
-        int, typer.Option("--starts", min=1, metavar="N", help="Random starts to follow.")
-    ] = 400,
-    transitions: Annotated[
-        int, typer.Option("--transitions", metavar="N", help="Length of the transients.")
-    ] = 2000,
+    starts: Annotated[int, option("--starts", "Random starts to follow.", "N", min=1)] = 400,
+    transitions: Annotated[int, option("--transitions", "Length of the transients.", "N")] = 2000,
     seed: Seed = 0,
     write: Annotated[
         Path | None,
-        typer.Option(
+        option(
             "--write",
-            metavar="FILE.py",
-            help="Append the orbits that reach a boundary as itineraries found-1, ... to the file"
+            "Append the orbits that reach a boundary as itineraries found-1, ... to the file"
             " of the system.",
+            "FILE.py",
             rich_help_panel=KEPT,
         ),
     ] = None,
@@ -268,32 +257,28 @@ def sweep(
     ] = None,
     quantity: Annotated[
         str | None,
-        typer.Option("--quantity", metavar="NAME", help="What is drawn: a state."),
+        option("--quantity", "What is drawn: a state.", "NAME"),
     ] = None,
     at: Annotated[
         str | None,
-        typer.Option(
+        option(
             "--at",
-            metavar="NAME",
-            help="At each entry of this configuration; or `forcing-phase`, once in each period of"
+            "At each entry of this configuration; or `forcing-phase`, once in each period of"
             " the forcing, or `forcing-phase=pi/2`.",
+            "NAME",
         ),
     ] = None,
     start: Start = None,
     transient: Annotated[
         int,
-        typer.Option(
-            "--transient", metavar="N", help="Transitions, or periods, before the first point."
-        ),
+        option("--transient", "Transitions, or periods, before the first point.", "N"),
     ] = 1000,
     samples: Annotated[
         int,
-        typer.Option(
-            "--samples", metavar="N", help="Transitions, or periods, that points are taken from."
-        ),
+        option("--samples", "Transitions, or periods, that points are taken from.", "N"),
     ] = 60,
     restart: Annotated[
-        bool, typer.Option("--restart", help="Start every value anew instead of following.")
+        bool, option("--restart", "Start every value anew instead of following.")
     ] = False,
     yes: Yes = False,
     *,

@@ -48,6 +48,7 @@ __all__ = [
     "Workers",
     "Yes",
     "missing_start",
+    "option",
     "parameters_as",
     "solved_within",
 ]
@@ -66,6 +67,11 @@ class Proven(StrEnum):
     """The verdict that `--require` can demand of a proof."""
 
     PROVED = "proved"
+
+
+def option(flag: str, told: str, metavar: str | None = None, **more: Any) -> Any:
+    """An option with what it is for, the form of its value, and what else Typer takes."""
+    return typer.Option(flag, help=told, metavar=metavar, **more)
 
 
 OrbitName = Annotated[
@@ -111,110 +117,85 @@ Physical = Annotated[
 ]
 Derivatives = Annotated[
     list[str] | None,
-    typer.Option(
+    option(
         "--derivatives",
-        metavar="NAME,...",
-        help="Differentiate all that is told by these given numbers; of a motion also by its"
+        "Differentiate all that is told by these given numbers; of a motion also by its"
         " starts (x10), or by `all`.",
+        "NAME,...",
     ),
 ]
 Guess = Annotated[
     list[str] | None,
-    typer.Option("--guess", metavar="NAME=VALUE,...", help="Start of some or all unknowns."),
+    option("--guess", "Start of some or all unknowns.", "NAME=VALUE,..."),
 ]
 Require = Annotated[
     list[RequiredVerdict] | None,
-    typer.Option("--require", help="Exit with 3 unless the orbit is so; may be repeated."),
+    option("--require", "Exit with 3 unless the orbit is so; may be repeated."),
 ]
 RequireProof = Annotated[
-    Proven | None, typer.Option("--require", help="Exit with 3 unless every claim is proved.")
+    Proven | None, option("--require", "Exit with 3 unless every claim is proved.")
 ]
 Digits = Annotated[
     int,
-    typer.Option(
-        "--digits", metavar="N", help="The error of a number x is at most 10^-N max(1, |x|)."
-    ),
+    option("--digits", "The error of a number x is at most 10^-N max(1, |x|).", "N"),
 ]
 Quantity = Annotated[
     list[str] | None,
-    typer.Option(
+    option(
         "--quantity",
-        metavar="NAME,...",
-        help="What is drawn of a branch: period, frequency, energy, trace, amplitude_x of a state"
+        "What is drawn of a branch: period, frequency, energy, trace, amplitude_x of a state"
         " x, or an unknown. Of a forced system by default the amplitude of each coordinate, else"
         " the period.",
+        "NAME,...",
     ),
 ]
 Over = Annotated[
     str | None,
-    typer.Option(
-        "--over",
-        metavar="NAME",
-        help="Over which other quantity, such as energy, in place of the parameter.",
+    option(
+        "--over", "Over which other quantity, such as energy, in place of the parameter.", "NAME"
     ),
 ]
 Start = Annotated[
     list[str] | None,
-    typer.Option("--from", metavar="NAME=VALUE,...", help="The start: all states but a forcing's."),
+    option("--from", "The start: all states but a forcing's.", "NAME=VALUE,..."),
 ]
 Configuration = Annotated[
     str | None,
-    typer.Option(
-        "--in", metavar="NAME", help="The configuration it starts in; found if not given."
-    ),
+    option("--in", "The configuration it starts in; found if not given.", "NAME"),
 ]
-Seed = Annotated[int, typer.Option("--seed", metavar="N", help="Of what is random.")]
+Seed = Annotated[int, option("--seed", "Of what is random.", "N")]
 Beyond = Annotated[
     bool,
-    typer.Option("--beyond", help="Also the itineraries beyond each border collision."),
+    option("--beyond", "Also the itineraries beyond each border collision."),
 ]
-Check = Annotated[
-    bool, typer.Option("--check", help="Write nothing; exit with 1 if a file differs.")
-]
-Tiles = Annotated[
-    int, typer.Option("--tiles", metavar="N", help="At most so many are looked at in all.")
-]
+Check = Annotated[bool, option("--check", "Write nothing; exit with 1 if a file differs.")]
+Tiles = Annotated[int, option("--tiles", "At most so many are looked at in all.", "N")]
 Workers = Annotated[
     int | None,
-    typer.Option(
-        "--workers",
-        min=1,
-        metavar="N",
-        help="How many share the work.",
-    ),
+    option("--workers", "How many share the work.", "N", min=1),
 ]
 Yes = Annotated[
     bool,
-    typer.Option(
-        "--yes",
-        help=f"Begin even what is estimated to take this machine over {HOURS:g} hours.",
-    ),
+    option("--yes", f"Begin even what is estimated to take this machine over {HOURS:g} hours."),
 ]
 Save = Annotated[
     Path | None,
-    typer.Option(
-        "--save",
-        metavar="FILE",
-        help="Save all of it with all its digits, as JSON.",
-        rich_help_panel=KEPT,
-    ),
+    option("--save", "Save all of it with all its digits, as JSON.", "FILE", rich_help_panel=KEPT),
 ]
 Resume = Annotated[
     Path | None,
-    typer.Option(
+    option(
         "--resume",
-        metavar="FILE",
-        help="Go on with what --save wrote: the file holds the question, which is then left out,"
+        "Go on with what --save wrote: the file holds the question, which is then left out,"
         " and keeps the answer.",
+        "FILE",
         autocompletion=complete_files,
         rich_help_panel=KEPT,
     ),
 ]
 Plot = Annotated[
     Path | None,
-    typer.Option(
-        "--plot", metavar="FILE", help="Draw it: .png, .svg or .pdf.", rich_help_panel=KEPT
-    ),
+    option("--plot", "Draw it: .png, .svg or .pdf.", "FILE", rich_help_panel=KEPT),
 ]
 
 

@@ -39,6 +39,7 @@ from nonsmooth.runtime.cli.options import (
     Require,
     RequiredVerdict,
     Save,
+    option,
 )
 from nonsmooth.runtime.cli.parsing import assignments, guessed, split
 from nonsmooth.runtime.cli.proofs import certifying, motion_sets, over_ranges  # noqa: F401 - as well
@@ -66,13 +67,11 @@ class RefiningArithmetic(StrEnum):
 
 Unknown = Annotated[
     list[str] | None,
-    typer.Option("--unknown", metavar="NAME,...", help="Parameters to be solved for."),
+    option("--unknown", "Parameters to be solved for.", "NAME,..."),
 ]
 Given = Annotated[
     list[str] | None,
-    typer.Option(
-        "--given", metavar="NAME=VALUE,...", help="Unknowns that are given in their place."
-    ),
+    option("--given", "Unknowns that are given in their place.", "NAME=VALUE,..."),
 ]
 
 
@@ -150,9 +149,9 @@ def verify(
     digits: Digits = 50,
     arithmetic: Annotated[
         RefiningArithmetic,
-        typer.Option(
+        option(
             "--arithmetic",
-            help="What refines the orbit: balls, whose digits are proved; mpmath, whose digits are"
+            "What refines the orbit: balls, whose digits are proved; mpmath, whose digits are"
             " compared with twice as many; or both, which have to agree, and how far they differ:"
             " in the unknowns, and in the trace where it is enclosed.",
         ),
@@ -192,18 +191,16 @@ def plot(
             " that has a picture; or a chart of `chart --out`.",
         ),
     ],
-    kind: Annotated[
-        Kind, typer.Option("--kind", help="What to draw of an orbit or a motion.")
-    ] = _ALL,
+    kind: Annotated[Kind, option("--kind", "What to draw of an orbit or a motion.")] = _ALL,
     periods: Annotated[
         int,
-        typer.Option("--periods", metavar="N", help="How many of an orbit to draw against time."),
+        option("--periods", "How many of an orbit to draw against time.", "N"),
     ] = 1,
     quantity: Quantity = None,
     over: Over = None,
     out: Annotated[
         Path | None,
-        typer.Option("--out", metavar="FILE", help="A PNG, SVG or PDF; FILE.png by default."),
+        option("--out", "A PNG, SVG or PDF; FILE.png by default.", "FILE"),
     ] = None,
     *,
     reply: Reply,
@@ -229,11 +226,9 @@ def plot(
 
 @command("reproduce", "reproduce --out paper", "reproduce --out paper --certify --json")
 def reproduce(
-    out: Annotated[
-        Path, typer.Option("--out", metavar="DIR", help="Folder of the report, made if need be.")
-    ],
+    out: Annotated[Path, option("--out", "Folder of the report, made if need be.", "DIR")],
     certified: Annotated[
-        bool, typer.Option("--certify", help="Add what ball arithmetic proves of every orbit.")
+        bool, option("--certify", "Add what ball arithmetic proves of every orbit.")
     ] = False,
     *,
     reply: Reply,

@@ -74,11 +74,16 @@ def shown_name(name: str) -> str:
     --------
     >>> shown_name("/home/me/gear.py:rattle"), shown_name("dry-friction/symmetric")
     ('gear/rattle', 'dry-friction/symmetric')
+    >>> shown_name("/home/me/found.json:2")
+    'found.json:2'
     """
     name = _HASH.sub("", name)
     if not (os.path.isabs(name) or ":" in name or name.endswith(".py")):
         return name
-    system, _, orbit = os.path.basename(name).partition(":")
+    base = os.path.basename(name)
+    system, _, orbit = base.partition(":")
+    if system.endswith(".json"):
+        return base
     return "/".join(filter(None, (system.removesuffix(".py"), orbit)))
 
 

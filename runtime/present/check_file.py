@@ -26,33 +26,10 @@ from nonsmooth.runtime.model.kernels import SystemKernels, load_orbit, load_syst
 from nonsmooth.runtime.model.saved_system import same_system
 from nonsmooth.runtime.present.compare_declarations import check_domains, compare
 from nonsmooth.runtime.present.files.kept import format_named
-from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
-from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
-from nonsmooth.runtime.proof.branch.certified_doubling import CertifiedDoubling
-from nonsmooth.runtime.proof.branch.event_certificate import (
-    EventCertificate,
-    EventCertificates,
-    events_claim,
-)
-from nonsmooth.runtime.proof.certificate import Certificate
-from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
-from nonsmooth.runtime.proof.counting.census import Census
-from nonsmooth.runtime.proof.sets.basin_certificate import BasinCertificate
-from nonsmooth.runtime.proof.sets.graph_certificate import RegionCertificate
+from nonsmooth.runtime.proof.branch.event_certificate import EventCertificates, events_claim
 
 __all__ = ["Check", "check_certificate"]
 
-Proven = (
-    Certificate
-    | BoxCertificate
-    | CertifiedBranch
-    | CertifiedDoubling
-    | Census
-    | ChaosCertificate
-    | BasinCertificate
-    | RegionCertificate
-    | tuple[EventCertificate, ...]
-)
 _MOST = 500_000_000  # bytes of a file
 _HELD = "{} is the system as the file holds it: no declaration was run"
 _NOT_CALLED = "what the orbit and its unknowns are called was not compared"
@@ -82,7 +59,7 @@ class Check(Shown):
 
     difference: str | None
     note: str | None = None
-    certificate: Proven | None = None
+    certificate: Any = None
     claims: Mapping[str, str] = field(default_factory=dict)
     compared: bool = False
 
@@ -90,7 +67,7 @@ class Check(Shown):
 _DIVIDED = "nonsmooth basin certificate"  # whose check takes processes, and tells how far it is
 
 
-def _claims(found: Proven) -> Mapping[str, str]:
+def _claims(found: Any) -> Mapping[str, str]:
     """The claims that are proved again."""
     return events_claim(found) if isinstance(found, tuple) else found.claims
 

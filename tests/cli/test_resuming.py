@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 import shlex
 import shutil
 from dataclasses import replace
@@ -233,18 +232,6 @@ def test_a_chart_goes_on_as_it_was_begun(tmp_path: Path, monkeypatch: pytest.Mon
     code, out, err = run(*goes_on)
     assert (code, err) == (0, "")
     assert json.loads(out)["points"] == {"stable": 36}
-
-
-def test_a_sweep_that_is_interrupted_shows_what_it_has_looked_at(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    shutil.copy(GALLERY / "two_stops.py", "two_stops.py")
-    asked = QUESTIONS["sweep"]
-    _, out, _ = begun(asked.words, asked.progress, asked.told)
-    assert re.search(r"w: .*, 3 of \d+ values done", out)
-    (settled,) = re.findall(r"settled: (.*)", out)
-    assert sum(int(part.split()[0]) for part in settled.split("; ")) == 3
 
 
 def test_every_command_that_resumes_is_asked_here() -> None:

@@ -70,9 +70,6 @@ def test_a_branch_is_entered_where_it_is_told() -> None:
         )
         assert code == 0, err
         assert float(value) in json.loads(out)["values"]
-    code, _, err = run(*f"continue {ORBIT} V=0.8:1.3 --from eta=1".split())
-    assert code == 2
-    assert "--from is for parameters with a range, which eta has not" in err
 
 
 def test_a_branch_ends_where_it_is_no_motion_in_python_as_on_the_command_line() -> None:

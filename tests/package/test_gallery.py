@@ -5,18 +5,16 @@ from __future__ import annotations
 import math
 import runpy
 import shlex
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
-from pathlib import Path
 from typing import Any
 
 import mpmath
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-from scipy.integrate import solve_ivp
 from scipy.linalg import expm
-from scipy.optimize import brentq, fsolve
+from scipy.optimize import brentq
 
 import nonsmooth as ns
 from nonsmooth.runtime.explore.design import worst_over
@@ -228,16 +226,6 @@ def impact_start(n: int, w: float, r: float, sigma: float, U: float) -> dict[str
     return {"T": 2 * math.pi * n / w, **dict(start)}
 
 
-def doubling(n: int, w: Any, r: Any, lib: Any = math) -> tuple[Any, Any]:
-    """The stop's position and the impact velocity at a period doubling."""
-    period, g = 2 * lib.pi * n / w, 1 / (1 - w * w)
-    C = 1 / lib.tan(period / 2)
-    bend = (1 + r * r - 2 * r * lib.cos(period)) / ((1 + r) * lib.sin(period))
-    q = ((1 - w * w) * (1 + r) * C / 2 + bend) / w**2
-    U = abs(g) / lib.sqrt((q + (1 + r) * C / 2) ** 2 + ((1 - r) / (2 * w)) ** 2)
-    return q * U, U
-
-
 NAMES = {1: ("one-period", 2.4), 2: ("two-periods", 4.4), 3: ("three-periods", 6.4)}
 
 
@@ -266,12 +254,6 @@ def test_orbits_of_one_impact_have_closed_forms(n: int, place: float) -> None:
 # --- impacts with the ground --------------------------------------------------------------
 
 
-def test_a_ball_without_rebound_stays() -> None:
-    motion = ns.simulate(page("bouncing_ball"), {"gravity": 2, "r": 0}, [1, 0], until=3.0)
-    assert motion.configurations[-1] == "contact"
-    assert motion.times[1:] == pytest.approx(1, rel=1e-15)
-
-
 def test_the_first_impact_of_siconos_example() -> None:
     data = {"m": "1e-3", "k": 100, "gravity": "9.81", "e": "0.9"}
     motion = ns.simulate(page("spring_and_ground"), data, [1, 0], transitions=3)
@@ -287,70 +269,7 @@ def test_the_first_impact_of_siconos_example() -> None:
 # --- switched damping ---------------------------------------------------------------------
 
 
-def test_switched_damping_from_two_exponentials() -> None:
-    fast, slow = (second_order(1, 2 * zeta, 2 * zeta) for zeta in (0.3, -0.1))
-
-    def misses(unknown: np.ndarray) -> list[float]:
-        x, ta, tb = unknown
-        turn = expm(fast * ta) @ [x, 1, 1]
-        end = expm(slow * tb) @ turn
-        return [turn[1] - 1, end[1] - 1, end[0] - x]
-
-    x, ta, tb = fsolve(misses, [-2.9, 2.4, 4.0], xtol=1e-12)
-    orbit = solved("switched_damping", "limit-cycle")
-    assert list(orbit.unknowns.values()) == pytest.approx([ta, tb, x, 1], abs=1e-10)
-    assert orbit.period == pytest.approx(6.367077, abs=5e-7)
-    assert orbit.multipliers[0] == pytest.approx(0.538924872, abs=5e-10)
-    # forces are continuous: areas shrink by the exponential of the damping
-    shrunk = math.exp(-2 * (0.3 * ta - 0.1 * tb))
-    assert orbit.multipliers[0] == pytest.approx(shrunk, rel=1e-10)
-    times = np.linspace(ta, orbit.period * (1 - 1e-12), 20001)
-    amplitude = (orbit.trajectory()(times)[:, 0] + 0.2).max()
-    assert amplitude == pytest.approx(2.150651224, abs=2e-8)
-
-
 # --- the piecewise-linear oscillator ------------------------------------------------------
-
-
-def shaw_directly(w: float, start: Sequence[float], angle: float, end: float) -> np.ndarray:
-    def rates(t: float, y: np.ndarray) -> list[float]:
-        spring = y[0] if y[0] < 0 else 10 * y[0]
-        return [y[1], math.cos(w * t + angle) - 0.1 * y[1] - spring]
-
-    found = solve_ivp(rates, (0, end), start, "DOP853", rtol=1e-11, atol=1e-12, max_step=2e-3)
-    return np.asarray(found.y[:, -1])
-
-
-@pytest.mark.parametrize(
-    ("name", "w", "turns"), [("one-contact", 2.3, 1), ("doubled", 2.4, 2), ("subharmonic", 3.0, 2)]
-)
-def test_the_elastic_stop_agrees_with_direct_integration(name: str, w: float, turns: int) -> None:
-    orbit = solved("piecewise_stiffness", name)
-    assert orbit.period == pytest.approx(2 * math.pi * turns / w, rel=1e-12)
-    x, v, c, s = orbit.states[0]
-    found = shaw_directly(w, [x, v], math.atan2(s, c), orbit.period)
-    assert_allclose(found, [x, v], rtol=0, atol=1e-8)
-    area = np.prod(orbit.multipliers)
-    assert area == pytest.approx(math.exp(-0.1 * orbit.period), rel=1e-11)
-
-
-@pytest.mark.slow
-def test_the_elastic_stop_doubles_periods() -> None:
-    def least(w: float) -> float:
-        return multipliers(solved("piecewise_stiffness", "one-contact", {"w": repr(w)}))[0].real
-
-    low = brentq(lambda w: least(w) + 1, 2.34, 2.37, xtol=1e-11)
-    assert least(2.34) > -1 > least(2.37)
-    assert least(low) == pytest.approx(-1, abs=1e-6)
-    det = math.exp(-0.1 * 2 * math.pi / low)
-    found = solved("piecewise_stiffness", "one-contact", {"w": repr(low)})
-    assert multipliers(found)[1] == pytest.approx(-det, abs=1e-6)
-    # behind it the single orbit is unstable and the doubled one, near it, is stable
-    for w, near in ((low + 0.002, 0.1), (low + 0.03, 0.5)):
-        doubled = solved("piecewise_stiffness", "doubled", {"w": repr(w)})
-        assert doubled.stability.verdict == "stable"
-        apart = abs(doubled.dwell_times[:2] - doubled.dwell_times[2:]).max()
-        assert 1e-3 < apart < near * 2.5
 
 
 # --- a beam of finite elements ------------------------------------------------------------
@@ -424,42 +343,7 @@ def test_an_itinerary_of_three_masses_from_a_motion() -> None:
     assert_allclose(half.states, orbit.states, rtol=0, atol=1e-11)
 
 
-@pytest.mark.compiled
-def test_three_masses_are_searched() -> None:
-    found = ns.find_orbits(page("three_masses"), CHAIN, 20, transitions=600)
-    assert found.orbits[0].share == 1
-    known = solved("three_masses", "two-each")
-    assert found.orbits[0].period == pytest.approx(known.period, rel=1e-12)
-
-
 # --- belts --------------------------------------------------------------------------------
-
-
-def test_two_belts_by_matrix_exponentials() -> None:
-    springs = np.array([[1.5, -0.5], [-0.5, 1.5]])
-
-    def field(*stuck: int) -> np.ndarray:
-        matrix = second_order(springs, None, np.array([0.5, 0.4]))
-        for place in stuck:
-            matrix[2 + place] = 0
-        return matrix
-
-    def pull(y: np.ndarray, place: int) -> float:
-        return float(springs[place] @ y[:2])
-
-    rules = {
-        ("slip-slip", "first-reaches-belt"): (field(), lambda y: y[2] - 0.5, kept),
-        ("stick-slip", "first-breaks-forward"): (field(0), lambda y: pull(y, 0) - 1, kept),
-        ("slip-slip", "second-reaches-belt"): (field(), lambda y: y[3] - 0.3, kept),
-        ("slip-stick", "second-breaks-forward"): (field(1), lambda y: pull(y, 1) - 1.2, kept),
-    }
-    for name in ("both-stick", "second-sticks"):
-        orbit = solved("two_belts", name)
-        assert_motion(orbit, rules)
-        data = {**orbit.given, **orbit.opened}
-        motion = ns.simulate(page("two_belts"), data, orbit.trajectory()(0.1), transitions=40)
-        again = ns.solve(page("two_belts"), data, itinerary=ns.itinerary_of(motion))
-        assert again.period == pytest.approx(orbit.period, abs=1e-11)
 
 
 @pytest.mark.parametrize(("e", "V"), [("0.3", "0.5"), ("2", "0.1"), ("0.05", "3")])
@@ -472,16 +356,6 @@ def test_stick_slip_on_a_belt_to_forty_digits(e: str, V: str) -> None:
         assert abs(orbit.unknowns["ts"] - 2 * excess / speed) < mpmath.mpf(10) ** -38
     assert orbit.admissibility.verdict is True
     assert abs(complex(orbit.multipliers[0])) < 1e-30
-
-
-def test_stick_slip_has_derived_kernels_too(tmp_path: Path) -> None:
-    folder = tmp_path / "kernels"
-    code, _, err = run("generate", page("mass_on_belt"), "--out", str(folder))
-    assert code == 0, err
-    orbit = ns.solve(f"{folder}:stick-slip", {"V": "0.7"})
-    angle = 0.3 / 0.7
-    assert orbit.period == pytest.approx(2 * (math.pi - math.atan(angle) + angle), rel=1e-14)
-    assert orbit.trace == 0
 
 
 # --- two stops ----------------------------------------------------------------------------
@@ -536,27 +410,6 @@ def test_the_symmetry_breaks_where_the_half_map_has_minus_one() -> None:
     assert_allclose(multipliers(orbit), [0.64**2, 1], rtol=0, atol=1e-11)
     assert half_orbit(d + 1e-4).stability.verdict == "stable"
     assert half_orbit(d - 1e-4).stability.verdict == "unstable"
-
-
-@pytest.mark.compiled
-def test_two_orbits_that_are_images_of_each_other() -> None:
-    for d in (0.45, 0.5):
-        found = ns.find_orbits(
-            page("two_stops"), {"d": d, "r": "0.8", "w": "1.5"}, 12, transitions=1500
-        )
-        pair = [entry.orbit for entry in found.orbits if entry.share > 0]
-        assert len(pair) == 2
-        assert_allclose(pair[0].dwell_times, pair[1].dwell_times[::-1], atol=1e-10)
-        assert_allclose(pair[0].states, -pair[1].states[::-1], atol=1e-10)
-        assert abs(np.ptp(pair[0].dwell_times)) > 0.5
-    broken = solved("two_stops", "broken")
-    field = forced(second_order(1), 1.5, np.array([1.0]))
-    rules = {
-        ("free-free", "right-reaches-stop"): (field, lambda y: y[0] - 0.5, struck(1, 0.8)),
-        ("free-free", "left-reaches-stop"): (field, lambda y: -0.5 - y[0], struck(1, 0.8)),
-    }
-    assert_motion(broken, rules)
-    assert np.prod(broken.multipliers) == pytest.approx(0.8**4, rel=1e-10)
 
 
 # --- friction under forcing ---------------------------------------------------------------

@@ -123,21 +123,6 @@ def test_each_operator_has_its_places(file: str, text: str, bugs: dict[str, list
     assert [piece for piece in wanted.values() if piece in text] == []
 
 
-@pytest.mark.parametrize(("file", "text"), [("a.py", PYTHON), ("a.c", C)], ids=["Python", "C"])
-def test_an_address_stays_when_another_function_changes(file: str, text: str) -> None:
-    name = {"a.py": "Lévy.walk", "a.c": "one"}[file]
-    more = {
-        "a.py": "def zero(x):\n    return x < 1 + 1\n",
-        "a.c": "int zero(int x) { return -1; }\n",
-    }
-    head, point, tail = text.partition("LEAST")
-    before, after = places(file, text), places(file, f"{more[file]}{head}{point}{tail}")
-    assert [bug.address for bug in after if "::zero::" in bug.address]
-    assert {b.address: b.change.after for b in after if b.change.function == name} == {
-        b.address: b.change.after for b in before if b.change.function == name
-    }
-
-
 def sampled(suffix: str, files: int, count: int) -> list[tuple[str, Place]]:
     """Bugs of some sources of the repository, each with the text of its file."""
     chance = random.Random(1)
@@ -149,27 +134,9 @@ def sampled(suffix: str, files: int, count: int) -> list[tuple[str, Place]]:
     return chosen
 
 
-@pytest.mark.slow
-def test_a_bug_of_the_repository_parses_and_changes_its_place_alone() -> None:
-    chosen = sampled(".py", 12, 4)
-    assert len(chosen) > 24  # small modules have fewer than four
-    for text, bug in chosen:
-        changed = planted(text, bug)
-        begin, end = bug.change.begin, len(text) - bug.change.end
-        assert changed[:begin] == text[:begin]
-        assert changed[len(changed) - end :] == text[len(text) - end :]
-        before, after = (ast.parse(each).body for each in (text, changed))
-        around = [
-            k
-            for k, each in enumerate(before)
-            if each.end_lineno and each.end_lineno >= bug.line >= first_line(each)
-        ]
-        assert len(before) == len(after)
-        assert [k for k in around if ast.dump(before[k]) != ast.dump(after[k])] == around[:1], bug
-
-
-def first_line(statement: ast.stmt) -> int:
-    return min([statement.lineno, *(d.lineno for d in getattr(statement, "decorator_list", ()))])
+def test_a_bug_of_python_parses() -> None:
+    for text, bug in sampled(".py", 6, 4):
+        assert ast.dump(ast.parse(planted(text, bug))) != ast.dump(ast.parse(text)), bug
 
 
 def test_a_bug_of_the_engine_changes_one_token_or_leaves_one_statement_out() -> None:
@@ -263,11 +230,3 @@ def test_a_survivor_is_tried_with_the_slow_tests(
     (boundary, _) = places("order.py", text)
     measured = [mutate.Measured("test_order.py", 1.0, ["order.py::less"])]
     assert mutate.attempted(tmp_path, boundary, measured, 60.0) == outcome
-
-
-@pytest.mark.slow
-def test_most_bugs_of_a_module_are_noticed(capsys: pytest.CaptureFixture[str]) -> None:
-    mutate.main(["runtime/model/vectorised.py", "--sample", "5", "--seed", "1",
-                 "--tests", "tests/model/test_vectorised.py"])  # fmt: skip
-    told = re.search(r"^(\d+) of 5 bugs are noticed$", capsys.readouterr().out, re.MULTILINE)
-    assert int(told[1]) >= 3

@@ -13,7 +13,7 @@ import pytest
 import nonsmooth
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from tests.cli.test_cli import run
-from tests.core.test_result_files import composed, file_of
+from tests.core.test_result_files import file_of
 from tests.pictures import figure_in
 
 STICK = "dry-friction/global-stick"
@@ -29,21 +29,6 @@ def same(first: Branch, second: Branch) -> None:
         np.testing.assert_array_equal(getattr(first, name), getattr(second, name))
     for name in ("name", "parameter", "unknown_names", "stability", "events", "ends", "start"):
         assert getattr(first, name) == getattr(second, name)
-
-
-def test_saved_and_read(tmp_path: Path) -> None:
-    path = tmp_path / "branch.json"
-    branch().save(path)
-    read = nonsmooth.load(path)
-    same(read, branch())
-    assert read.orbit.unknowns == branch().orbit.unknowns
-    assert read.orbit_at(3).trace == branch().orbit_at(3).trace
-
-
-def test_composed_branch_saved_and_read(tmp_path: Path) -> None:
-    found = nonsmooth.continue_orbit(composed(), "period", (6.0, 6.5), step=0.1)
-    found.save(tmp_path / "branch.json")
-    same(nonsmooth.load(tmp_path / "branch.json"), found)
 
 
 def test_no_other_file_is_gone_on_with(tmp_path: Path) -> None:
@@ -93,28 +78,6 @@ def test_a_constant_is_drawn_as_one() -> None:
     assert high > 2.05
 
 
-@pytest.mark.slow
-def test_command(tmp_path: Path) -> None:
-    pytest.importorskip("matplotlib")
-    saved, picture = tmp_path / "branch.json", tmp_path / "branch.png"
-    code, out, _ = run(
-        "continue", STICK, "V=0.8:1.3", "--step", "0.05", "--save", str(saved),
-        "--plot", str(picture), "--quantity", "ta", "--beyond",
-    )  # fmt: skip
-    assert code == 0
-    assert "vanishing-phase" in out
-    assert "ends: ta goes to zero" in out
-    assert "beyond V = 1.20019: stick-slip > slip-slip > slip-stick > slip-slip (stable)" in out
-    assert picture.stat().st_size > 5000
-    same(nonsmooth.load(saved), branch())
-    drawn = tmp_path / "again.png"
-    assert run("plot", str(saved), "--out", str(drawn))[0] == 0
-    assert drawn.stat().st_size > 5000
-    code, _, err = run("plot", str(saved), "--kind", "phase")
-    assert code != 0
-    assert "a branch has one kind of picture" in err
-
-
 def test_a_saved_branch_is_drawn_as_asked(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("matplotlib")
     monkeypatch.chdir(tmp_path)
@@ -136,6 +99,7 @@ def test_a_saved_branch_is_drawn_as_asked(tmp_path: Path, monkeypatch: pytest.Mo
     assert run("plot", "branch.json", *wanted, "--out", "asked.svg")[0] == 0
     assert Path("asked.svg").read_text() != ""
     for command, told in (
+        ("branch.json --kind phase", "a branch has one kind of picture"),
         ("branch.json --quantity nonsense", "unknown quantity 'nonsense'"),
         ("branch.json --over nonsense", "unknown quantity 'nonsense'"),
         ("orbit.json --quantity ta", "quantities are drawn of branches, and orbit.json is none"),
@@ -147,38 +111,12 @@ def test_a_saved_branch_is_drawn_as_asked(tmp_path: Path, monkeypatch: pytest.Mo
         assert not Path("never.png").exists()
 
 
-def test_command_as_json() -> None:
-    code, out, _ = run("continue", STICK, "V=1.05:1.3", "eta=1.01", "--step", "0.1", "--json")
-    told = json.loads(out)
-    assert code == 0
-    assert told["orbit"] == STICK
-    assert len(told["values"]) == len(told["unknowns"]["ta"]) == len(told["admissible"])
-    assert [event["kind"] for event in told["events"]] == ["vanishing-phase"]
-    assert told["ends"][1] == "ta goes to zero"
-
-
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        (["eta=1"], "one parameter has to be a range"),
-        (["V=0.8:1.2", "eta=1:2"], "one parameter has to be a range"),
-        (["V=0.8:1.2", "V=1"], "parameter V is given twice"),
-        (["V=0.8:1.2:5"], "is not NAME=A:B"),
-        (["V=0.8:0.9", "--from", "V=1"], "is not in 0.8 to 0.9"),
-        (["V=0.8:1.2", "--plot", "branch.txt"], "does not end in"),
-    ],
-)
-def test_wrong_commands(arguments: list[str], message: str) -> None:
-    code, _, err = run("continue", STICK, *arguments)
-    assert code == 2
-    assert message in err
-
-
-def test_a_picture_that_fails_does_not_lose_the_branch(tmp_path: Path) -> None:
+def test_a_picture_that_fails_loses_nothing(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
-    command = ["continue", "dry-friction/global-stick", "V=0.9:1.1", "--points", "5", "--json",
-               "--plot", str(tmp_path / "branch.png"), "--quantity", "energy"]  # fmt: skip
-    code, out, err = run(*command)
+    kept, picture = tmp_path / "kept.json", tmp_path / "branch.png"
+    asked = f"continue {STICK} V=0.9:1.1 --points 5 --json --quantity energy --save {kept}"
+    code, out, err = run(*asked.split(), "--plot", str(picture))
     assert code == 2
-    assert len(json.loads(out)["values"]) > 3
+    assert len(json.loads(out)["values"]) == len(nonsmooth.load(kept)) > 3
+    assert json.loads(out)["files"] == [str(kept)]
     assert "no picture: " in err

@@ -12,7 +12,7 @@ import sympy as sp
 import nonsmooth as ns
 from nonsmooth.derive import SoftStop, oscillator
 from nonsmooth.runtime.explore.continuation.branch import Branch
-from nonsmooth.runtime.shooting.multipliers import Multiplier, Stability
+from tests.pictures import with_multipliers
 
 pytest.importorskip("matplotlib")
 
@@ -96,10 +96,8 @@ def test_the_legend_of_a_square_picture_is_within_a_wide_panel() -> None:
     """Of multipliers with many digits beside the unit circle."""
     figure = Figure(figsize=(6, 2.2), layout="constrained")
     axes = figure.add_subplot()
-    orbit = replace(ns.solve("rigid-stop/one-impact"))
-    multipliers = tuple(Multiplier(-0.0799775 * number, 0.0) for number in range(1, 5))
-    vars(orbit.evaluation)["stability"] = Stability(multipliers, -0.8, 4, 0.7, "stable", "")
-    orbit.plot("multipliers", axes)
+    orbit = ns.solve("rigid-stop/one-impact")
+    with_multipliers(orbit, *(-0.0799775 * k for k in range(1, 5))).plot("multipliers", axes)
     figure.draw_without_rendering()
     legend = axes.get_legend()
     assert len(legend.get_texts()) == 4

@@ -15,8 +15,6 @@ import sympy as sp
 
 import nonsmooth as ns
 from nonsmooth.derive import Harmonic, SoftStop, oscillator
-from nonsmooth.runtime.explore.finding.sweep import Sweep
-from nonsmooth.runtime.shooting.multipliers import Multiplier, Stability
 from tests.certified import loop
 
 pytest.importorskip("matplotlib")
@@ -25,7 +23,7 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 
 from nonsmooth.runtime.present.pictures.charts import chart_figure
-from tests.pictures import figure_in, figure_of, figure_of_saved
+from tests.pictures import figure_in, figure_of, figure_of_saved, with_multipliers
 from tests.places import GALLERY
 from tests.shared import FOLDER
 
@@ -164,10 +162,7 @@ def chain_motion() -> Any:
 
 @cache
 def many_multipliers() -> Any:
-    orbit = replace(ns.solve(STICK))
-    every = tuple(Multiplier(-0.123456 * k, 0.01234567 * k) for k in range(1, 13))
-    vars(orbit.evaluation)["stability"] = Stability(every, 4.4, 3, -1.94, "unstable", "")
-    return orbit
+    return with_multipliers(ns.solve(STICK), *(k * (-0.123456 + 0.01234567j) for k in range(1, 13)))
 
 
 @cache
@@ -194,7 +189,7 @@ def flips() -> Any:
 
 
 @cache
-def swept() -> Sweep:
+def swept() -> Any:
     data = {name: value for name, value in FRICTION.items() if name != "V"}
     return ns.sweep(
         "dry-friction",

@@ -1,42 +1,43 @@
-"""A format of files whose content changes has another version."""
+"""A file is as its schema says, and a format of files whose content changes has another version."""
 
 from __future__ import annotations
 
+import copy
 import json
+from collections.abc import Iterator
 from hashlib import sha256
 from typing import Any
 
 import pytest
+from jsonschema import Draft202012Validator
 
 from nonsmooth.runtime.core.json_codec import json_schema
-from nonsmooth.runtime.core.result_files import FileFormat
 from nonsmooth.runtime.explore.charting.problem import HeldOrbit
 from nonsmooth.runtime.explore.charting.store import FORMAT
-from nonsmooth.runtime.orbits.orbit_file import ORBIT
-from nonsmooth.runtime.present.files.found import FOUND
-from nonsmooth.runtime.present.files.kept import KINDS, format_named
+from nonsmooth.runtime.present.files.loading import file_schemas
 from nonsmooth.runtime.present.files.motions import MOTION
+from tests.core.test_result_files import KINDS, text_of
 
 # by format: the version, and a hash of the names and types of all entries. A test that fails
 # here asks for a higher version of the format, or of what all files hold of a system
 KNOWN = {
-    "nonsmooth basin certificate": (6, "9ba0044c909d"),
-    "nonsmooth box certificate": (8, "40c1e1c780af"),
-    "nonsmooth branch": (4, "7b15a71a1111"),
-    "nonsmooth census": (6, "a8b6b138fbb8"),
-    "nonsmooth certificate": (6, "dc472e9a0497"),
-    "nonsmooth certified branch": (6, "70dd986b9e16"),
-    "nonsmooth certified doubling": (3, "f9ffaf6af930"),
-    "nonsmooth chaos certificate": (6, "54dfa7e8d7db"),
-    "nonsmooth design": (2, "d033c77ba4e1"),
-    "nonsmooth event certificate": (6, "1d32e51b8c01"),
-    "nonsmooth fit": (3, "1951f1e33ffd"),
-    "nonsmooth found orbits": (7, "25a4d6167507"),
-    "nonsmooth region certificate": (6, "73018302bf92"),
-    "nonsmooth locus": (3, "7b5986b03154"),
-    "nonsmooth orbit": (5, "b1eafab06be8"),
-    "nonsmooth sweep": (4, "f22b34cb7ed3"),
-    "nonsmooth trajectory": (5, "e72e037a1615"),
+    "nonsmooth basin certificate": (6, "10883acf4ac7"),
+    "nonsmooth box certificate": (8, "e388857d3136"),
+    "nonsmooth branch": (4, "1ae4eec6b276"),
+    "nonsmooth census": (6, "2ae42dfdecb7"),
+    "nonsmooth certificate": (6, "460fdfc2fa14"),
+    "nonsmooth certified branch": (6, "5ccf189720b4"),
+    "nonsmooth certified doubling": (3, "347985c4827a"),
+    "nonsmooth chaos certificate": (6, "987c9691077d"),
+    "nonsmooth design": (2, "2316c7be67fc"),
+    "nonsmooth event certificate": (6, "d4733488a54e"),
+    "nonsmooth fit": (3, "c3f7ea330e24"),
+    "nonsmooth found orbits": (7, "b2f7a7b829c0"),
+    "nonsmooth region certificate": (6, "22f38246ec29"),
+    "nonsmooth locus": (3, "55c3d9a04af9"),
+    "nonsmooth orbit": (5, "b0eb09cdf822"),
+    "nonsmooth sweep": (4, "62878b5e297a"),
+    "nonsmooth trajectory": (5, "df8cf53c3d12"),
 }
 CHART = ("nonsmooth chart 5", "b40f284c1037")
 
@@ -51,27 +52,40 @@ def unordered(entry: Any) -> Any:
     return found | {n: sorted(part) for n, part in found.items() if n == "required" and part}
 
 
-def digest(record: type) -> str:
+def digest(schema: dict[str, Any]) -> str:
     """A hash of the names and types of all entries."""
-    schema = unordered(json_schema(record))
-    return sha256(json.dumps(schema, sort_keys=True).encode()).hexdigest()[:12]
+    entries = {name: x for name, x in schema.items() if name not in ("title", "description")}
+    return sha256(json.dumps(unordered(entries), sort_keys=True).encode()).hexdigest()[:12]
 
 
-def formats() -> dict[str, FileFormat[Any]]:
-    """Formats of all kinds of files, by their names."""
-    found = [*map(format_named, KINDS), ORBIT, FOUND, MOTION]
-    return {entry.name: entry for entry in found}
+def test_a_format_of_other_entries_has_another_version() -> None:
+    schemas = {**file_schemas(), MOTION.name: MOTION.schema}
+    found = {
+        name: (schema["properties"]["version"]["const"], digest(schema))
+        for name, schema in schemas.items()
+    }
+    assert found == KNOWN
+    assert (FORMAT, digest(json_schema(HeldOrbit))) == CHART  # what charts hold of orbits
 
 
-def test_every_format_is_known() -> None:
-    assert formats().keys() == KNOWN.keys()
+@pytest.mark.parametrize("kind", KINDS)
+def test_files_are_as_their_schemas_say(kind: str) -> None:
+    schema = file_schemas()[kind]
+    Draft202012Validator.check_schema(schema)
+    checked, content = Draft202012Validator(schema), json.loads(text_of(kind))
+    assert not list(checked.iter_errors(content))
+    for other in misshapen(content):
+        assert not checked.is_valid(other)
 
 
-@pytest.mark.parametrize("name", KNOWN)
-def test_a_format_of_other_entries_has_another_version(name: str) -> None:
-    found = formats()[name]
-    assert (found.version, digest(found.entries)) == KNOWN[name], json_schema(found.entries)
-
-
-def test_charts_hold_orbits_of_their_version() -> None:
-    assert (FORMAT, digest(HeldOrbit)) == CHART, json_schema(HeldOrbit)
+def misshapen(content: dict[str, Any]) -> Iterator[dict[str, Any]]:
+    """Content without an entry, with one more, and with each entry of another type."""
+    yield {**content, "unheard": 0}
+    for name in content:
+        if name == "request":
+            continue
+        other = copy.deepcopy(content)
+        other[name] = [[other[name]]]
+        yield other
+        if name not in ("derivatives", "directions", "no_derivatives", "cones"):
+            yield {entry: content[entry] for entry in content if entry != name}

@@ -34,19 +34,6 @@ def test_without_contact_a_strobe_shows_the_closed_form(phase: float, tmp_path: 
         assert (read.phase, read.configuration, read.done) == (phase, None, 1)
 
 
-def test_a_strobe_shows_one_point_of_an_orbit_of_the_forcings_period() -> None:
-    orbit = ns.solve(f"{PAGE}:one-period", {"w": "2.4"})
-    start = dict(zip([*orbit.unknowns][1:], orbit.states[0], strict=True))
-    begin = {name.removesuffix("0"): value for name, value in start.items()}
-    diagram = sweep(
-        PAGE, {"r": "0.8", "sigma": 0}, "w", [2.4], begin, state="v", phase=2.0,
-        transient=3, samples=4,
-    )  # fmt: skip
-    wait = (2.0 - np.arctan2(begin["s1"], begin["c1"])) % (2 * np.pi) / 2.4
-    wanted = orbit.trajectory(2)(wait)[1]
-    np.testing.assert_allclose(diagram.samples, wanted, rtol=0, atol=1e-7)
-
-
 @pytest.mark.parametrize(
     ("changes", "match"),
     [

@@ -1,31 +1,34 @@
-"""Pictures of orbits, and how a notebook shows an orbit and its equations."""
+"""Pictures of orbits, motions and bifurcations, and how a notebook shows orbits and equations."""
 
 import re
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import cache
 from html.parser import HTMLParser
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 import nonsmooth
-from nonsmooth import InputError, MissingExtra
+from nonsmooth import InputError, observe, simulate, sweep
 from nonsmooth.derive import derive_equations
 from nonsmooth.derive.systems import dry_friction
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.shooting.multipliers import Multiplier, Stability
+from nonsmooth.runtime.simulation.trajectory import Trajectory
 from tests.cli.test_cli import run
+from tests.pictures import figure_of_saved, with_multipliers
 
 matplotlib = pytest.importorskip("matplotlib")
 matplotlib.use("Agg")
 from matplotlib import pyplot
 from matplotlib.axes import Axes
-from matplotlib.collections import PolyCollection
+from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.figure import Figure
+from matplotlib.patches import StepPatch
 from matplotlib.transforms import Bbox
 
 PANELS = 5  # of "all"
@@ -77,55 +80,18 @@ def legend(axes: Axes) -> list[str]:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_every_kind_draws_into_a_new_figure(kind: str) -> None:
-    found = orbit().plot(kind)
-    if kind == "all":
-        assert len(found) == PANELS
-        assert found[0].figure.get_suptitle() == ORBIT
-    else:
-        assert isinstance(found, Axes)
-        assert found.get_title(loc="left") == ORBIT
-    assert len(pyplot.get_fignums()) == 1
-
-
-@pytest.mark.parametrize("kind", KINDS)
-def test_every_kind_draws_into_given_axes_without_pyplot(kind: str) -> None:
+def test_every_kind_draws_into_given_axes_or_a_figure_of_pyplot(kind: str) -> None:
     places = axes_of(PANELS if kind == "all" else 1)
     given = places if kind == "all" else places[0]
     found = orbit().plot(kind, given)
     assert found == tuple(places) if kind == "all" else found is places[0]
     assert not pyplot.get_fignums()
+    new = orbit().plot(kind)
+    assert len(new) == PANELS if kind == "all" else isinstance(new, Axes)
+    assert len(pyplot.get_fignums()) == 1
     for axes in places:
         assert "nondimensional" in axes.get_xlabel()
         assert re.search("nondimensional|configuration", axes.get_ylabel())
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", ORBITS)
-def test_every_orbit_is_drawn(name: str) -> None:
-    places = axes_of(PANELS)
-    orbit(name).plot("all", places)
-    motion = orbit(name).motion()
-    time, velocity, strip, phase, multipliers = places
-    letter = motion.names[0][0]
-    for mass in (0, 1):
-        label = f"${letter}_{{{mass + 1}}}$"
-        points = curve(time, label)
-        inside = ~np.isin(points[:, 0], motion.breaks)
-        assert inside.sum() > 400
-        assert_allclose(points[inside, 1], motion(points[inside, 0])[:, mass], atol=1e-12)
-        points = curve(velocity, f"{label[:-1]}'$")
-        inside = ~np.isin(points[:, 0], motion.breaks)
-        assert_allclose(points[inside, 1], motion(points[inside, 0])[:, 2 + mass], atol=1e-11)
-    assert [t.get_text() for t in strip.get_yticklabels()] == list(
-        dict.fromkeys(motion.configurations)
-    )
-    assert len(bars(strip)) == np.count_nonzero(np.diff(motion.breaks))
-    assert len(legend(multipliers)) == len(orbit(name).stability.multipliers)
-    assert sum("trivial" in text for text in legend(multipliers)) == name.startswith(
-        ("rigid", "elastic")
-    )
-    assert len(curve(phase, f"(${letter}_{{1}}$, ${letter}_{{1}}'$)")) > 500
 
 
 @pytest.mark.parametrize("name", ["rigid-stop/one-impact", "elastic-stop/one-contact"])
@@ -158,12 +124,6 @@ def test_some_masses_alone(masses: Sequence[int]) -> None:
     assert legend(axes)[len(masses) :] == CONFIGURATIONS
 
 
-@pytest.mark.parametrize("masses", [(), (2,), (-1,), (0, 5)])
-def test_masses_that_are_none(masses: Sequence[int]) -> None:
-    with pytest.raises(InputError, match=r"masses = .*global-stick has \[0, 1\]"):
-        orbit().plot("time", axes_of(), masses=masses)
-
-
 def test_a_phase_that_takes_no_time_has_its_name_in_the_strip() -> None:
     (axes,) = axes_of()
     orbit("dry-friction/solution-ii").plot("strip", axes)
@@ -171,19 +131,23 @@ def test_a_phase_that_takes_no_time_has_its_name_in_the_strip() -> None:
     assert len(bars(axes)) == 3
 
 
+@pytest.mark.parametrize("name", ORBITS)
 @pytest.mark.parametrize(("kind", "first", "periods"), [("time", 0, 1), ("velocity", 2, 2)])
-def test_histories_are_the_motion(kind: str, first: int, periods: int) -> None:
+def test_histories_are_the_motion(name: str, kind: str, first: int, periods: int) -> None:
     (axes,) = axes_of()
-    orbit().plot(kind, axes, periods=periods)
-    motion = orbit().motion()
-    labels = ["$z_{1}$", "$z_{2}$"] if kind == "time" else ["$z_{1}'$", "$z_{2}'$"]
+    orbit(name).plot(kind, axes, periods=periods)
+    motion = orbit(name).motion()
+    prime = "'" * (first > 0)
+    labels = [f"${name[0]}_{{{name[1:]}}}{prime}$" for name in motion.names[:2]]
     for mass, label in enumerate(labels):
         points = curve(axes, label)
         assert len(points) > 500 * periods
-        assert_allclose(points[:, 1], motion(points[:, 0])[:, first + mass], atol=1e-12)
+        inside = ~np.isin(points[:, 0] % motion.period, motion.breaks)
+        wanted = motion(points[inside, 0])[:, first + mass]
+        assert_allclose(points[inside, 1], wanted, atol=1e-11)
         assert label in axes.get_ylabel()
-    assert axes.get_xlabel() == "time $t$ (nondimensional)"
-    assert legend(axes) == labels + CONFIGURATIONS
+    assert axes.get_xlabel().startswith("time $t$")
+    assert legend(axes) == [*labels, *dict.fromkeys(motion.configurations)]
     assert_allclose(axes.get_xlim(), (0, periods * motion.period))
 
 
@@ -251,32 +215,19 @@ def test_multipliers_stand_in_the_unit_circle() -> None:
         assert_array_equal(curve(axes, label), [[multiplier.real, multiplier.imaginary]])
 
 
-def test_multipliers_outside_the_circle_and_trivial_ones() -> None:
-    found = replace(orbit())
-    multipliers = (Multiplier(1.7, 2.4), Multiplier(1.7, -2.4), Multiplier(1.0, 0.0, True))
-    vars(found.evaluation)["stability"] = Stability(multipliers, 4.4, 3, -1.94, "unstable", "")
-    (axes,) = axes_of()
-    found.plot("multipliers", axes)
+def test_multipliers_outside_the_circle_small_and_trivial_ones() -> None:
+    axes = with_multipliers(orbit(), 1.7 + 2.4j, 1.7 - 2.4j, 2e-5 + 1.916322e-5j, 1).plot(
+        "multipliers"
+    )
     assert legend(axes) == [
         "$\\mu_{1} = 1.7+2.4\\,\\mathrm{i}$",
         "$\\mu_{2} = 1.7-2.4\\,\\mathrm{i}$",
-        "$\\mu_{3} = 1$, trivial",
+        "$\\mu_{3} = 2\\cdot 10^{-5}+1.92\\cdot 10^{-5}\\,\\mathrm{i}$",
+        "$\\mu_{4} = 1$, trivial",
     ]
     marks = [line for line in axes.get_lines() if line.get_label() in legend(axes)]
-    assert [mark.get_markerfacecolor() == "none" for mark in marks] == [False, False, True]
+    assert [mark.get_markerfacecolor() == "none" for mark in marks] == [False, False, False, True]
     assert min(axes.get_ylim()) < -2.4 < 2.4 < max(axes.get_ylim())
-
-
-def test_small_multipliers_are_written_with_powers_of_ten() -> None:
-    found = replace(orbit())
-    multipliers = (Multiplier(2e-5, 1.916322e-5), Multiplier(2e-5, -1.916322e-5))
-    vars(found.evaluation)["stability"] = Stability(multipliers, 4e-5, 2, 1.0, "stable", "")
-    (axes,) = axes_of()
-    found.plot("multipliers", axes)
-    assert legend(axes) == [
-        "$\\mu_{1} = 2\\cdot 10^{-5}+1.92\\cdot 10^{-5}\\,\\mathrm{i}$",
-        "$\\mu_{2} = 2\\cdot 10^{-5}-1.92\\cdot 10^{-5}\\,\\mathrm{i}$",
-    ]
 
 
 def test_a_configuration_has_one_colour_in_all_pictures() -> None:
@@ -293,11 +244,182 @@ def test_a_configuration_has_one_colour_in_all_pictures() -> None:
     assert len(set(time)) == 4
 
 
-def test_digits_do_not_change_the_picture() -> None:
-    (rough,), (sharp,) = axes_of(), axes_of()
-    orbit().plot("time", rough)
-    nonsmooth.refine(orbit(), 30).plot("time", sharp)
-    assert_allclose(curve(sharp, "$z_{1}$"), curve(rough, "$z_{1}$"), atol=1e-12)
+# --- motions and bifurcations
+
+FRICTION = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
+STOP = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": "0.8"}
+
+
+@cache
+def few() -> Trajectory:
+    return simulate("dry-friction", FRICTION, [5, 3, 1, 1], transitions=4)
+
+
+@cache
+def many() -> Trajectory:
+    return simulate("dry-friction", FRICTION, [0, 0, 0, 0], transitions=1500)
+
+
+@cache
+def impacts(count: int = 6) -> Trajectory:
+    return simulate("rigid-stop", {**STOP, "r": 1}, [0, 0.5, 3, 0], transitions=count)
+
+
+def levels(axes: Axes) -> list[str]:
+    return [text.get_text() for text in axes.texts if text.get_text() and "%" not in str(text)]
+
+
+# --- every kind
+
+
+# --- what is drawn
+
+
+def test_histories_of_a_motion() -> None:
+    for kind, first, mark in (("time", 0, ""), ("velocity", 2, "'")):
+        (axes,) = axes_of()
+        few().plot(kind, axes)
+        for mass in (0, 1):
+            points = curve(axes, f"$x_{{{mass + 1}}}${mark}".replace("$'", "'$"))
+            assert len(points) > 1900
+            assert_allclose(points[:, 1], few()(points[:, 0])[:, first + mass], atol=1e-12)
+        assert legend(axes)[2:] == CONFIGURATIONS
+        assert levels(axes) == ([] if kind == "time" else ["$V$"])
+
+
+def test_the_background_is_the_configuration() -> None:
+    (axes,) = axes_of()
+    few().plot("time", axes)
+    colors = {}
+    for handle, label in zip(*axes.get_legend_handles_labels(), strict=True):
+        if label in CONFIGURATIONS:
+            colors[tuple(handle.get_facecolor()[0][:3])] = label
+    assert len(colors) == 4
+    found = []
+    for band in axes.collections:
+        if isinstance(band, PolyCollection) and band.get_label() not in CONFIGURATIONS:
+            label = colors[tuple(band.get_facecolor()[0][:3])]
+            found += [(path.get_extents(), label) for path in band.get_paths()]
+    assert len(found) == 4
+    for box, label in found:
+        assert few().configuration((box.x0 + box.x1) / 2) == label
+        assert np.isin([box.x0, box.x1], [*few().times, few().end]).all()
+
+
+def test_many_transitions_become_ranges_and_shares() -> None:
+    found = observe(many())
+    (axes,) = axes_of()
+    many().plot("time", axes)
+    high = curve(axes, "$x_{1}$, range")
+    assert_allclose(high[:, 1].max(), found.maxima["x1"].value, atol=5e-3)
+    (low,) = [
+        line
+        for line in axes.get_lines()
+        if line.get_color() == axes.get_lines()[0].get_color() and line.get_label()[0] == "_"
+    ]
+    assert_allclose(np.min(low.get_ydata()), found.minima["x1"].value, atol=5e-3)
+    assert (np.asarray(low.get_ydata()) <= high[:, 1]).all()
+    shares = [patch for patch in axes.patches if isinstance(patch, StepPatch)]
+    order = list(dict.fromkeys(many().configurations))
+    assert legend(axes)[2:] == [f"{name}, share" for name in order]
+    heights = [np.mean(p.get_data().values - p.get_data().baseline) for p in shares]
+    assert_allclose(np.divide(heights, sum(heights)), [found.fractions[n] for n in order], 1e-9)
+    assert len(axes.get_lines()) < 10
+
+
+def test_the_strip_shows_which_configuration_when() -> None:
+    (axes,) = axes_of()
+    few().plot("strip", axes)
+    assert [text.get_text() for text in axes.get_yticklabels()] == CONFIGURATIONS
+    boxes = [path.get_extents() for bars in axes.collections for path in bars.get_paths()]
+    assert len(boxes) == 4
+    for box in boxes:
+        row = round((box.y0 + box.y1) / 2)
+        assert few().configuration((box.x0 + box.x1) / 2) == CONFIGURATIONS[row]
+    found = observe(few()).fractions
+    parts = [float(text.get_text().split()[0]) for text in axes.texts]
+    assert_allclose(parts, [100 * found[name] for name in CONFIGURATIONS], atol=0.051)
+
+
+def test_the_strip_of_many_transitions_is_as_high_as_the_share() -> None:
+    (axes,) = axes_of()
+    many().plot("strip", axes)
+    names = [text.get_text() for text in axes.get_yticklabels()]
+    fractions = observe(many()).fractions
+    for name, patch in zip(names, axes.patches, strict=True):
+        data = patch.get_data()
+        assert np.mean(data.values - data.baseline) == pytest.approx(0.8 * fractions[name])
+
+
+def test_portraits_are_the_motion_with_impacts_apart() -> None:
+    motion = impacts()
+    first, second = motion.plot("phase")
+    points = curve(first, "($x_{1}$, $x_{1}'$)")
+    gaps = np.flatnonzero(np.isnan(points[:, 0]))
+    gaps = gaps[: motion.transitions]
+    assert_allclose(points[gaps - 1], motion.before[1:, [0, 2]], atol=1e-12)
+    assert_allclose(points[gaps + 1], motion.states[1:, [0, 2]], atol=1e-12)
+    jumps = curve(first, "impact").reshape(-1)
+    jumps = jumps[np.isfinite(jumps)].reshape(-1, 2, 2)
+    assert_allclose(jumps[:, 0, 1], -jumps[:, 1, 1])
+    assert len(jumps) == motion.transitions
+    (line,) = [line for line in first.get_lines() if line.get_label() == "impact"]
+    assert line.get_linestyle() == "--"
+    assert "impact" not in legend(second)
+    assert levels(first) == ["$x_{1}$ = $1$"]
+    assert levels(second) == []
+    assert_array_equal(curve(first, "start"), [[0, 3]])
+    assert_allclose(curve(second, "end"), motion.states[-1:, [1, 3]])
+
+
+def test_a_level_is_the_parameter_that_moves_it() -> None:
+    """V = us1 = us2 = 1 in these data, and the stop's 1 is no parameter."""
+    (axes,) = axes_of()
+    few().plot("velocity", axes)
+    assert levels(axes) == ["$V$"]
+    (axes,) = axes_of()
+    impacts().plot("time", axes)
+    assert levels(axes) == ["$x_{1}$ = $1$"]
+    # dry friction is nondimensional, and this one is in the units of its user
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("time $t$", "positions $x_{1}$, $x_{2}$")
+
+
+def test_dense_portraits_are_faint_pieces() -> None:
+    axes, _ = impacts(2000).plot("phase")
+    lines = [c for c in axes.collections if isinstance(c, LineCollection)]
+    assert len(lines) == 2
+    segments = np.concatenate(lines[0].get_segments())
+    assert segments[:, 0].max() == pytest.approx(1, abs=1e-9)
+    assert lines[0].get_alpha() < 0.2
+    assert lines[0].get_rasterized()
+    low, high = axes.get_xlim()
+    assert low < segments[:, 0].min()
+    assert high > 1
+
+
+# --- bifurcations
+
+
+def test_a_bifurcation_is_its_samples() -> None:
+    data = {name: value for name, value in FRICTION.items() if name != "V"}
+    start = dict.fromkeys(("x1", "x2", "v1", "v2"), 0)
+    diagram = sweep(
+        "dry-friction", data, "V", [0.9, 1.0, 1.1], start, state="x1",
+        configuration="slip-stick", transient=10, samples=3,
+    )  # fmt: skip
+    samples = np.array([[1, np.nan, np.nan], [1.5, np.nan, 2.5], [np.nan] * 3])
+    figure = figure_of_saved(replace(diagram, samples=samples))
+    figure.draw_without_rendering()
+    (axes,) = figure.axes
+    (line,) = axes.get_lines()
+    assert line.get_xydata().tolist() == [[0.9, 1.0], [1.0, 1.5], [1.0, 2.5]]
+    assert axes.get_legend() is None
+    assert axes.get_xlabel() == "$V$ (nondimensional)"
+    assert axes.get_ylabel() == "$x_{1}$ (nondimensional)"
+    assert axes.get_title(loc="left") == "dry-friction: x1 at each entry of slip-stick"
+
+
+# --- wrong input
 
 
 # --- files
@@ -318,28 +440,29 @@ def test_files_are_reproducible(ending: str, tmp_path: Path) -> None:
     assert not pyplot.get_fignums()
 
 
-@pytest.mark.parametrize(
-    ("name", "message"),
-    [
-        ("orbit.gif", r"orbit.gif does not end in \.png, \.svg, \.pdf"),
-        ("file/orbit.png", "cannot write .*file is not a folder"),
-    ],
-)
-def test_wrong_files(name: str, message: str, tmp_path: Path) -> None:
-    (tmp_path / "file").write_text("mine")
-    saved = tmp_path / "orbit.json"
-    orbit().save(saved)
-    code, _, told = run("plot", str(saved), "--kind", "strip", "--out", str(tmp_path / name))
-    assert code == 2
-    assert re.search(message, told)
-
-
 # --- wrong input
 
 
-def test_counts_are_checked() -> None:
-    with pytest.raises(InputError, match="periods = 0"):
-        orbit().plot(periods=0)
+@pytest.mark.parametrize(
+    ("of", "kind", "options", "part"),
+    [
+        (few, "phases", {}, "unknown kind of picture 'phases'; did you mean 'phase'"),
+        (few, "multipliers", {}, "unknown kind of picture"),
+        (few, "time", {"masses": [2]}, r"masses = \[2\]: dry-friction has \[0, 1\]"),
+        (orbit, "time", {"masses": [0, 5]}, r"masses = \[0, 5\].*global-stick has \[0, 1\]"),
+        (orbit, "time", {"masses": [-1]}, r"masses = \[-1\]"),
+        (orbit, "time", {"masses": []}, r"masses = \[\]"),
+        (orbit, "time", {"periods": 0}, "periods = 0"),
+        (few, "time", {"points": 0}, "points = 0 is not a positive integer"),
+        (few, "time", {"axes": axes_of(2)}, "'time' is drawn into 1 Axes; given: 2 Axes"),
+        (few, "phase", {"axes": axes_of(3)}, "'phase' is drawn into 1 or 2 Axes"),
+        (few, "all", {"axes": axes_of(4)}, "'all' is drawn into 5 Axes"),
+        (few, "time", {"axes": 3}, "given: 1 int"),
+    ],
+)
+def test_wrong_input(of: Callable[[], Any], kind: str, options: dict[str, Any], part: str) -> None:
+    with pytest.raises(InputError, match=part):
+        of().plot(kind, **options)
     assert not pyplot.get_fignums()
 
 
@@ -351,18 +474,11 @@ def test_no_picture_without_an_orbit() -> None:
 
 @pytest.mark.parametrize("large", [1e308, -1.7e308, 1e151])
 def test_no_picture_of_numbers_that_axes_do_not_hold(large: float) -> None:
-    data = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": 4, "ur2": "1.5"}
-    motion = nonsmooth.simulate("dry-friction", data, [0, 0, 0, 0], transitions=6)
-    motion.run.states[3, 1] = large
+    far = replace(few(), run=replace(few().run, states=few().states.copy()))
+    far.run.states[3, 1] = large
     with pytest.raises(InputError, match=r"numbers of .*, beyond 1e\+150: no picture"):
-        motion.plot()
+        far.plot()
     assert not pyplot.get_fignums()
-
-
-def test_without_matplotlib(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(sys.modules, "matplotlib", None)
-    with pytest.raises(MissingExtra, match=r'pip install "nonsmooth\[plot\]"'):
-        orbit().plot()
 
 
 # --- notebooks
@@ -402,31 +518,21 @@ def test_notebooks_show_every_orbit(name: str) -> None:
         assert multiplier["re"][:10] in text
     assert "+ -" not in text
     assert told["stability"] in text
+    assert f"{orbit(name).digits} digits" in text
     rows = orbit(name)._repr_latex_().splitlines()[1:-1]
     assert len(rows) == len(told["unknowns"])
 
 
-@pytest.mark.parametrize("digits", [None, 40])
-def test_html_of_an_orbit(digits: int | None) -> None:
-    found = nonsmooth.solve(ORBIT, {"chi": "1/2", "us2": "0.8"})
-    if digits is not None:
-        found = nonsmooth.refine(found, digits)
-    table = Table(found._repr_html_())
-    assert table.tags == {"table", "caption", "tr", "th", "td", "br"}
-    text = " ".join(table.texts)
-    told = found.to_json()
-    for part in ("chi = 1/2", "us2 = 0.8", "stable", "conditional", "it takes", "us1 > 0"):
-        assert part in text
-    for number in (told["period"], told["trace"], *told["unknowns"].values()):
-        assert number[:12] in text
-    assert f"{found.digits} digits" in text
-
-
 def test_html_says_what_is_wrong() -> None:
+    sharp = nonsmooth.refine(nonsmooth.solve(ORBIT, {"chi": "1/2", "us2": "0.8"}), 40)
+    table = Table(sharp._repr_html_())
+    assert table.tags == {"table", "caption", "tr", "th", "td", "br"}
+    for part in ("chi = 1/2", "us2 = 0.8", "40 digits", "conditional", "it takes", "us1 > 0"):
+        assert part in " ".join(table.texts)
     refused = nonsmooth.solve(ORBIT, {"us2": "0.7"})
-    table = refused._repr_html_().partition("violations")[2]
+    violations = refused._repr_html_().partition("violations")[2]
     for word in ("second-breaks-backward", "crossed at", "stick-stick", "0.0456843"):
-        assert word in table
+        assert word in violations
     lost = nonsmooth.solve(ORBIT, {"eta": "1e300"}, throw=False)
     assert lost.message in " ".join(Table(lost._repr_html_()).texts)
     assert lost.message in lost._repr_latex_()

@@ -8,15 +8,6 @@ from tests.chromium import look_at
 from tests.present.conftest import Paper
 
 pytestmark = pytest.mark.browser
-BROKEN = """<!DOCTYPE html>
-<html lang="en"><head><meta charset="utf-8"><title>broken</title></head><body><main>
-<section id="seen"><p>words</p></section>
-<section id="hidden" style="display: none"><p>words</p></section>
-<div style="width: 900px">wide</div>
-<img src="https://example.org/picture.png" alt="">
-<script>console.warn("a warning");</script>
-</main></body></html>
-"""
 
 
 @pytest.mark.slow
@@ -35,17 +26,6 @@ def fits(path: Path, *more: str) -> None:
             *("periodic-solution-including-a-global-sticking-phase", "solution-ii"),
             *("stability-and-the-poincaré-map", *more, "misprints"),
         ]
-
-
-def test_what_is_broken_is_noticed(tmp_path: Path) -> None:
-    path = tmp_path / "broken.html"
-    path.write_text(BROKEN, encoding="utf-8")
-    (seen,) = look_at(path, 390)
-    assert seen.chapters == ["seen"]
-    assert seen.scroll_width > 890
-    assert len(seen.wide) == 1
-    assert any("a warning" in message for message in seen.complaints)
-    assert seen.requests == ["https://example.org/picture.png"]
 
 
 def test_missing_browser_fails_only_where_it_is_needed(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,8 +1,7 @@
 """The paper's schematics: what they show, where it lies, and that files do not change."""
 
-import xml.etree.ElementTree as ElementTree
+import re
 from itertools import combinations, product
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -26,8 +25,19 @@ LABELS = {
     STOP: ["m1", "m2", "k1", "k2", "k3", "x1", "x2", "1"],
     BELT: ["m1", "m2", "k1", "k2", "x1", "x2", "F1", "F2", "V"],
     SECTIONS: [
-        *("Σ0=Σn", "Σ1", "Σk−1", "Σk", "Σn−1", "Φ1", "Φk", "Φn", "⋮", "⋮"),
-        *("P1", "Pk", "Pn", "P=Pn∘⋯∘P1", "Z", "P(Z)", "Z0"),
+        *(
+            "Sigma0=Sigman",
+            "Sigma1",
+            "Sigmak-1",
+            "Sigmak",
+            "Sigman-1",
+            "Phi1",
+            "Phik",
+            "Phin",
+            "vdots",
+            "vdots",
+        ),
+        *("P1", "Pk", "Pn", "P=PncirccdotscircP1", "Z", "P(Z)", "Z0"),
         *("periodicorbit", "neighbouringtrajectory"),
     ],
 }
@@ -77,15 +87,6 @@ def strokes(artist: Line2D | Patch) -> list[Outline]:
     return [Outline(points) for points in path.to_polygons(closed_only=False)]
 
 
-def read(text: ElementTree.Element) -> str:
-    """Letters of a label, from left to right, without spaces."""
-    spans = [(span.get("x", "").split(), span.text or "") for span in text]
-    letters = sorted(
-        (float(x), letter) for places, span in spans for x, letter in zip(places, span, strict=True)
-    )
-    return "".join([*(text.text or "").split(), *(letter for _, letter in letters)])
-
-
 # --- files
 
 
@@ -96,11 +97,8 @@ def test_the_same_schematic_has_the_same_bytes(stem: str, ending: str, paper: Pa
     assert paper.again[f"{stem}.{ending}"] == first
 
 
-def test_the_labels_are_those_of_the_paper(stem: str, figure: Figure, tmp_path: Path) -> None:
-    with matplotlib.rc_context({"svg.fonttype": "none"}):
-        figure.savefig(tmp_path / "labels.svg")
-    tree = ElementTree.parse(tmp_path / "labels.svg")
-    found = [read(text) for text in tree.iter("{http://www.w3.org/2000/svg}text")]
+def test_the_labels_are_those_of_the_paper(stem: str, figure: Figure) -> None:
+    found = [re.sub(r"[$_{}\\ ]", "", text.get_text()) for text in figure.axes[0].texts]
     assert sorted(found) == sorted(LABELS[stem])
 
 

@@ -8,8 +8,7 @@ from functools import cache
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.runtime.model.kernels import load_system
-from nonsmooth.runtime.model.naming import shown_name, units_of
+from nonsmooth.runtime.model.naming import shown_name
 from tests.cli.terminal import on_terminal
 from tests.cli.test_cli import run
 from tests.places import GALLERY
@@ -64,6 +63,7 @@ def test_words_are_broken_into_lines_in_a_pipe() -> None:
     [
         ("/home/me/gear.py:rattle", "gear/rattle"),
         ("gear.py", "gear"),
+        ("found.json:2", "found.json:2"),
         ("/home/me/my_kernels:loop", "my_kernels/loop"),
         ("dry-friction/symmetric", "dry-friction/symmetric"),
         ("dry-friction", "dry-friction"),
@@ -71,12 +71,3 @@ def test_words_are_broken_into_lines_in_a_pipe() -> None:
 )
 def test_names_are_no_paths(name: str, shown: str) -> None:
     assert shown_name(name) == shown
-
-
-def test_units_are_those_that_are_declared() -> None:
-    friction, stop = (units_of(load_system(name)) for name in ("dry-friction", "rigid-stop"))
-    assert friction.label("V") == "$V$ (nondimensional)"
-    assert friction.text("time") == "time (nondimensional)"
-    assert stop.label("r") == "$r$ (nondimensional)"
-    assert (stop.label("m1"), stop.text("time")) == ("$m_{1}$", "time")
-    assert units_of("no such system").text("time") == "time"

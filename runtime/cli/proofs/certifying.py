@@ -29,6 +29,7 @@ from nonsmooth.runtime.cli.options import (
     RequireProof,
     Save,
     Workers,
+    option,
     parameters_as,
 )
 from nonsmooth.runtime.cli.parsing import assignments, guessed, split, values_and_ranges
@@ -43,9 +44,7 @@ _SUBCOMMANDS = (
     *("basin", "region", "chaos", "check"),
 )
 
-EnclosedDigits = Annotated[
-    int, typer.Option("--digits", min=1, metavar="N", help="Decimals of the enclosures.")
-]
+EnclosedDigits = Annotated[int, option("--digits", "Decimals of the enclosures.", "N", min=1)]
 
 
 class _Certify(Commands):

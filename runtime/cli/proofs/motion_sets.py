@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import Annotated
 
-import typer
-
 from nonsmooth.runtime.cli.command import command
 from nonsmooth.runtime.cli.keeping import say, worked
 from nonsmooth.runtime.cli.options import (
@@ -20,6 +18,7 @@ from nonsmooth.runtime.cli.options import (
     Tiles,
     Workers,
     missing_start,
+    option,
     parameters_as,
 )
 from nonsmooth.runtime.cli.parsing import assignments, ends, guessed, split, values_and_ranges
@@ -57,9 +56,7 @@ def certify_basin(
         ),
     ] = None,
     guess: Guess = None,
-    side: Annotated[
-        float | None, typer.Option("--side", metavar="H", help="The longest side of a tile.")
-    ] = None,
+    side: Annotated[float | None, option("--side", "The longest side of a tile.", "H")] = None,
     tiles: Tiles = 20_000,
     workers: Workers = None,
     require: RequireProof = None,
@@ -118,12 +115,10 @@ def certify_chaos(
     parameters: Physical = None,
     start: Start = None,
     configuration: Configuration = None,
-    iterates: Annotated[
-        int, typer.Option("--iterates", min=1, metavar="N", help="The largest power of the map.")
-    ] = 8,
+    iterates: Annotated[int, option("--iterates", "The largest power of the map.", "N", min=1)] = 8,
     exponents: Annotated[
         bool,
-        typer.Option("--exponents", help="Bound Lyapunov exponents too, by a cone condition."),
+        option("--exponents", "Bound Lyapunov exponents too, by a cone condition."),
     ] = False,
     require: RequireProof = None,
     *,
@@ -193,20 +188,20 @@ def certify_region(
     configuration: Configuration = None,
     boxes: Annotated[
         int | None,
-        typer.Option(
+        option(
             "--boxes",
-            metavar="N",
-            help="Boxes along each coordinate of the section, at least; 1024 of one coordinate,"
+            "Boxes along each coordinate of the section, at least; 1024 of one coordinate,"
             " 96 of each of two, if not given.",
+            "N",
         ),
     ] = None,
     levels: Annotated[
         int,
-        typer.Option(
+        option(
             "--levels",
-            metavar="N",
-            help="How often boxes are divided at most: those on cycles, of unknown image, and"
+            "How often boxes are divided at most: those on cycles, of unknown image, and"
             " those that leave the region in part.",
+            "N",
         ),
     ] = 0,
     workers: Workers = None,

@@ -7,8 +7,6 @@ from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, Annotated, Any
 
-import typer
-
 from nonsmooth.runtime.cli.command import command
 from nonsmooth.runtime.cli.keeping import worked
 from nonsmooth.runtime.cli.options import (
@@ -19,6 +17,7 @@ from nonsmooth.runtime.cli.options import (
     Save,
     Tiles,
     Yes,
+    option,
     parameters_as,
 )
 from nonsmooth.runtime.cli.parsing import Range, ends, guessed, values_and_ranges
@@ -47,11 +46,7 @@ OneRange = Annotated[
 ]
 Seconds = Annotated[
     float | None,
-    typer.Option(
-        "--seconds",
-        metavar="S",
-        help="After so long nothing more is begun; --resume goes on.",
-    ),
+    option("--seconds", "After so long nothing more is begun; --resume goes on.", "S"),
 ]
 
 

@@ -360,6 +360,6 @@ def _field(mass: np.ndarray, stiffness: Sequence[Sequence[float]], force: float)
 
 def _flow(field: np.ndarray, times: Any) -> np.ndarray:
     """Matrices (..., 5, 5) that carry (x, x', 1) over each time."""
-    values, vectors = np.linalg.eig(field)
-    powers = np.exp(np.multiply.outer(times, values))
-    return np.asarray(((vectors * powers[..., None, :]) @ np.linalg.inv(vectors)).real)
+    from scipy.linalg import expm
+
+    return np.asarray(expm(np.multiply.outer(times, field)))

@@ -19,6 +19,7 @@ from nonsmooth.runtime.present.pictures.drawing import (
     drawn_alone,
     finish,
     widen,
+    line_style,
 )
 
 if TYPE_CHECKING:
@@ -103,15 +104,10 @@ def draw_locus(locus: Locus, axes: Any = None) -> Any:
 
 
 def _draw_locus(locus: Locus, axes: Any) -> None:
-    color, dashes = LINES[len(axes.lines) // 2 % len(LINES)]
+    style = line_style(len(axes.lines) // 2)
     label = f"{locus.kind.replace('-', ' ')} {locus.boundary}".strip()
-    axes.plot(*locus.values.T, color=color, linestyle=dashes, linewidth=1.8, label=label)
-    axes.plot(
-        *locus.values[locus.start],
-        marker=_MARKERS.get(locus.kind, _OTHER),
-        color=color,
-        linestyle="none",
-    )
+    axes.plot(*locus.values.T, label=label, **style)
+    axes.plot(*locus.values[locus.start], marker=_MARKERS.get(locus.kind, _OTHER), **style)
     first, second = locus.parameters
     units = units_of(locus.orbit.system)
     finish(axes, shown_name(locus.name), units.label(first), units.label(second))

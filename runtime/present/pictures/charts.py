@@ -109,23 +109,11 @@ def _draw_map(axes: Axes, chart: Dataset, parts: list[Part], colors: list[str]) 
 
 def _outlines(labels: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
     """Sides (n, 2, 2) between neighbouring cells that belong to different parts."""
-    left, below = _sides(x), _sides(y)
+    corners = np.stack(np.meshgrid(_sides(x), _sides(y), indexing="ij"), axis=-1)
     i, j = np.nonzero(labels[1:] != labels[:-1])
-    upright = np.stack(
-        [
-            np.stack([left[i + 1], below[j]], axis=-1),
-            np.stack([left[i + 1], below[j + 1]], axis=-1),
-        ],
-        axis=1,
-    )
+    upright = np.stack([corners[i + 1, j], corners[i + 1, j + 1]], axis=1)
     i, j = np.nonzero(labels[:, 1:] != labels[:, :-1])
-    level = np.stack(
-        [
-            np.stack([left[i], below[j + 1]], axis=-1),
-            np.stack([left[i + 1], below[j + 1]], axis=-1),
-        ],
-        axis=1,
-    )
+    level = np.stack([corners[i, j + 1], corners[i + 1, j + 1]], axis=1)
     return np.concatenate([upright, level])
 
 

@@ -9,9 +9,9 @@ import numpy as np
 from nonsmooth.runtime.explore.design.design import along
 from nonsmooth.runtime.model.naming import shown_name, units_of
 from nonsmooth.runtime.present.pictures.drawing import (
-    LINES,
     drawn_alone,
     finish,
+    line_style,
 )
 
 if TYPE_CHECKING:
@@ -48,18 +48,17 @@ def draw_design(design: Design, axes: Any = None) -> Any:
 def _iterates(design: Design, axes: Any) -> None:
     count = len(design.parameters)
     for place, name in enumerate(design.quantities):
-        color, dashes = LINES[place % len(LINES)]
         values = design.history[:, count + place]
-        axes.plot(values, color=color, linestyle=dashes, marker=".", label=_word(name))
+        axes.plot(values, marker=".", label=_word(name), **line_style(place))
     finish(axes, shown_name(design.orbit.name), "iterate")
 
 
 def _along(design: Design, name: str, axes: Any) -> None:
     values, found = along(design, design.orbit, name, _POINTS)
     for place, quantity in enumerate(design.quantities):
-        color, dashes = LINES[place % len(LINES)]
-        axes.plot(values, found[:, place], color=color, linestyle=dashes, label=_word(quantity))
-        axes.plot(design.after[name], design.after[quantity], marker="o", color=color)
+        style = line_style(place)
+        axes.plot(values, found[:, place], label=_word(quantity), **style)
+        axes.plot(design.after[name], design.after[quantity], marker="o", **style)
     finite = values[np.isfinite(found).any(axis=1)]
     if len(finite):
         axes.set_xlim(finite.min(), finite.max())
@@ -72,11 +71,11 @@ def _along_branch(design: Design, axes: Any) -> None:
     values, before = along(design, design.start, name, _POINTS)
     _, after = along(design, design.orbit, name, _POINTS)
     for place, quantity in enumerate(design.quantities):
-        color, dashes = LINES[place % len(LINES)]
-        axes.plot(values, before[:, place], color=color, linestyle=dashes, alpha=0.4)
-        axes.plot(values, after[:, place], color=color, linestyle=dashes, label=_word(quantity))
+        style = line_style(place)
+        axes.plot(values, before[:, place], alpha=0.4, **style)
+        axes.plot(values, after[:, place], label=_word(quantity), **style)
     worst = [design.after[design.quantity]] * len(design.worst_at)
-    axes.plot(design.worst_at, worst, marker="o", linestyle="none", color=LINES[0][0])
+    axes.plot(design.worst_at, worst, marker="o", **{**line_style(0), "linestyle": "none"})
     finish(axes, "pale: where it began", units_of(design.orbit.system).label(name))
 
 

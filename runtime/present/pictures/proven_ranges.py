@@ -10,7 +10,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.model.naming import shown_name, units_of
-from nonsmooth.runtime.present.pictures.drawing import drawn_alone, finish
+from nonsmooth.runtime.present.pictures.drawing import drawn_alone, finish, mark_style
 from nonsmooth.runtime.proof.boxes.box_certificate import VERDICTS, BoxCertificate, Tile
 from nonsmooth.runtime.proof.branch.certified_branch import BranchTile, CertifiedBranch
 from nonsmooth.runtime.proof.branch.certified_doubling import CertifiedDoubling
@@ -34,7 +34,6 @@ _PARTS = 16  # of a curve in a tile
 _STYLES = ("-", "--", "-.", ":")
 _POINTS = 40  # of a tile
 _AWAY = 60  # points of the orbits beside a flip
-_MARKS = "osD^vP*X"
 
 
 def draw_box(found: BoxCertificate, axes: Any = None) -> Any:
@@ -75,37 +74,26 @@ def _areas(found: BoxCertificate) -> dict[str, float]:
 
 def _draw_curves(axes: Axes, found: BoxCertificate) -> None:
     """Draw curves at which verdicts change, each kind of event in a style of its own."""
-    kinds = list(dict.fromkeys(curve.event.kind for curve in found.curves))
+    kinds: dict[str, int] = {}
     for curve in found.curves:
-        number = kinds.index(curve.event.kind)
-        first = curve is next(c for c in found.curves if c.event.kind == curve.event.kind)
-        axes.plot(
-            [x for x, _ in curve.points],
-            [y for _, y in curve.points],
-            color="black",
-            linewidth=1.4,
-            linestyle=_STYLES[number % len(_STYLES)],
-            label=curve.event.kind if first else None,
-        )
+        kind = curve.event.kind
+        label = None if kind in kinds else kind
+        style = _STYLES[kinds.setdefault(kind, len(kinds)) % len(_STYLES)]
+        points = np.transpose(curve.points)
+        axes.plot(*points, color="black", linewidth=1.4, linestyle=style, label=label)
 
 
-def _side_of_tile(found: BoxCertificate, tile: Tile) -> list[tuple[float, float]]:
-    """Corners of the part of a divided tile below its curve."""
+def _side_of_tile(found: BoxCertificate, tile: Tile) -> np.ndarray:
+    """Corners (n, 2) of the part of a divided tile below its curve."""
     assert tile.event is not None
     band = tile.event.band
-    ends = list(found.where(tile).values())
     places = [Fraction(2 * k - _PARTS, _PARTS) for k in range(_PARTS + 1)]
-    along = [(place, min(max(float(band.at(place)), -1.0), 1.0)) for place in places]
-    corners = [(places[0], -1.0), *along, (places[-1], -1.0)]
-    found_corners = []
-    for other, at in corners:
-        point = (at, float(other)) if band.axis == 0 else (float(other), at)
-        x, y = (
-            float(low) + (e + 1) / 2 * float(high - low)
-            for e, (low, high) in zip(point, ends, strict=True)
-        )
-        found_corners.append((x, y))
-    return found_corners
+    edge = [(place, min(max(float(band.at(place)), -1.0), 1.0)) for place in places]
+    corners = [(-1, -1), *edge, (1, -1)]
+    points = [(at, other) if band.axis == 0 else (other, at) for other, at in corners]
+    low, high = np.array([*found.where(tile).values()], dtype=float).T
+    placed: np.ndarray = low + (np.array(points, dtype=float) + 1) / 2 * (high - low)
+    return placed
 
 
 def _draw_plane(axes: Axes, found: BoxCertificate) -> None:
@@ -265,10 +253,8 @@ def _finish(
         axes.plot(
             [float(x[branches[0].parameter]) for x in there],
             [float(x[name]) for x in there],
-            linestyle="none",
-            marker=_MARKS[place % len(_MARKS)],
-            color="black",
             label=f"{kind}, enclosed",
+            **{**mark_style(place), "color": "black"},
         )
     units = units_of(found.system)
     finish(axes, shown_name(found.orbit), units.label(found.parameter), units.label(name))
