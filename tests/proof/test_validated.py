@@ -16,6 +16,7 @@ from nonsmooth import InputError, certify
 from nonsmooth.derive import (
     Boundary,
     Configuration,
+    FirstOrder,
     Harmonic,
     RigidStop,
     SecondOrder,
@@ -368,6 +369,32 @@ def refused(reached: str, about: arb, configuration: str = "slip-slip") -> bool:
     except (Failure, TooWide):
         return True
     return False
+
+
+def test_nothing_is_reached_before_what_is_open() -> None:
+    """The boundary with p = (t - 1)^2 (t - 3) is touched at t = 1; the other one is passed before.
+
+    Where the one is reached at t = 3 is asked for, and why that is not known has to be told of a
+    time before which it is known that nothing is reached.
+    """
+    p, q, s, u = sp.symbols("p q s u", real=True)
+    rates = sp.zeros(4)
+    rates[0, 1] = rates[1, 2] = 1
+    reached = Boundary("touched", p), Boundary("passed", u)
+    system = System(
+        "cubic", "", (p, q, s, u), (),
+        (Configuration("free", FirstOrder(rates, (0, 0, 6, 1)), reached),),
+        tuple(Transition("free", {own.name}, "free", (), {}) for own in reached),
+    )  # fmt: skip
+    for before in (fmpq(1, 2), fmpq(2)):
+        with flint_precision(128):
+            start = [fmpq(-3), fmpq(7), fmpq(-10), -before]
+            motion = OneMotion(whole_system(exact_system(system, {})), "free", start)
+            with pytest.raises(TooWide, match="is reached tangentially") as caught:
+                motion.arrive(frozenset({"touched"}), arb(3))
+            first = min(1, before)
+            assert caught.value.at.contains(first)
+            assert float(caught.value.at.rad()) < 1e-15
 
 
 def test_only_what_is_next_is_proved() -> None:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from itertools import pairwise
 
 import pytest
 import sympy as sp
+from flint import arb
 
 from nonsmooth import certify
 from nonsmooth.derive import (
@@ -21,6 +23,8 @@ from nonsmooth.derive import (
     Transition,
     oscillator,
 )
+from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.proof.motion.motion_proof import Proof
 from tests.declared_motion import DeclaredMotion
 
 x, v, c, s = sp.symbols("x v c s", real=True)
@@ -154,6 +158,39 @@ def test_a_damped_mass_is_proved_to_come_to_rest(a: str, k: str) -> None:
     assert proof.decided
     assert proof.transitions == 0
     assert proof.reason == "no boundary is reached any more"
+
+
+@pytest.mark.parametrize("rate", [10**4, 10**6])
+def test_a_motion_takes_a_unit_of_time_that_is_longer(rate: int) -> None:
+    """Of a mass of some megahertz in seconds as much is proved as in its own unit."""
+
+    def proved(rate: int) -> Proof:
+        stop = RigidStop("x", at="1/1000", restitution="4/5")
+        matrices = [[1]], [[rate**2]], [[Fraction(rate, 10)]]
+        system = oscillator("struck", ["x"], *matrices, elements=[stop])
+        return certify.motion(system, {}, [0, Fraction(rate, 100)], "free", 6)
+
+    fast, slow = proved(rate), proved(1)
+    assert fast.transitions == slow.transitions == 6
+    for one, other in zip(fast.times, slow.times, strict=True):
+        assert (one.ball * rate).overlaps(other.ball)
+
+
+def test_the_arrival_behind_which_nothing_is_declared_is_enclosed() -> None:
+    """At x = 1 with v < 9, where x'' = 2: after a time 1/sqrt(2), as x begins at 1/2."""
+    one = Boundary("stop", x - 1)
+    system = System(
+        "falling", "", (x, v), (),
+        (Configuration("free", SecondOrder([[1]], [[0]], (2,)), (one,)),),
+        (Transition("free", {"stop"}, "free", (Condition(v - 9, "free"),), {v: -v}),),
+    )  # fmt: skip
+    proof = certify.motion(system, {}, ["1/2", 0], "free", 1)
+    assert proof.reason is not None
+    assert "no transition is declared for stop" in proof.reason
+    assert proof.instant is not None
+    with flint_precision(2 * proof.bits):
+        assert proof.instant.contains(1 / arb(2).sqrt())
+    assert 0 < float(proof.instant.rad) < 1e-30
 
 
 def test_a_growing_motion_is_not_called_quiet() -> None:

@@ -12,7 +12,7 @@ from math import ceil, frexp, hypot, ldexp
 from typing import Any, NamedTuple
 
 import numpy as np
-from flint import arb, arb_mat, ctx
+from flint import arb, arb_mat, ctx, fmpq_mat
 
 from nonsmooth.runtime.checker.stated.exact import Failure
 
@@ -32,8 +32,11 @@ _STEPS, _TERMS = 64, 20  # at once, and of Taylor's polynomial over a step
 class TooWide(Exception):
     """Nothing is shown of a set, though perhaps of parts of it, or with more digits.
 
-    `name` is the boundary of which it is not known whether it is reached, and `at` a ball of times
-    since the phase's start, where these are known; `reason` says what else is open.
+    It is raised where the radii of balls leave a sign open, a phase has too many windows, or a
+    centre is not finite. `name` is the boundary of which it is not known whether it is reached, and
+    `at` a ball of times, where these are known: since the phase's start, or since the motion's
+    where `OneMotion` raises it, and then nothing else is reached before; `reason` says what is
+    open.
     """
 
     def __init__(self, reason: str = "", name: str = "", at: Any = None) -> None:
@@ -158,11 +161,18 @@ class CarryingPhase:
         raise Failure("a state of a set does not come to the boundary that is stated")
 
     @cached_property
+    def fastest(self) -> float:
+        """About the largest size of an eigenvalue; 0 where all of them are."""
+        if not any(fmpq_mat(self.exact).charpoly().coeffs()[:-1]):
+            return 0.0
+        rates = arb_mat(self.near).eig(algorithm="approx")
+        return max(hypot(float(x.real.mid()), float(x.imag.mid())) for x in rates)
+
+    @cached_property
     def step(self) -> float:
         """A time that is short for the fastest motion of the phase."""
-        rates = arb_mat(self.near).eig(algorithm="approx")
-        fastest = max(hypot(float(x.real.mid()), float(x.imag.mid())) for x in rates)
-        return _GRID / max(fastest, 0.05 * max(sum(map(abs, row)) for row in self.near), 1e-6)
+        size = max(sum(map(abs, row)) for row in self.near)
+        return _GRID / max(self.fastest, 0.05 * size, 1e-6)
 
     @cached_property
     def _ahead(self) -> tuple[float, Any]:
@@ -192,14 +202,15 @@ class CarryingPhase:
     ) -> None:
         """Show that no boundary is reached up to a time; `TooWide` if that is not shown.
 
-        `watched` has the boundaries, with the order of the first derivative that is not zero
-        at the start; `ends` is the one that is known to be negative at the end. A window in
-        which a function rises is left to the next one, or to the end where it is known to be
-        negative; one in which it falls is left to the one before it, or to the start, where it is
-        not positive: both cannot meet. The phase is halved `deepest` times at most, and so many
-        windows are looked at as `_MOST_WINDOWS`.
+        `watched` has the boundaries, with the order of the first derivative that is not zero at the
+        start; `ends` is the one that is known to be negative at the end. A window in which a
+        function rises, and whose end does not tell its sign, is left to the next one, or to the end
+        where it is known to be negative; one in which it falls is left to the one before it, or to
+        the start, where it is not positive: both cannot meet. The times that are told begin where
+        such a function begins to rise, so that all are negative before. The phase is halved
+        `deepest` times at most, and so many windows are looked at as `_MOST_WINDOWS`.
         """
-        windows = [(arb(0), until, 0, sorted(watched))]
+        windows, rising = [(arb(0), until, 0, sorted(watched))], dict[str, Any]()
         for number in count(1):
             if not windows:
                 return
@@ -212,12 +223,23 @@ class CarryingPhase:
             for name in names:
                 first = watched[name] if begin == 0 else 0
                 if self._over(name, first, moved, over, radius) < 0:
+                    rising.pop(name, None)
                     continue
-                slope, rises = self._over(name, 1, moved, over, radius), name == ends or end < until
-                if not (slope < 0 or (rises and slope > 0)):
+                slope = self._over(name, 1, moved, over, radius)
+                if slope < 0:
+                    continue
+                height = self._over(name, 0, moved, over, end - middle)
+                if slope > 0 and height < 0:
+                    rising.pop(name, None)
+                elif slope > 0 and not height > 0 and (name == ends or end < until):
+                    rising.setdefault(name, begin)
+                else:
                     left.append(name)
             if left and (depth == deepest or number >= _MOST_WINDOWS):
-                raise TooWide("", left[0], middle + radius)
+                at = middle + radius
+                for since in rising.values():
+                    at = at.union(since)
+                raise TooWide("", left[0], at)
             if left:
                 windows.append((middle, end, depth + 1, left))
                 windows.append((begin, middle, depth + 1, left))
