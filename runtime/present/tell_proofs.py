@@ -38,7 +38,7 @@ _UNNAMED = "an orbit of the declaration in the file"
 def _number(text: str) -> float | Decimal:
     """A number of a file as a double, or as a decimal where it is too large or small for one."""
     above, _, below = text.partition("/")
-    number = _WIDE.divide(Decimal(above), Decimal(below or 1))
+    number = _WIDE.divide(Decimal(above), Decimal(below or 1)).normalize(_WIDE)
     double = float(number)
     return double if math.isfinite(double) and bool(double) == bool(number) else number
 

@@ -21,6 +21,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from flint import arb, arb_mat, ctx
+from typer.testing import CliRunner
 
 import nonsmooth as ns
 from nonsmooth import InputError
@@ -36,6 +37,7 @@ from nonsmooth.runtime.checker.orbits.stability import (
     multipliers,
     others_below,
 )
+from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.present.tell import tell
 from nonsmooth.runtime.proof.certificate import Certificate
@@ -611,7 +613,7 @@ RUNTIME = files("nonsmooth.runtime")
 ARITHMETIC = {
     "taylor_models", "jets", "rational_functions", "irrational_numbers",
     "float_sets", "exponentials.float_flows", "box_grid",
-    "parallel", "errors",  # no arithmetic: who does which part
+    "parallel", "errors", "values",  # no arithmetic: who does which part, and what is no number
 }  # fmt: skip
 
 
@@ -658,13 +660,22 @@ def test_the_checker_runs_alone(name: str, alone: Path, tmp_path: Path) -> None:
         [sys.executable, "-I", "-c", run, str(alone), str(path)],
         capture_output=True, text=True, check=False,
     )  # fmt: skip
-    assert (done.returncode, done.stdout) == (0, "every claim is proved\n"), done.stderr
+    assert (done.returncode, done.stdout) == (0, f"{path}: every claim holds\n"), done.stderr
+
+
+def with_parameter(text: str, value: str) -> str:
+    content = json.loads(text)
+    content["parameters"][next(iter(content["parameters"]))] = value
+    return json.dumps(signed(content))
 
 
 @pytest.mark.parametrize(
     ("change", "code", "told"),
     [
-        (lambda text: text, 0, "every claim is proved"),
+        (lambda text: text, 0, "every claim holds"),
+        (lambda text: with_parameter(text, "1/0"), 2, "division by zero"),
+        (lambda text: with_parameter(text, "sum"), 2, "unknown name 'sum'"),
+        (lambda text: with_parameter(text, "5/7"), 1, "not proved"),
         (lambda text: text[:-20], 2, "it cannot be read"),
         (lambda text: "[" * 10**5, 2, "it cannot be read"),
         (lambda text: "[]", 2, "it is no certificate"),
@@ -679,7 +690,7 @@ def test_the_checker_says_what_is_wrong_in_one_line(
     certificate("kicked").save(path)
     path.write_text(change(path.read_text()))
     found, said = judged(str(path))
-    assert found == code
+    assert found == code == CliRunner().invoke(app, ["certify", "check", str(path)]).exit_code
     assert told in said
     assert "\n" not in said
     assert judged(str(tmp_path / "none.json"))[0] == 2
@@ -743,6 +754,23 @@ def test_no_power_of_any_parameter_is_too_high(
     check(signed(content))
     wall[-1][part] = [["1", exponents]]
     refused(content, "a power too high")
+
+
+@pytest.mark.parametrize(
+    ("radius", "told"),
+    [
+        ("1e3000", "1e+3000"),
+        (f"1{'0' * 3000}", "1e+3000"),
+        (f"1/1{'0' * 21}", "1e-21"),
+    ],
+)
+def test_radii_that_no_double_is_are_shown(radius: str, told: str, tmp_path: Path) -> None:
+    path = tmp_path / "proof.json"
+    certificate("elastic").save(path)
+    content = json.loads(path.read_text())
+    content["enclosures"]["period"]["rad"] = radius
+    path.write_text(json.dumps(signed(content)))
+    assert f" +- {told}" in str(ns.certify.check(path)).lower()
 
 
 @pytest.mark.parametrize("text", ["1/0", "1.5/2", "1e999999999", "٣"])

@@ -8,7 +8,7 @@ that every state of the set does about then, and nothing else before.
 from collections.abc import Sequence
 from functools import cached_property
 from itertools import count
-from math import ceil, frexp, hypot, ldexp
+from math import ceil, frexp, ldexp
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -146,7 +146,7 @@ class CarryingPhase:
             raise TooWide
         seen, slopes = self._seen(name)
         for _ in range(_LONGEST // _STEPS):
-            values = seen @ state
+            values = _times(seen, state)
             before, behind = values[:-1], values[1:]
             below = before < 0
             below[1 if not time else 0 :] |= before[1 if not time else 0 :] == 0
@@ -154,10 +154,11 @@ class CarryingPhase:
             if len(rises):
                 k = int(rises[0])
                 part = step * before[k] / (before[k] - behind[k])
-                return float(time + k * step + _root(slopes @ powers[k] @ state, part))
+                terms = _times(slopes, _times(powers[k], state)).tolist()
+                return float(time + k * step + _root(terms, part))
             if not np.isfinite(values).all():
                 break
-            state, time = powers[-1] @ state, time + _STEPS * step
+            state, time = _times(powers[-1], state), time + _STEPS * step
         raise Failure("a state of a set does not come to the boundary that is stated")
 
     @cached_property
@@ -166,7 +167,7 @@ class CarryingPhase:
         if not any(fmpq_mat(self.exact).charpoly().coeffs()[:-1]):
             return 0.0
         rates = arb_mat(self.near).eig(algorithm="approx")
-        return max(hypot(float(x.real.mid()), float(x.imag.mid())) for x in rates)
+        return max(float(abs(x).mid()) for x in rates)
 
     @cached_property
     def step(self) -> float:
@@ -177,19 +178,21 @@ class CarryingPhase:
     @cached_property
     def _ahead(self) -> tuple[float, Any]:
         """A step of time, and the flows over no, one and more steps in double precision."""
-        step, powers = self.step, [np.eye(self.size)]
+        step, powers = self.step, [self.flow(arb(0))]
+        flow = self.flow(arb(step))
         for _ in range(_STEPS):
-            powers.append(np.array(_near(self.flow(arb(step)))) @ powers[-1])
-        return step, np.stack(powers)
+            powers.append(flow * powers[-1])
+        return step, np.array([_near(power) for power in powers])
 
     def _seen(self, name: str) -> tuple[Any, Any]:
         """A boundary's function after no, one and more steps, and Taylor's coefficients of it."""
         if name not in self._rows:
-            (row,), field = _near(self.timed(self.rows[name])), np.array(self.near)
-            slopes = [np.array(row)]
+            slopes = [self.timed(self.rows[name])]
             for k in range(1, _TERMS):
-                slopes.append(slopes[-1] @ field / k)
-            self._rows[name] = row @ self._ahead[1], np.stack(slopes)
+                slopes.append(slopes[-1] * self.matrix / k)
+            near = np.array([_near(row)[0] for row in slopes])
+            across = self._ahead[1].transpose(0, 2, 1)
+            self._rows[name] = _times(across, near[0]), near
         return self._rows[name]
 
     def clear(
@@ -332,13 +335,21 @@ def _near(matrix: Any) -> list[list[float]]:
     return [[float(x.mid()) for x in row] for row in matrix.tolist()]
 
 
-def _root(terms: Any, part: float) -> float:
+def _times(rows: Any, numbers: Any) -> Any:
+    """Return rows (..., n) times n numbers, summed in one order on every machine."""
+    total = rows[..., 0] * numbers[0]
+    for k in range(1, len(numbers)):
+        total = total + rows[..., k] * numbers[k]
+    return total
+
+
+def _root(terms: list[float], part: float) -> float:
     """Return where a polynomial is zero, by Newton's method from about there."""
-    powers = np.arange(len(terms))
     for _ in range(4):
-        raised = part**powers
-        slope = (powers[1:] * terms[1:]) @ raised[:-1]
+        value = slope = 0.0
+        for term in reversed(terms):
+            value, slope = value * part + term, slope * part + value
         if not slope:
             break
-        part -= terms @ raised / slope
+        part -= value / slope
     return part
