@@ -42,13 +42,12 @@ def judged(path: str) -> tuple[int, str]:
 
 def _parameters(entry: Any) -> Iterator[str]:
     """Yield the texts of all parameters in an entry of a file of the right shape."""
-    parts = entry if isinstance(entry, list) else ()
     if isinstance(entry, dict):
-        parts = entry.values()
         given = entry.get("parameters")
         if isinstance(given, dict):
             yield from given.values()
-    for part in parts:
+        entry = [*entry.values()]
+    for part in entry if isinstance(entry, list) else ():
         yield from _parameters(part)
 
 

@@ -9,11 +9,11 @@ import sympy as sp
 
 import nonsmooth as ns
 from nonsmooth.derive import Boundary, Configuration, FirstOrder, Parameter, System, Transition
-from nonsmooth.runtime.checker import Failure, check_graph
+from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.state_sets.many_sets import ManyMotions
 from nonsmooth.runtime.checker.stated.grids import stated_divided_grid
 from nonsmooth.runtime.model.kernels import load_system
-from tests.certified import accepted, claimed, flat, refused_file, runs, signed
+from tests.certified import accepted, believed, claimed, flat, refused_file, runs, signed
 from tests.friction_sets import DATA
 from tests.horseshoes import FRICTION_DATA
 from tests.places import GALLERY
@@ -170,7 +170,7 @@ def test_boxes_that_hold_no_state_are_no_component(tmp_path):
     content |= {**none, "trapping": [[1, 2]], "claim": "proved"}
     empty = signed({**content, "edges": [[0, 0, 2], [1, 0, 2]]})
     with pytest.raises(Failure, match="from a box that has no image"):
-        check_graph(empty)
+        believed(empty)
 
 
 @pytest.mark.slow

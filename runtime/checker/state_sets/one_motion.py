@@ -13,9 +13,9 @@ from flint import arb, arb_mat, ctx, fmpq
 from nonsmooth.runtime.checker.state_sets.entries import CarryingSystem, Entry
 from nonsmooth.runtime.checker.state_sets.for_ever import stays_negative
 from nonsmooth.runtime.checker.state_sets.portions import direction
-from nonsmooth.runtime.checker.state_sets.sets import CarryingPhase, StateSet, TooWide
+from nonsmooth.runtime.checker.state_sets.sets import CarryingPhase, StateSet, TooWide, row_of
 from nonsmooth.runtime.checker.state_sets.switching import SwitchingSystem
-from nonsmooth.runtime.checker.stated.exact import demand, product, reduced
+from nonsmooth.runtime.checker.stated.exact import demand, fixed, pivot, product, reduced
 
 __all__ = ["OneMotion"]
 
@@ -35,9 +35,7 @@ class OneMotion(CarryingSystem):
         super().__init__(system)
         demand(configuration in system.fields, "there is no such configuration")
         demand(len(start) == system.size, "a state of another size")
-        facts = [
-            (*(fmpq(int(i == k)) for i in range(system.size)), -x) for k, x in enumerate(start)
-        ]
+        facts = fixed(system.size, enumerate(start))
         held, rows = system.held[configuration], system.boundaries[configuration]
         demand(not any(any(reduced(row, facts)) for row in held), "the start is off what is held")
         inside = all(reduced(row, facts)[-1] <= 0 for row in rows.values())
@@ -95,7 +93,7 @@ class OneMotion(CarryingSystem):
         phase, watched, first = self.phase, self.entry.watched(self.states), min(reached)
         own, others = ({name: order for name, order in watched.items() if (name in reached) == mine}
                        for mine in (True, False))  # fmt: skip
-        row = phase.timed(phase.rows[first])
+        row = row_of(phase.rows[first])
         least = 2.0 ** -min(ctx.prec // 2, _DEEPEST)
         try:
             arrived, before, after = phase.arrive(self.states, row, about, least)
@@ -159,12 +157,12 @@ class OneMotion(CarryingSystem):
         demand(all(any(row[:-1]) for row in entry.facts), "what is known contradicts itself")
         found = behind.hull.entries()[:-1]
         for row in entry.facts:  # what gives a state exactly, or better
-            pivot = next(k for k, x in enumerate(row) if x)
+            place = pivot(row)
             pairs = zip(row[:-1], found, strict=False)
             given = -sum(
-                (x * y for k, (x, y) in enumerate(pairs) if x and k != pivot), arb(row[-1])
+                (x * y for k, (x, y) in enumerate(pairs) if x and k != place), arb(row[-1])
             )
-            found[pivot] = given if given.rad() <= found[pivot].rad() else found[pivot]
+            found[place] = given if given.rad() <= found[place].rad() else found[place]
         self.states, self.entry = _about(found), entry
 
 

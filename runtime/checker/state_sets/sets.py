@@ -16,7 +16,7 @@ from flint import arb, arb_mat, ctx, fmpq_mat
 
 from nonsmooth.runtime.checker.stated.exact import Failure
 
-__all__ = ["CarryingPhase", "StateSet", "TooWide", "matrix_of"]
+__all__ = ["CarryingPhase", "StateSet", "TooWide", "matrix_of", "row_of"]
 
 _ORDER = 7  # of Taylor's polynomials; more at a precision above 128 bits
 _DEEPEST = 14  # halvings of a phase
@@ -59,6 +59,11 @@ def matrix_of(rows: Sequence[Sequence[Any]], runs: bool) -> Any:
     else:
         found[size, size] = arb(1)
     return found
+
+
+def row_of(row: Sequence[Any]) -> Any:
+    """Return an exact row (N + 1) over (states, 1) as a row (1, N + 2) over (states, time, 1)."""
+    return arb_mat([[*map(arb, row[:-1]), arb(0), arb(row[-1])]])
 
 
 class StateSet(NamedTuple):
@@ -129,10 +134,6 @@ class CarryingPhase:
         """Return the flow over a time, as a matrix over (states, time, 1)."""
         return (self.matrix * time).exp()
 
-    def timed(self, row: Any) -> Any:
-        """Return a row (N + 1) as a row (1, N + 2) over (states, time, 1)."""
-        return arb_mat([[*(arb(x) for x in row[:-1]), arb(0), arb(row[-1])]])
-
     @np.errstate(all="ignore")
     def guess(self, centre: Any, name: str) -> float:
         """Return about the time at which a boundary's function of the centre first rises to zero.
@@ -187,7 +188,7 @@ class CarryingPhase:
     def _seen(self, name: str) -> tuple[Any, Any]:
         """A boundary's function after no, one and more steps, and Taylor's coefficients of it."""
         if name not in self._rows:
-            slopes = [self.timed(self.rows[name])]
+            slopes = [row_of(self.rows[name])]
             for k in range(1, _TERMS):
                 slopes.append(slopes[-1] * self.matrix / k)
             near = np.array([_near(row)[0] for row in slopes])
@@ -266,7 +267,7 @@ class CarryingPhase:
     def _derivatives(self, name: str, first: int) -> tuple[Any, Any]:
         """Return Taylor's coefficients from a derivative on, and the remainder's."""
         if (name, first) not in self._taylor:
-            row = self.timed(self.rows[name])
+            row = row_of(self.rows[name])
             for _ in range(first):
                 row = row * self.matrix
             found = []

@@ -15,8 +15,8 @@ import numpy as np
 
 from nonsmooth.runtime.checker.state_sets.entries import Unlisted
 from nonsmooth.runtime.checker.state_sets.one_motion import OneMotion
-from nonsmooth.runtime.checker.state_sets.sets import TooWide
-from nonsmooth.runtime.checker.stated.exact import Elimination, Failure, reduced
+from nonsmooth.runtime.checker.state_sets.sets import TooWide, row_of
+from nonsmooth.runtime.checker.stated.exact import Elimination, Failure, fixed, reduced
 from nonsmooth.runtime.core.errors import InputError, check_integer, unknown_name
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.transition_choice import Decider
@@ -201,7 +201,7 @@ class _Motion:
         sets = motion.moving()
         if not sets:
             return None
-        rows = arb_mat([phase.timed(phase.rows[min(names)]).entries() for names in sets])
+        rows = arb_mat([row_of(phase.rows[min(names)]).entries() for names in sets])
         step = arb(_STEP / phase.fastest if phase.fastest else 2 * phase.step)
         flow, rates = phase.flow(step).mid(), (rows * phase.matrix).mid()
         state, since = motion.states.centre, arb(0)
@@ -334,11 +334,9 @@ def _check_belongs(system: ExactSystem, configuration: int, start: Sequence[Any]
 
     It holds what is true behind every reset into it, and stays true in it.
     """
-    from flint import fmpq
-
     structure, exact, exactly = system.structure, system.exact, Elimination()
     name = structure.configurations[configuration]
-    facts = [(*(fmpq(int(i == j)) for j in range(len(start))), -x) for i, x in enumerate(start)]
+    facts = fixed(len(start), enumerate(start))
     for boundary in structure.boundaries[configuration]:
         if reduced(exact.rows[boundary.row], facts)[-1] > 0:
             raise InputError(f"the state is not in {name}: it is beyond {boundary.name}")
