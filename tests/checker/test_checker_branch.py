@@ -14,7 +14,7 @@ import nonsmooth as ns
 from nonsmooth.derive import Harmonic, SoftStop, oscillator
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.ranges.branch import checked_tiles, curve_of
-from nonsmooth.runtime.checker.ranges.branch_tile import SHARP, CheckedTile
+from nonsmooth.runtime.checker.ranges.branch_tile import CheckedTile
 from nonsmooth.runtime.core.taylor_models import range_of
 from tests.certified import believed, certified_over, prove_branch, refused, refused_file
 from tests.shared import shared_file
@@ -155,7 +155,7 @@ def test_a_map_that_is_multiplied_by_a_speed_is_the_map_times_it(preloaded: Cont
             tile = CheckedTile(curve, {**preloaded["tiles"][0], "divided": divided})
         except Failure:
             continue
-        with ctx.workprec(SHARP):
+        with ctx.workprec(192):
             orbit = tile.curve.orbit(tile.at_end(tile.low))
             whole, section = orbit.section, orbit.declared.section
             for place in range(2):
