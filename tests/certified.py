@@ -31,6 +31,7 @@ from nonsmooth.derive import (
     Transition,
     oscillator,
 )
+from nonsmooth.runtime.checker import CHECKS, Failure
 from nonsmooth.runtime.core.json_codec import by
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
@@ -46,6 +47,7 @@ __all__ = [
     "FORCED",
     "PAD",
     "accepted",
+    "believed",
     "between_springs",
     "certified_over",
     "claimed",
@@ -55,15 +57,18 @@ __all__ = [
     "forced",
     "kicked",
     "loop",
+    "moved",
     "of_files",
     "place_in",
     "prove_basin",
     "prove_branch",
     "prove_doubling",
     "prove_graph",
+    "refused",
     "refused_file",
     "rooted",
     "runs",
+    "saved",
     "signed",
     "struck",
     "struck_together",
@@ -275,6 +280,29 @@ def edited(path: Path, change: Callable[[dict[str, Any]], object]) -> dict[str, 
     content = json.loads(path.read_text())
     change(content)
     return signed(content)
+
+
+def believed(content: dict[str, Any]) -> None:
+    """See the checker prove all that a file states."""
+    CHECKS[content["format"]](content)
+
+
+def refused(content: dict[str, Any], match: str | None = None) -> None:
+    """Make the checksum right again, and see the mathematics refuse it."""
+    with pytest.raises(Failure, match=match):
+        believed(signed(content))
+
+
+def saved(content: dict[str, Any], path: Path) -> Path:
+    """A file of this content, with the checksum made right again."""
+    path.write_text(json.dumps(signed(content)))
+    return path
+
+
+def moved(entry: dict[str, str], by: object = 3) -> None:
+    """Move a ball's middle by so many radii."""
+    middle = Fraction(entry["mid"]) + Fraction(str(by)) * Fraction(entry["rad"])
+    entry["mid"] = f"{round(middle * 10**400)}e-400"
 
 
 def refused_file(content: dict[str, Any], folder: Path, told: str) -> None:

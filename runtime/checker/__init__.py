@@ -41,13 +41,8 @@ __all__ = [
     "Failure",
     "Malformed",
     "check",
-    "check_basin",
     "check_branch",
-    "check_census",
-    "check_chaos",
-    "check_doubling",
     "check_events",
-    "check_graph",
     "check_tiles",
 ]
 

@@ -1,12 +1,17 @@
 """Check one file: ``python -m nonsmooth.runtime.checker FILE``.
 
-The exit code is 0 if every claim is proved, 1 if one is not, and 2 if the file is no certificate.
+The words and exit codes are those of ``nonsmooth certify check``: 0 if every claim of the file
+holds, those that it leaves undecided included, 1 if one does not, and 2 if the file is no
+certificate, or has entries that are no numbers.
 """
 
 import json
 import sys
+from collections.abc import Iterator
+from typing import Any
 
 from nonsmooth.runtime.checker import CHECKS, Failure, Malformed
+from nonsmooth.runtime.core.values import as_value
 
 
 def judged(path: str) -> tuple[int, str]:
@@ -24,10 +29,26 @@ def judged(path: str) -> tuple[int, str]:
     except Malformed as problem:
         return 2, f"it is malformed: {problem}"
     except Failure as problem:
+        try:
+            for text in _parameters(content):
+                as_value(text)
+        except (ValueError, ZeroDivisionError) as wrong:
+            return 2, f"it is malformed: {wrong}"
         return 1, f"a claim is not proved: {problem}"
     except (LookupError, TypeError, ValueError, AttributeError, ArithmeticError) as problem:
         return 1, f"no claim is proved, as the file is not in order: {problem!r}"
-    return 0, "every claim is proved"
+    return 0, "every claim holds"
+
+
+def _parameters(entry: Any) -> Iterator[str]:
+    """Yield the texts of all parameters in an entry of a file of the right shape."""
+    if isinstance(entry, dict):
+        given = entry.get("parameters")
+        if isinstance(given, dict):
+            yield from given.values()
+        entry = [*entry.values()]
+    for part in entry if isinstance(entry, list) else ():
+        yield from _parameters(part)
 
 
 if __name__ == "__main__":
@@ -35,5 +56,5 @@ if __name__ == "__main__":
         print("python -m nonsmooth.runtime.checker takes one file", file=sys.stderr)
         sys.exit(2)
     code, told = judged(sys.argv[1])
-    print(told if code == 0 else f"{sys.argv[1]}: {told}", file=sys.stderr if code else sys.stdout)
+    print(f"{sys.argv[1]}: {told}", file=sys.stderr if code else sys.stdout)
     sys.exit(code)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import fields, replace
-from decimal import ROUND_DOWN, Context
-from fractions import Fraction
+from decimal import MAX_EMAX, MIN_EMIN, ROUND_DOWN, Context, Decimal
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.model.naming import shown_name
@@ -28,15 +28,24 @@ __all__ = ["PROOFS"]
 
 _SETS = 12  # components that are listed
 _DOWN = Context(prec=3, rounding=ROUND_DOWN)  # no more is said than is proved
+_WIDE = Context(prec=28, Emin=MIN_EMIN, Emax=MAX_EMAX)
 _WHOLE = "the branch consists of exactly these intervals and events"
 _PERIODS = 6  # numbers of iterates for which points that come back are counted
 _UNPROVED = ("claim", "claims", "precision")  # rows that are not told of a file
 _UNNAMED = "an orbit of the declaration in the file"
 
 
+def _number(text: str) -> float | Decimal:
+    """A number of a file as a double, or as a decimal where it is too large or small for one."""
+    above, _, below = text.partition("/")
+    number = _WIDE.divide(Decimal(above), Decimal(below or 1)).normalize(_WIDE)
+    double = float(number)
+    return double if math.isfinite(double) and bool(double) == bool(number) else number
+
+
 def _stated(enclosures: Mapping[str, Enclosure]) -> list[str]:
     told = {name: ball.to_json() for name, ball in enclosures.items()}
-    return [f"{n} = {float(t['mid']):.12g} +- {float(t['rad']):.2g}" for n, t in told.items()]
+    return [f"{n} = {_number(t['mid']):.12g} +- {_number(t['rad']):.2g}" for n, t in told.items()]
 
 
 def _claims(claims: Mapping[str, str], reasons: Mapping[str, str]) -> list[str]:
@@ -62,7 +71,7 @@ def _of_orbit(proof: Any) -> Rows:
 
 
 def _rounded(number: str) -> str:
-    return f"{float(Fraction(number)):.3g}"
+    return f"{_number(number):.3g}"
 
 
 def _certificate(proof: Certificate) -> Told:
@@ -97,7 +106,7 @@ def _orbit(proof: Certificate) -> list[tuple[str, str, str]]:
         rows.append((f"multiplier {number}", f"{re}{imaginary}", ""))
     if proof.enclosures:
         others = proof.other_multipliers
-        size = f"{float(Fraction(others)):g}" if others else ""
+        size = f"{_number(others):g}" if others else ""
         bound = f"at most {size} in absolute value" if size else "not enclosed"
         rows.append(("other multipliers", bound, ""))
     return rows

@@ -21,11 +21,12 @@ import numpy as np
 import pytest
 import sympy as sp
 from flint import arb, arb_mat, ctx
+from typer.testing import CliRunner
 
 import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.derive.systems import declaration
-from nonsmooth.runtime.checker import Failure, check
+from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.__main__ import judged
 from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.orbits.points import JudgedOrbit
@@ -36,10 +37,10 @@ from nonsmooth.runtime.checker.orbits.stability import (
     multipliers,
     others_below,
 )
-from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.present.tell import tell
 from nonsmooth.runtime.proof.certificate import Certificate
-from tests.certified import forced, loop, of_files, signed
+from tests.certified import believed, forced, loop, moved, of_files, refused, saved, signed
 
 STICK = "dry-friction/global-stick"
 SUBJECTS: dict[str, Callable[[], Any]] = {
@@ -75,26 +76,9 @@ def content(request: pytest.FixtureRequest, tmp_path: Path) -> dict[str, Any]:
     return found
 
 
-def refused(content: dict[str, Any], match: str | None = None) -> None:
-    """Make the checksum right again, and see the mathematics refuse it."""
-    content["sha256"] = checksum_of(content)
-    with pytest.raises(Failure, match=match):
-        check(content)
-
-
-def moved(entry: dict[str, str], by: int = 3) -> None:
-    """Move a middle outside its ball."""
-    entry["mid"] = str(_decimal(Fraction(entry["mid"]) + by * Fraction(entry["rad"])))
-
-
-def _decimal(number: Fraction) -> str:
-    exponent = 400
-    return f"{round(number * 10**exponent)}e-{exponent}"
-
-
 @of_files(*SUBJECTS)
 def test_true_certificates_pass(content: dict[str, Any]) -> None:
-    check(content)
+    believed(content)
 
 
 @of_files("global-stick", "symmetric", "rigid", "elastic", "kicked", "soft", "twice")
@@ -128,15 +112,14 @@ def test_multipliers_that_are_not_stated_are_no_larger_than_is_stated(
     bound = f"{4 * len(known) * max(1, largest)}"
     for told in ({"other_multipliers": ""}, {"multipliers": [], "other_multipliers": bound}):
         weaker = {**content, **told}
-        check(signed(weaker))
+        believed(signed(weaker))
 
 
 @of_files("global-stick")
 def test_numbers_that_are_fractions_are_shown(content: dict[str, Any], tmp_path: Path) -> None:
     content["other_multipliers"] = "1/64"
     content["margins"][0]["least"] = content["box"][0]["rad"] = f"1/{10**20}"
-    path = tmp_path / "certificate.json"
-    path.write_text(json.dumps(signed(content)))
+    path = saved(content, tmp_path / "certificate.json")
     for result in (ns.certify.check(path), ns.load(path)):
         assert "at most 0.015625 in absolute value" in str(tell(result))
     assert str(tell(result)).count("1e-20") == 2
@@ -150,7 +133,7 @@ def test_each_disc_holds_one_multiplier_of_its_own(content: dict[str, Any]) -> N
     both = {"re": wide, "im": wide}
     for told in ([both], [first, both]):
         refused({**content, "multipliers": told}, "stated multiplier is none")
-    check(signed({**content, "multipliers": [second, first]}))
+    believed(signed({**content, "multipliers": [second, first]}))
 
 
 def test_derivatives_are_those_of_the_multiplier_that_is_stated(tmp_path: Path) -> None:
@@ -161,7 +144,7 @@ def test_derivatives_are_those_of_the_multiplier_that_is_stated(tmp_path: Path) 
     rates = {**content["derivatives"]}
     names = "multiplier 1 re", "multiplier 2 re"
     rates |= {name: rates[other] for name, other in zip(names, names[::-1], strict=True)}
-    check(signed({**turned, "derivatives": rates}))
+    believed(signed({**turned, "derivatives": rates}))
     refused({**content, "derivatives": rates}, "the derivative of multiplier")
 
 
@@ -274,8 +257,7 @@ def test_boundaries_in_the_way_are_seen(content: dict[str, Any]) -> None:
     row["new"] = [*["0"] * size, "1"]  # positive everywhere
     refused(content, "admissibility is refuted")
     row["new"] = [*["0"] * size, "-1"]
-    content["sha256"] = checksum_of(content)
-    check(content)
+    believed(signed(content))
 
 
 @of_files("kicked")
@@ -287,8 +269,7 @@ def test_a_boundary_just_reached_inside_is_seen(content: dict[str, Any]) -> None
     wall[-1] = "-2"
     refused(content, "admissibility is undecided")
     wall[-1] = "-2000000000001/1000000000000"
-    content["sha256"] = checksum_of(content)
-    check(content)
+    believed(signed(content))
 
 
 @of_files("global-stick", "kicked", "soft")
@@ -423,7 +404,7 @@ def test_a_box_with_a_root_is_not_empty(content: dict[str, Any]) -> None:
         changed["box"][-1]["mid"] = "1"  # it is empty, but the forcing might turn otherwise
         refused(changed, "existence is undecided")
         return
-    check(content)
+    believed(content)
     for side in changed["box"]:
         side["rad"] = "1"
     refused(changed, "existence is undecided")
@@ -446,8 +427,7 @@ def test_names_are_not_taken_for_numbers(content: dict[str, Any]) -> None:
     name = content["itinerary"][0][0]
     renamed = json.loads(json.dumps(content).replace(f'"{name}"', '"mid"'))
     assert renamed["itinerary"][0][0] == "mid"
-    renamed["sha256"] = checksum_of(renamed)
-    check(renamed)
+    believed(signed(renamed))
 
 
 def test_the_declaration_is_the_declared_one() -> None:
@@ -611,7 +591,7 @@ RUNTIME = files("nonsmooth.runtime")
 ARITHMETIC = {
     "taylor_models", "jets", "rational_functions", "irrational_numbers",
     "float_sets", "exponentials.float_flows", "box_grid",
-    "parallel", "errors",  # no arithmetic: who does which part
+    "parallel", "errors", "values",  # no arithmetic: who does which part, and what is no number
 }  # fmt: skip
 
 
@@ -658,13 +638,22 @@ def test_the_checker_runs_alone(name: str, alone: Path, tmp_path: Path) -> None:
         [sys.executable, "-I", "-c", run, str(alone), str(path)],
         capture_output=True, text=True, check=False,
     )  # fmt: skip
-    assert (done.returncode, done.stdout) == (0, "every claim is proved\n"), done.stderr
+    assert (done.returncode, done.stdout) == (0, f"{path}: every claim holds\n"), done.stderr
+
+
+def with_parameter(text: str, value: str) -> str:
+    content = json.loads(text)
+    content["parameters"][next(iter(content["parameters"]))] = value
+    return json.dumps(signed(content))
 
 
 @pytest.mark.parametrize(
     ("change", "code", "told"),
     [
-        (lambda text: text, 0, "every claim is proved"),
+        (lambda text: text, 0, "every claim holds"),
+        (lambda text: with_parameter(text, "1/0"), 2, "division by zero"),
+        (lambda text: with_parameter(text, "sum"), 2, "unknown name 'sum'"),
+        (lambda text: with_parameter(text, "5/7"), 1, "not proved"),
         (lambda text: text[:-20], 2, "it cannot be read"),
         (lambda text: "[" * 10**5, 2, "it cannot be read"),
         (lambda text: "[]", 2, "it is no certificate"),
@@ -679,7 +668,7 @@ def test_the_checker_says_what_is_wrong_in_one_line(
     certificate("kicked").save(path)
     path.write_text(change(path.read_text()))
     found, said = judged(str(path))
-    assert found == code
+    assert found == code == CliRunner().invoke(app, ["certify", "check", str(path)]).exit_code
     assert told in said
     assert "\n" not in said
     assert judged(str(tmp_path / "none.json"))[0] == 2
@@ -740,9 +729,26 @@ def test_no_power_of_any_parameter_is_too_high(
 ) -> None:
     wall = content["declaration"]["configurations"]["right"]["boundaries"]["wall"]
     wall[-1] = {"above": [["-1", [0, 1, 2]]], "below": [["1", [0, 1, 1]]]}  # -a, in other words
-    check(signed(content))
+    believed(signed(content))
     wall[-1][part] = [["1", exponents]]
     refused(content, "a power too high")
+
+
+@pytest.mark.parametrize(
+    ("radius", "told"),
+    [
+        ("1e3000", "1e+3000"),
+        (f"1{'0' * 3000}", "1e+3000"),
+        (f"1/1{'0' * 21}", "1e-21"),
+    ],
+)
+def test_radii_that_no_double_is_are_shown(radius: str, told: str, tmp_path: Path) -> None:
+    path = tmp_path / "proof.json"
+    certificate("elastic").save(path)
+    content = json.loads(path.read_text())
+    content["enclosures"]["period"]["rad"] = radius
+    saved(content, path)
+    assert f" +- {told}" in str(ns.certify.check(path)).lower()
 
 
 @pytest.mark.parametrize("text", ["1/0", "1.5/2", "1e999999999", "٣"])
@@ -751,7 +757,7 @@ def test_entries_that_are_no_numbers_are_refused_in_one_line(text: str, tmp_path
     ns.certify(ns.solve("rigid-stop/one-impact")).save(path)
     content = json.loads(path.read_text())
     content["enclosures"]["period"]["mid"] = text
-    path.write_text(json.dumps(content | {"sha256": checksum_of(content)}))
+    saved(content, path)
     with pytest.raises(ns.InputError, match=r"proof\.json: .") as caught:
         ns.certify.check(path)
     assert "\n" not in str(caught.value)

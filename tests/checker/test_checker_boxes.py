@@ -14,23 +14,21 @@ from typing import Any
 
 import pytest
 from flint import arb, fmpq
-from typer.testing import CliRunner
 
 import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.derive import Harmonic, Parameter, SoftStop, oscillator
-from nonsmooth.runtime.checker import Failure, check_tiles
+from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.ranges.folded import _is_beyond, neighbours
 from nonsmooth.runtime.checker.ranges.tiles import MapTile
 from nonsmooth.runtime.checker.stated.parameters import independent
-from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.rational_functions import symbols
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.files.kept import format_named
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
-from tests.certified import claimed, loop, signed
+from tests.certified import believed, claimed, loop, moved, refused, saved
 
 WRONG = (Failure, ArithmeticError, KeyError, ValueError, TypeError, IndexError)
 
@@ -100,25 +98,13 @@ def totalled(content: dict[str, Any]) -> dict[str, Any]:
     return content
 
 
-def refused(content: dict[str, Any], match: str | None = None) -> None:
-    content["sha256"] = checksum_of(content)
-    with pytest.raises(WRONG, match=match):
-        check_tiles(content)
-
-
-def moved(entry: dict[str, str], by: Fraction) -> None:
-    """Move a middle by so many radii."""
-    middle = Fraction(entry["mid"]) + by * Fraction(entry["rad"])
-    entry["mid"] = f"{round(middle * 10**40)}e-40"
-
-
 def proved(content: dict[str, Any]) -> list[dict[str, Any]]:
     return [tile for tile in content["tiles"] if tile["claims"]["existence"] == "proved"]
 
 
 @of(*MAPS)
 def test_true_maps_pass(content: dict[str, Any]) -> None:
-    check_tiles(content)
+    believed(content)
 
 
 def test_the_maps_are_of_all_kinds() -> None:
@@ -303,7 +289,7 @@ def test_no_false_enclosure_passes(seed: int) -> None:
     if middle - size > true[0] or middle + size < true[1]:
         refused(content, f"{name} is not in its enclosure")
     elif middle - size < true[0] - radius / 50 and middle + size > true[1] + radius / 50:
-        check_tiles(content)  # smaller tiles tell
+        believed(content)  # smaller tiles tell
 
 
 def test_the_orbit_is_the_same_on_all_of_a_tile(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -317,7 +303,7 @@ def test_the_orbit_is_the_same_on_all_of_a_tile(monkeypatch: pytest.MonkeyPatch)
     entry = tile["enclosures"]["v0"]  # so narrow that halves tell
     entry["mid"], entry["rad"] = (f"{round(x * 10**30)}e-30" for x in (middle, radius * 101 / 100))
     totalled(content)
-    check_tiles(content)
+    believed(content)
 
     box = [low + step * width, low + (step + 1) * width]
     orbit, seen = MapTile._orbit, []
@@ -339,12 +325,6 @@ def _other(part: list[Fraction], whole: list[Fraction]) -> list[Fraction]:
     """The part of the other half that is placed as this one in its own."""
     half = (whole[1] - whole[0]) / 2
     return [x - half if part[0] >= whole[0] + half else x + half for x in part]
-
-
-def saved(content: dict[str, Any], path: Path) -> Path:
-    """With the checksum made right again."""
-    path.write_text(json.dumps(signed(content)))
-    return path
 
 
 @of("stick", "rigid")
@@ -410,26 +390,13 @@ def test_a_state_of_another_system_is_not_resumed(tmp_path: Path) -> None:
         ns.certify.box(ns.solve(f"{source}:loop"), box, resume=state)
 
 
-def test_the_command_checks_maps(tmp_path: Path) -> None:
-    content = json.loads(written("rigid"))
-    path = saved(content, tmp_path / "map.json")
-    told = CliRunner().invoke(app, ["certify", "check", str(path)])
-    assert told.exit_code == 0, told.output
-    assert "every claim holds" in told.output
-    moved(content["tiles"][0]["enclosures"]["period"], Fraction(3))
-    totalled(content)
-    told = CliRunner().invoke(app, ["certify", "check", str(saved(content, path)), "--json"])
-    assert told.exit_code == 1
-    assert "period is not in its enclosure" in told.output
-
-
 def test_a_map_with_tiles_of_no_orbit_passes(tmp_path: Path) -> None:
     orbit = ns.solve("dry-friction/symmetric")
     found = ns.certify.box(orbit, {"V": ("0.6", "1.3"), "eta": ("3.8", "4.2")}, tiles=2)
     assert {"existence"} in [set(tile.reasons) for tile in found.tiles]
     found.save(tmp_path / "map.json")
     content = json.loads((tmp_path / "map.json").read_text())
-    check_tiles(content)
+    believed(content)
     tile = next(t for t in content["tiles"] if t["claims"]["existence"] == "undecided")
     tile["reasons"] = {"stability": "so"}
     refused(content, "reasons for other claims")

@@ -12,11 +12,11 @@ from flint import ctx
 
 import nonsmooth as ns
 from nonsmooth.derive import Harmonic, SoftStop, oscillator
-from nonsmooth.runtime.checker import Failure, check_branch
+from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.ranges.branch import checked_tiles, curve_of
-from nonsmooth.runtime.checker.ranges.branch_tile import SHARP, CheckedTile
+from nonsmooth.runtime.checker.ranges.branch_tile import CheckedTile
 from nonsmooth.runtime.core.taylor_models import range_of
-from tests.certified import certified_over, prove_branch, signed
+from tests.certified import believed, certified_over, prove_branch, refused, refused_file
 from tests.shared import shared_file
 
 Content = dict[str, Any]
@@ -48,152 +48,77 @@ def preloaded(tmp_path_factory: pytest.TempPathFactory) -> Content:
     return content
 
 
-def with_event(content: Content, kind: str) -> Any:
+def event_of(content: Content, kind: str) -> Any:
+    return tile_of(content, kind)["event"]
+
+
+def tile_of(content: Content, kind: str) -> Any:
     return next(tile for tile in content["tiles"] if (tile["event"] or {}).get("kind") == kind)
 
 
-def drop_a_tile(content: Content) -> None:
-    del content["tiles"][3]
-
-
 def drop_an_event(content: Content) -> None:
-    tile = with_event(content, "flip")
+    tile = tile_of(content, "flip")
     tile["event"] = None
-    tile["after"] = tile["before"]
-    for other in content["tiles"][content["tiles"].index(tile) + 1 :]:
+    for other in content["tiles"][content["tiles"].index(tile) :]:
         other["before"] = other["after"] = tile["before"]
 
 
-def hide_both_sides(content: Content) -> None:
-    tile = with_event(content, "flip")
-    tile["event"], tile["before"] = None, tile["after"]
-
-
 def exchange_the_sides(content: Content) -> None:
-    tile = with_event(content, "grazing")
+    tile = tile_of(content, "grazing")
     tile["before"], tile["after"] = tile["after"], tile["before"]
-
-
-def another_kind(content: Content) -> None:
-    with_event(content, "flip")["event"]["kind"] = "neimark-sacker"
-
-
-def a_fold(content: Content) -> None:
-    with_event(content, "flip")["event"]["kind"] = "fold"
-
-
-def move_the_event(content: Content) -> None:
-    event = with_event(content, "flip")["event"]
-    event["lower"], event["upper"] = "107/100", "108/100"
-
-
-def sharpen_the_event(content: Content) -> None:
-    ball = with_event(content, "flip")["event"]["enclosures"]["V"]
-    ball["rad"] = "1e-60"
-
-
-def move_the_window(content: Content) -> None:
-    with_event(content, "grazing")["event"]["window"] = ["1/10", "1/5"]
-
-
-def widen_the_window(content: Content) -> None:
-    """The function has its one maximum in this window too, but is convex where it begins."""
-    with_event(content, "grazing")["event"]["window"] = ["1/10", "2"]
-
-
-def move_the_tube(content: Content) -> None:
-    content["tiles"][4]["centre"][0][0] += 1e-3
-
-
-def widen_the_tube(content: Content) -> None:
-    content["tiles"][4]["radii"] = [10.0 for _ in content["tiles"][4]["radii"]]
-
-
-def reverse_a_tile(content: Content) -> None:
-    content["tiles"][4]["forwards"] = False
-
-
-def shorten_a_tile(content: Content) -> None:
-    content["tiles"][0]["lower"] = "61/100"
-
-
-def widen_the_interval(content: Content) -> None:
-    content["interval"] = ["1/2", "13/10"]
 
 
 def call_it_stable(content: Content) -> None:
     for tile in content["tiles"]:
-        tile["event"] = None
-        tile["before"] = tile["after"] = "stable"
+        tile.update(event=None, before="stable", after="stable")
 
 
-def call_a_tile_undecided(content: Content) -> None:
-    tile = content["tiles"][4]
-    tile["before"] = tile["after"] = "undecided"
-    tile["reason"] = "planted"
-
-
-def forget_an_end(content: Content) -> None:
-    content["ends"][1] = ""
-
-
-def another_parameter(content: Content) -> None:
-    content["parameters"]["eta"] = "4.1"
-
-
-def another_phase(content: Content) -> None:
-    with_event(content, "grazing")["event"]["phase"] = 2
-
-
-def an_event_of_its_own(content: Content) -> None:
-    tile = content["tiles"][4]
-    tile["event"] = {**copy.deepcopy(with_event(content, "flip")["event"])}
-
-
-def a_flip_beside_a_grazing(content: Content) -> None:
-    with_event(content, "grazing")["event"]["also"] = [["flip", 1, "", ""]]
-
-
-def divide_a_phase(content: Content) -> None:
-    """No phase of this orbit begins where it ends."""
-    content["tiles"][4]["divided"] = 1
-
-
-def end_where_nothing_vanishes(content: Content) -> None:
-    content["ends"][0] = "a phase vanishes"
-
-
-ATTACKS: list[Callable[[Content], None]] = [
-    drop_a_tile, drop_an_event, hide_both_sides, exchange_the_sides, another_kind, a_fold,
-    move_the_event, sharpen_the_event, move_the_window, widen_the_window, move_the_tube,
-    widen_the_tube, reverse_a_tile, shorten_a_tile, widen_the_interval,
-    call_it_stable, call_a_tile_undecided,
-    forget_an_end, another_phase, an_event_of_its_own, a_flip_beside_a_grazing,
-    divide_a_phase, end_where_nothing_vanishes,
-]  # fmt: skip
+ATTACKS: list[Callable[[Content], object]] = [
+    drop_an_event,
+    exchange_the_sides,
+    call_it_stable,
+    lambda c: tile_of(c, "flip").update(event=None, before=tile_of(c, "flip")["after"]),
+    lambda c: event_of(c, "flip").update(kind="neimark-sacker"),
+    lambda c: event_of(c, "flip").update(kind="fold"),
+    lambda c: event_of(c, "flip").update(lower="107/100", upper="108/100"),
+    lambda c: event_of(c, "flip")["enclosures"]["V"].update(rad="1e-60"),
+    lambda c: event_of(c, "grazing").update(window=["1/10", "1/5"]),
+    # the function has its one maximum in this window too, but is convex where it begins
+    lambda c: event_of(c, "grazing").update(window=["1/10", "2"]),
+    lambda c: event_of(c, "grazing").update(phase=2),
+    lambda c: event_of(c, "grazing").update(also=[["flip", 1, "", ""]]),
+    lambda c: c["tiles"].pop(3),
+    lambda c: c["tiles"][0].update(lower="61/100"),
+    lambda c: c["tiles"][4]["centre"][0].insert(0, c["tiles"][4]["centre"][0].pop(0) + 1e-3),
+    lambda c: c["tiles"][4].update(radii=[10.0 for _ in c["tiles"][4]["radii"]]),
+    lambda c: c["tiles"][4].update(forwards=False),
+    lambda c: c["tiles"][4].update(before="undecided", after="undecided", reason="planted"),
+    lambda c: c["tiles"][4].update(event=copy.deepcopy(event_of(c, "flip"))),
+    # no phase of this orbit begins where it ends
+    lambda c: c["tiles"][4].update(divided=1),
+    lambda c: c.update(interval=["1/2", "13/10"]),
+    lambda c: c.update(ends=[c["ends"][0], ""]),
+    lambda c: c.update(ends=["a phase vanishes", c["ends"][1]]),
+]
 
 
 @pytest.mark.slow
 def test_a_branch_is_proved_again(content: Content) -> None:
-    check_branch(content)
+    believed(content)
 
 
-@pytest.mark.parametrize("attack", ATTACKS, ids=lambda attack: attack.__name__)
-def test_an_edited_branch_is_refused(content: Content, attack: Callable[[Content], None]) -> None:
+@pytest.mark.parametrize("attack", ATTACKS)
+def test_an_edited_branch_is_refused(content: Content, attack: Callable[[Content], object]) -> None:
     edited = copy.deepcopy(content)
     attack(edited)
-    with pytest.raises(Failure):
-        check_branch(signed(edited))
+    refused(edited)
     with pytest.raises(Failure, match="checksum"):
-        check_branch({**edited, "sha256": content["sha256"]})
+        believed({**edited, "sha256": content["sha256"]})
 
 
 def test_other_parameters_are_another_branch(content: Content, tmp_path: Path) -> None:
-    edited = copy.deepcopy(content)
-    another_parameter(edited)
-    path = tmp_path / "edited.json"
-    path.write_text(json.dumps(signed(edited)))
-    assert ns.certify.check(path).difference is not None
+    other = {**content["parameters"], "eta": "4.1"}
+    refused_file({**content, "parameters": other}, tmp_path, "")
 
 
 def width(number: Any) -> float:
@@ -230,7 +155,7 @@ def test_a_map_that_is_multiplied_by_a_speed_is_the_map_times_it(preloaded: Cont
             tile = CheckedTile(curve, {**preloaded["tiles"][0], "divided": divided})
         except Failure:
             continue
-        with ctx.workprec(SHARP):
+        with ctx.workprec(192):
             orbit = tile.curve.orbit(tile.at_end(tile.low))
             whole, section = orbit.section, orbit.declared.section
             for place in range(2):

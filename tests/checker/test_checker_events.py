@@ -28,7 +28,7 @@ from nonsmooth.derive import (
     SecondOrder,
     Transition,
 )
-from nonsmooth.runtime.checker import Failure, check_events
+from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.orbits import events
 from nonsmooth.runtime.checker.orbits.events import JudgedEvent
 from nonsmooth.runtime.checker.orbits.stability import (
@@ -37,12 +37,22 @@ from nonsmooth.runtime.checker.orbits.stability import (
     products_less_one,
 )
 from nonsmooth.runtime.cli.program import app
-from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.present.files.kept import save_result
 from nonsmooth.runtime.proof.branch.event_certificate import EventCertificate
-from tests.certified import LOOP, between_springs, loop, of_files, signed, unhashed
+from tests.certified import (
+    LOOP,
+    believed,
+    between_springs,
+    loop,
+    moved,
+    of_files,
+    refused,
+    saved,
+    signed,
+    unhashed,
+)
 from tests.explore import test_continuation_forced as impacts
 
 WRONG = (Failure, ArithmeticError, KeyError, ValueError, TypeError, IndexError)
@@ -126,13 +136,6 @@ def content(request: pytest.FixtureRequest, tmp_path_factory: Any) -> dict[str, 
     return found
 
 
-def refused(content: dict[str, Any], match: str | None = None) -> None:
-    """Make the checksum right again, and see the mathematics refuse it."""
-    content["sha256"] = checksum_of(content)
-    with pytest.raises(WRONG, match=match):
-        check_events(content)
-
-
 def event_of(content: dict[str, Any], kind: str) -> dict[str, Any]:
     """The last of a kind, alone in its file."""
     content["events"] = [event for event in content["events"] if event["kind"] == kind][-1:]
@@ -140,15 +143,9 @@ def event_of(content: dict[str, Any], kind: str) -> dict[str, Any]:
     return found
 
 
-def moved(entry: dict[str, str], by: Fraction) -> None:
-    """Move a middle by so many radii."""
-    middle = Fraction(entry["mid"]) + by * Fraction(entry["rad"])
-    entry["mid"] = f"{round(middle * 10**200)}e-200"
-
-
 @of_files(*BRANCHES)
 def test_true_events_pass(content: dict[str, Any]) -> None:
-    check_events(content)
+    believed(content)
     assert [event["kind"] for event in content["events"]] == KINDS[content_name(content)]
     undecided = {event["kind"] for event in content["events"] if event["claim"] != "proved"}
     assert undecided <= {"branch-point"}
@@ -223,8 +220,7 @@ def test_no_false_enclosure_passes(seed: int, tmp_path: Path) -> None:
     if abs(off) > radius:
         refused(content, f"{name} is not in its enclosure")
     else:
-        content["sha256"] = checksum_of(content)
-        check_events(content)
+        believed(signed(content))
 
 
 def test_a_thousand_digits(tmp_path: Path) -> None:
@@ -320,8 +316,7 @@ def test_undecided_events_claim_nothing(content: dict[str, Any]) -> None:
     event = content["events"][0]
     event |= {"claim": "undecided", "reason": "none", "enclosures": {}, "kind": "flop"}
     event |= {"box": [], "declaration": {}, "closing": {}}
-    content["sha256"] = checksum_of(content)
-    check_events(content)
+    believed(signed(content))
     entry = {"mid": "1", "rad": "1"}
     refused({**content, "events": [{**event, "enclosures": {"T": entry}}]}, "no event")
     refused({**content, "events": [{**event, "claim": "proved"}]})
@@ -382,12 +377,6 @@ def test_no_event_is_believed_where_a_divisor_may_be_zero(content: dict[str, Any
     judge.declared.exactly.divisors.append(lambda point: point[0] - arb(event["box"][-1]["mid"]))
     with pytest.raises(Failure, match="zero there cannot be told"):
         judge.located(event["box"])
-
-
-def saved(content: dict[str, Any], path: Path) -> Path:
-    """With the checksum made right again."""
-    path.write_text(json.dumps(signed(content)))
-    return path
 
 
 @of_files("symmetric", "stick", "rigid", "wall")

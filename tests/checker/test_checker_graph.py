@@ -9,11 +9,10 @@ import sympy as sp
 
 import nonsmooth as ns
 from nonsmooth.derive import Boundary, Configuration, FirstOrder, Parameter, System, Transition
-from nonsmooth.runtime.checker import Failure, check_graph
+from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.state_sets.many_sets import ManyMotions
-from nonsmooth.runtime.checker.stated.grids import stated_divided_grid
 from nonsmooth.runtime.model.kernels import load_system
-from tests.certified import accepted, claimed, flat, refused_file, runs, signed
+from tests.certified import accepted, believed, claimed, flat, refused_file, runs, signed
 from tests.friction_sets import DATA
 from tests.horseshoes import FRICTION_DATA
 from tests.places import GALLERY
@@ -170,7 +169,7 @@ def test_boxes_that_hold_no_state_are_no_component(tmp_path):
     content |= {**none, "trapping": [[1, 2]], "claim": "proved"}
     empty = signed({**content, "edges": [[0, 0, 2], [1, 0, 2]]})
     with pytest.raises(Failure, match="from a box that has no image"):
-        check_graph(empty)
+        believed(empty)
 
 
 @pytest.mark.slow
@@ -250,12 +249,13 @@ def test_other_entries_are_refused(content, tmp_path, name, value, told):
     refused_file({**content, name: value}, tmp_path, told)
 
 
-def test_a_box_is_divided_or_not():
-    """Other numbers are no way to say that it is not, though they may add up to the same."""
-    grid = {"exponents": [0], "first": [0], "counts": [4]}
-    assert len(stated_divided_grid(grid, [[[1, 1], [0, 3]], [[0, 2]]], 1)) == 5
-    with pytest.raises(Failure, match="a box is divided or not"):
-        stated_divided_grid(grid, [[[1, 1], [2, 1], [-2, 1], [0, 1]], [[0, 2]]], 1)
+def test_a_box_is_divided_or_not(content, tmp_path):
+    """Other numbers are no way to say that it is not, though they add up to the same."""
+    first, *others = content["divided"]
+    told = flat(first)
+    told[:2] = told[0] + 2, told[1] - 2
+    edited = {**content, "divided": [runs(told), *others]}
+    refused_file(edited, tmp_path, "a box is divided or not")
 
 
 @pytest.mark.slow

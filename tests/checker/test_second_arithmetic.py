@@ -76,37 +76,31 @@ class StatedOrbit:
         def number(entry: str | dict[str, Any]) -> Any:
             if isinstance(entry, str):
                 return interval(entry)
-            above, below = Fraction(0), Fraction(0)
-            for coefficient, powers in entry["above"]:
-                above += _term(coefficient, powers, given)
-            for coefficient, powers in entry["below"]:
-                below += _term(coefficient, powers, given)
-            return interval(above / below)
+            above, below = (
+                sum(_term(coefficient, powers, given) for coefficient, powers in entry[part])
+                for part in ("above", "below")
+            )
+            return interval(Fraction(above) / below)
+
+        def numbers(rows: Any) -> list[list[Any]]:
+            return [[number(entry) for entry in row] for row in rows]
 
         self.size = len(declared["states"])
         self.phases = []
         for phase in declared["phases"]:
             configuration = declared["configurations"][phase["configuration"]]
-            field = iv.matrix(self.size + 1)
-            for i, row in enumerate(configuration["field"]):
-                for j, entry in enumerate(row):
-                    field[i, j] = number(entry)
             (name,) = phase["boundaries"]
-            exit_row = [number(e) for e in configuration["boundaries"][name]]
-            transition = declared["transitions"][phase["transition"]]
-            reset = iv.matrix(self.size + 1)
-            reset[self.size, self.size] = 1
-            for i, row in enumerate(transition["reset"]):
-                for j, entry in enumerate(row):
-                    reset[i, j] = number(entry)
-            rows = {n: [number(e) for e in r] for n, r in configuration["boundaries"].items()}
-            self.phases.append((field, exit_row, reset, rows))
+            (exit_row,) = numbers([configuration["boundaries"][name]])
+            reset = numbers(declared["transitions"][phase["transition"]]["reset"])
+            field, last = numbers(configuration["field"]), [0] * self.size
+            whole = ([*rows, [*last, k]] for k, rows in enumerate((field, reset)))
+            self.phases.append((*map(iv.matrix, whole), exit_row))
 
     def passed(self, unknowns: Sequence[Any]) -> list[tuple[Any, Any, Any]]:
         """Of each phase: its flow, the state where it ends, and the velocity there."""
         state = iv.matrix([*unknowns[: self.size], 1])
         found = []
-        for (field, _, reset, _), time in zip(self.phases, unknowns[self.size :], strict=True):
+        for (field, reset, _), time in zip(self.phases, unknowns[self.size :], strict=True):
             flow = exponential(field * time)
             end = flow * state
             found.append((flow, end, field * end))
@@ -115,10 +109,10 @@ class StatedOrbit:
 
     def residual(self, unknowns: Sequence[Any]) -> list[Any]:
         passed = self.passed(unknowns)
-        last = self.phases[-1][2] * passed[-1][1]
+        last = self.phases[-1][1] * passed[-1][1]
         returned = [last[i] - unknowns[i] for i in range(self.size)]
         exits = zip(self.phases, passed, strict=True)
-        return returned + [_along(row, end) for (_, row, _, _), (_, end, _) in exits]
+        return returned + [_along(row, end) for (_, _, row), (_, end, _) in exits]
 
     def jacobian(self, unknowns: Sequence[Any]) -> Any:
         """The residual's derivatives: by the start through all flows, by each time from its end."""
@@ -128,7 +122,7 @@ class StatedOrbit:
             moved[i, i] = 1
         found = iv.matrix(count)
         phases = zip(self.phases, self.passed(unknowns), strict=True)
-        for place, ((_, row, reset, _), (flow, _, velocity)) in enumerate(phases):
+        for place, ((_, reset, row), (flow, _, velocity)) in enumerate(phases):
             moved = flow * moved
             for i in range(size):
                 moved[i, size + place] += velocity[i]
@@ -144,7 +138,7 @@ class StatedOrbit:
         """Trace of the return map: each phase ends where its boundary is reached, not at a time."""
         moved = iv.eye(self.size + 1)
         phases = zip(self.phases, self.passed(unknowns), strict=True)
-        for (_, row, reset, _), (flow, _, velocity) in phases:
+        for (_, reset, row), (flow, _, velocity) in phases:
             normal = iv.matrix([[*row[:-1], 0]])
             speed = (normal * velocity)[0]
             moved = reset * (flow * moved - velocity * (normal * flow * moved) / speed)

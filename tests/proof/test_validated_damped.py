@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from itertools import pairwise
 
 import pytest
 import sympy as sp
+from flint import arb
 
 from nonsmooth import certify
 from nonsmooth.derive import (
@@ -21,6 +23,8 @@ from nonsmooth.derive import (
     Transition,
     oscillator,
 )
+from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.proof.motion.motion_proof import Proof
 from tests.declared_motion import DeclaredMotion
 
 x, v, c, s = sp.symbols("x v c s", real=True)
@@ -32,9 +36,8 @@ def parameters(*names: str) -> tuple[Parameter, ...]:
     return tuple(Parameter(name, name, lower=-sp.oo) for name in names)
 
 
-def damped(*more: Boundary) -> System:
+def damped() -> System:
     """A mass with x'' + a x' + k x = g in front of a stop at x = 1."""
-    reached = REACHED | {boundary.name for boundary in more}
     one = sp.Matrix([[1]])
     free = SecondOrder(one, k * one, (g,), a * one)
     stuck = SecondOrder(one, k * one, (g,), a * one, {x: 0})
@@ -44,12 +47,12 @@ def damped(*more: Boundary) -> System:
         (x, v),
         parameters("a", "k", "g", "r"),
         (
-            Configuration("free", free, (Boundary("reaches-stop", x - 1), *more)),
+            Configuration("free", free, (Boundary("reaches-stop", x - 1),)),
             Configuration("rest", stuck, (Boundary("leaves-stop", k * x - g),), (x - 1,)),
         ),
         (
-            Transition("free", reached, "free", (Condition(v, "rest"),), {x: 1, v: -r * v}),
-            Transition("free", reached, "rest", (), {x: 1, v: 0}),
+            Transition("free", REACHED, "free", (Condition(v, "rest"),), {x: 1, v: -r * v}),
+            Transition("free", REACHED, "rest", (), {x: 1, v: 0}),
             Transition("rest", frozenset({"leaves-stop"}), "free"),
         ),
     )
@@ -123,16 +126,6 @@ def test_impacts_that_accumulate_are_proved_one_by_one() -> None:
         assert later / earlier == pytest.approx(0.5, rel=1e-6)
 
 
-def test_boundaries_that_are_multiples_are_reached_together() -> None:
-    """No digits tell that x - 1 and 2 x - 2 vanish at one instant, their rows do."""
-    data, start = dict(a="1/10", k="4", g="8", r="1/2"), ["0", "0"]
-    alone = certify.motion(damped(), data, start, "free", 3)
-    both = certify.motion(damped(Boundary("twice", 2 * x - 2)), data, start, "free", 3)
-    assert both.sets == (("reaches-stop", "twice"),) * 3
-    for one, other in zip(alone.times, both.times, strict=True):
-        assert one.ball.overlaps(other.ball)
-
-
 def test_a_grazing_contact_is_not_decided() -> None:
     """Thrown up so that it comes to rest at the stop for an instant, at t = 1."""
     data = dict(a="0", k="0", g="-2", r="1/2")
@@ -154,6 +147,39 @@ def test_a_damped_mass_is_proved_to_come_to_rest(a: str, k: str) -> None:
     assert proof.decided
     assert proof.transitions == 0
     assert proof.reason == "no boundary is reached any more"
+
+
+@pytest.mark.parametrize("rate", [10**4, 10**6])
+def test_a_motion_takes_a_unit_of_time_that_is_longer(rate: int) -> None:
+    """Of a mass of some megahertz in seconds as much is proved as in its own unit."""
+
+    def proved(rate: int) -> Proof:
+        stop = RigidStop("x", at="1/1000", restitution="4/5")
+        matrices = [[1]], [[rate**2]], [[Fraction(rate, 10)]]
+        system = oscillator("struck", ["x"], *matrices, elements=[stop])
+        return certify.motion(system, {}, [0, Fraction(rate, 100)], "free", 6)
+
+    fast, slow = proved(rate), proved(1)
+    assert fast.transitions == slow.transitions == 6
+    for one, other in zip(fast.times, slow.times, strict=True):
+        assert (one.ball * rate).overlaps(other.ball)
+
+
+def test_the_arrival_behind_which_nothing_is_declared_is_enclosed() -> None:
+    """At x = 1 with v < 9, where x'' = 2: after a time 1/sqrt(2), as x begins at 1/2."""
+    one = Boundary("stop", x - 1)
+    system = System(
+        "falling", "", (x, v), (),
+        (Configuration("free", SecondOrder([[1]], [[0]], (2,)), (one,)),),
+        (Transition("free", {"stop"}, "free", (Condition(v - 9, "free"),), {v: -v}),),
+    )  # fmt: skip
+    proof = certify.motion(system, {}, ["1/2", 0], "free", 1)
+    assert proof.reason is not None
+    assert "no transition is declared for stop" in proof.reason
+    assert proof.instant is not None
+    with flint_precision(2 * proof.bits):
+        assert proof.instant.contains(1 / arb(2).sqrt())
+    assert 0 < float(proof.instant.rad) < 1e-30
 
 
 def test_a_growing_motion_is_not_called_quiet() -> None:

@@ -21,7 +21,7 @@ from nonsmooth.runtime.checker.counting.contraction import (
     middles_of,
 )
 from nonsmooth.runtime.checker.stated.declared import StatedSystem
-from nonsmooth.runtime.checker.stated.exact import leading, reduced
+from nonsmooth.runtime.checker.stated.exact import leading, pivot, reduced
 
 __all__ = ["DwellEquations", "Given", "Setting"]
 
@@ -48,7 +48,7 @@ class Setting:
     def __init__(self, declared: StatedSystem, *, timed: bool) -> None:
         size, count = declared.size, len(declared.steps)
         facts = declared.known if declared.rational else [([], [], [])] * count
-        starts = [{_pivot(row): row for row in begins} for begins, _, _ in facts]
+        starts = [{pivot(row): row for row in begins} for begins, _, _ in facts]
         forced = declared.forced
         # whether the exact conditions of an orbit do not contradict each other
         self.possible = not any(size in start for start in starts)
@@ -408,10 +408,6 @@ class DwellEquations:
         tail = 2 * tail / arb(_TERMS).gamma()
         wide = arb_mat([[arb(0, tail.upper())] * width])
         return row + wide, rate + wide
-
-
-def _pivot(row: Sequence[Any]) -> int:
-    return next(j for j, x in enumerate(row) if x)
 
 
 def _still(declared: StatedSystem, place: int, kept: Any) -> tuple[Any, Any] | None:

@@ -13,8 +13,6 @@ import math
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-import numpy as np
-
 from nonsmooth.runtime.core.taylor_models import middle_of, unit_matrix
 
 if TYPE_CHECKING:
@@ -23,6 +21,7 @@ if TYPE_CHECKING:
 __all__ = ["FramedPhases", "along_chain", "framed_phases"]
 
 _SHORT = 6  # matrices whose plain product is as sharp
+_FLAT = 2.0**-50  # of a column: less of it than that is roundings
 
 
 class FramedPhases(NamedTuple):
@@ -91,15 +90,44 @@ def _frame(moved: Any, *, affine: bool = False) -> tuple[arb_mat, arb_mat]:
 
     The inverse is of balls. Of an affine map M only the linear part is turned.
     """
-    from flint import arb_mat
-
     middle = middle_of(moved)
     size = middle.nrows()
-    numbers = [[float(middle[i, j]) for j in range(size)] for i in range(size)]
-    if not all(math.isfinite(x) for row in numbers for x in row):
-        return unit_matrix(size), unit_matrix(size)
-    turned = np.eye(size)
-    part = slice(size - affine)
-    turned[part, part] = np.linalg.qr(np.array(numbers)[part, part]).Q
-    found = arb_mat(turned.tolist())
-    return found, found.inv()
+    turned = size - affine
+    columns = [[float(middle[i, j]) for i in range(turned)] for j in range(turned)]
+    frame = unit_matrix(size)
+    if not all(math.isfinite(x) for column in columns for x in column):
+        return frame, frame
+    for j, column in enumerate(_orthogonal(columns)):
+        for i, x in enumerate(column):
+            frame[i, j] = x
+    return frame, frame.inv()
+
+
+def _orthogonal(columns: list[list[float]]) -> list[list[float]]:
+    """About orthogonal columns, which span the same up to each place.
+
+    Where a column depends on those before it the unit vector that does so least is taken. Only
+    operations are used whose results IEEE 754 fixes.
+    """
+    size = len(columns)
+    units = [[float(i == k) for i in range(size)] for k in range(size)]
+    found: list[list[float]] = []
+    for column in columns:
+        share, part = _apart(column, found)
+        found.append(part if share > _FLAT else max(_apart(each, found) for each in units)[1])
+    return found
+
+
+def _apart(column: list[float], others: list[list[float]]) -> tuple[float, list[float]]:
+    """About the share of a column that is orthogonal to unit vectors, and that part with size 1."""
+    share, largest = 1.0, max(map(abs, column))
+    part = [x / largest for x in column] if largest else column
+    for turn in range(3):  # Gram and Schmidt's sums are taken twice: one leaves roundings
+        for other in others if turn else ():
+            along = math.fsum(x * y for x, y in zip(part, other, strict=True))
+            part = [x - along * y for x, y in zip(part, other, strict=True)]
+        size = math.sqrt(math.fsum(x * x for x in part))
+        if not size:
+            return 0.0, part
+        share, part = share * size if turn else share, [x / size for x in part]
+    return share, part

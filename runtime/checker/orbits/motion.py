@@ -5,20 +5,28 @@ inside; and the transition is the first whose conditions hold.
 """
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cache
 from typing import Any, NamedTuple
 
 from flint import arb, ctx, fmpq
 
 from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, lower
-from nonsmooth.runtime.checker.orbits.stability import MULTIPLIERS
+from nonsmooth.runtime.checker.orbits.stability import MULTIPLIERS, characteristic, passing
 from nonsmooth.runtime.checker.orbits.vanishing import vanishing
 from nonsmooth.runtime.checker.stated.declared import StatedBoundary, StatedPhase, Way
 from nonsmooth.runtime.checker.stated.exact import Verdict, demand, exact, product
 from nonsmooth.runtime.core.taylor_models import matrix, range_of
 
-__all__ = ["Border", "Margin", "admissibility", "borders_of", "time_of_touch"]
+__all__ = [
+    "Border",
+    "Margin",
+    "admissibility",
+    "borders_of",
+    "demand_no_phase",
+    "event_number",
+    "time_of_touch",
+]
 
 _DEEPEST = 60  # halvings of a window of time
 _MOST = 10_000  # windows
@@ -124,6 +132,29 @@ def borders_of(event: dict[str, Any]) -> tuple[list[Border], tuple[Any, Any] | N
     grazes = any(border.kind == "grazing" for border in borders)
     demand(len(window) == 2 * grazes, "a window of no grazing")
     return borders, (window[0], window[1]) if window else None
+
+
+def demand_no_phase(event: dict[str, Any]) -> None:
+    """Demand that an event of a file is in no phase: multipliers alone tell of it."""
+    own = [event[name] for name in ("phase", "configuration", "boundary", "instant")]
+    demand(own == [None, "", "", ""] and not event["also"] and not event["window"], "a phase")
+
+
+def event_number(
+    which: Border | str,
+    orbit: CheckedOrbit,
+    still: Callable[[], CheckedOrbit],
+    window: tuple[Any, Any] | None,
+) -> Any:
+    """Return the number that is zero at an event, in an orbit's numbers.
+
+    The event is a border, or the kind of one of the multipliers'. The time of a grazing, which
+    needs its window, is that of the orbit without derivatives.
+    """
+    if isinstance(which, str):
+        return passing(characteristic(orbit.section), which)
+    time = time_of_touch(still(), which, window) if which.kind == "grazing" else None
+    return which.number(orbit, time)
 
 
 def time_of_touch(orbit: CheckedOrbit, border: Border, window: tuple[Any, Any] | None) -> Any:

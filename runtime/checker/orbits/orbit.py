@@ -14,8 +14,8 @@ from flint import arb, arb_mat, ctx
 
 from nonsmooth.runtime.checker.orbits.matrix_chains import along_chain, framed_phases
 from nonsmooth.runtime.checker.orbits.short import Short, quotient, quotients
-from nonsmooth.runtime.checker.stated.declared import StatedSystem, gauge_of
-from nonsmooth.runtime.checker.stated.exact import Failure, demand
+from nonsmooth.runtime.checker.stated.declared import StatedSystem
+from nonsmooth.runtime.checker.stated.exact import Failure, demand, pivot
 from nonsmooth.runtime.core.taylor_models import (
     TaylorModel,
     matrix,
@@ -325,7 +325,7 @@ class CheckedOrbit:
         if self.declared.forcing:
             behind = chain.fields[(place + 1) % count] * now.starts[place + 1]
             for along in self.declared.translations if place + 1 == count else ():
-                gauge, column = gauge_of(along), [[x] for x in (*along, 0 * along[0])]
+                gauge, column = pivot(along), [[x] for x in (*along, 0 * along[0])]
                 share = behind[gauge, 0] / self.number(along[gauge])
                 behind = behind - self.numbers(column) * share
             jump = jump - behind
@@ -371,6 +371,14 @@ def flows_over(fields: Sequence[Any], times: Sequence[Any]) -> list[Any]:
         middle = middle_of(time)
         found.append((b * (time - middle)).exp() * (b * middle).exp())
     return found
+
+
+def orbit_at(declared: StatedSystem, number: Callable[[Any], Any], guess: Any) -> CheckedOrbit:
+    """Return the orbit near a guess, at numbers that are balls; `Failure` if it is not proved."""
+    orbit = CheckedOrbit(declared, number)
+    unique, _ = orbit.locate(orbit.near(guess))
+    demand(unique, "existence at a point is not proved: Krawczyk's test fails")
+    return orbit
 
 
 def _exponentials(chain: PhaseNumbers, times: Sequence[Any]) -> list[Any]:

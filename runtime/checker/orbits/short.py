@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from nonsmooth.runtime.checker.stated.declared import StatedSystem
-from nonsmooth.runtime.checker.stated.exact import demand, product
+from nonsmooth.runtime.checker.stated.exact import demand, pivot, product
 from nonsmooth.runtime.core.taylor_models import matrix
 
 __all__ = ["Short", "quotient", "quotients", "short_phase"]
@@ -67,7 +67,7 @@ def _jump(declared: StatedSystem, place: int) -> list[Any] | None:
     None is returned if there is no such column.
     """
     step, following = declared.steps[place], declared.steps[(place + 1) % len(declared.steps)]
-    own = next((k for k, x in enumerate(step.exit) if x), None)
+    own = pivot(step.exit)
 
     def left(row: Sequence[Any]) -> list[Any]:
         if own is None:
@@ -76,14 +76,14 @@ def _jump(declared: StatedSystem, place: int) -> list[Any] | None:
         return [x - share * y for x, y in zip(row, step.exit, strict=True)]
 
     rate = left(product(step.exit, step.field))
-    pivot = next((k for k, x in enumerate(rate) if x), None)
-    if pivot is None:
+    first = pivot(rate)
+    if first is None:
         return None
     found: list[Any] = []
     for ahead, behind in zip(following.field, step.reset, strict=True):
         both = zip(product(ahead, step.reset), product(behind, step.field), strict=True)
         jump = left([x - y for x, y in both])
-        share = jump[pivot] / rate[pivot]
+        share = jump[first] / rate[first]
         if any(x - share * y for x, y in zip(jump, rate, strict=True)):
             return None
         found.append(share)

@@ -9,7 +9,7 @@ from typing import Any
 from flint import arb_mat
 
 from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit
-from nonsmooth.runtime.checker.stated.exact import demand, exact, product, reduced
+from nonsmooth.runtime.checker.stated.exact import demand, exact, pivot, product, reduced
 
 __all__ = ["vanishing"]
 
@@ -52,13 +52,13 @@ def vanishing(orbit: CheckedOrbit) -> list[Any]:
 
 def _factors(row: Any, facts: list[Any]) -> list[Any]:
     """Return the coefficients of a row as a combination of reduced rows."""
-    return [row[next(j for j, x in enumerate(fact) if x)] for fact in facts]
+    return [row[pivot(fact)] for fact in facts]
 
 
 def _less_exit(orbit: CheckedOrbit, row: Any, leaves: Any, kept: list[Any]) -> Any:
     """Return a row without its share of the exit row, which is zero where the phase ends."""
     rest, zero = reduced(row, kept), reduced(leaves, kept)
-    place = next((k for k, x in enumerate(zero) if x), None)
+    place = pivot(zero)
     if place is None:
         return row
     orbit.declared.exactly.divisors.append(zero[place])

@@ -21,14 +21,12 @@ from nonsmooth.runtime.checker.stated.exact import (
     Elimination,
     Failure,
     demand,
-    exact,
     product,
     reduced,
 )
 from nonsmooth.runtime.checker.stated.parameters import number_at
 from nonsmooth.runtime.checker.stated.shape import check_file
 from nonsmooth.runtime.core.jets import part_of
-from nonsmooth.runtime.core.taylor_models import range_of
 
 __all__ = ["FoundBeyond", "check_branch", "found_beyond"]
 
@@ -144,17 +142,12 @@ def _side(tile: CheckedTile) -> str:
     demand((before == NO_MOTION) != (after == NO_MOTION), "no orbits begin at the event")
     sign = 1 if (before == NO_MOTION) == tile.forwards else -1
     if tile.place != tile.curve.last:
-        signs: set[bool] = set()
         order = 2 if tile.turns else 1
-
-        def moves(point: Sequence[Any]) -> None:
-            rate = range_of(part_of(tile.curve.jets(tile.place, point, order)[-1], order))
-            demand(rate > 0 or rate < 0, "the parameter may turn")
-            signs.add(bool(rate > 0))
-
-        tile.parts(moves)
-        demand(len(signs) == 1, "the parameter may turn")
-        sign = (1 if tile.turns else sign) * (1 if signs == {True} else -1)
+        rises = tile.rises(
+            lambda point: part_of(tile.curve.jets(tile.place, point, order)[-1], order),
+            "the parameter may turn",
+        )
+        sign = (1 if tile.turns else sign) * (1 if rises else -1)
     return "above" if sign > 0 else "below"
 
 
@@ -182,8 +175,7 @@ class _Met:
     @cached_property
     def point(self) -> list[Any]:
         """All coordinates at the event, enclosed: the unknowns, then the parameter."""
-        low, high = exact(self.event["lower"]), exact(self.event["upper"])
-        return self.tile.at(arb((low + high) / 2) + arb(0, arb((high - low) / 2)))
+        return self.tile.at_event()
 
     @cached_property
     def orbit(self) -> Any:

@@ -14,7 +14,14 @@ from nonsmooth.runtime.checker.stated.parameters import number_at
 from nonsmooth.runtime.core.jets import Jet, jet, part_of
 from nonsmooth.runtime.core.taylor_models import matrix, range_of, unit_matrix
 
-__all__ = ["CheckedCurve", "prove_on_parts", "solution", "with_entry", "without_entry"]
+__all__ = [
+    "CheckedCurve",
+    "middle_and_half",
+    "prove_on_parts",
+    "solution",
+    "with_entry",
+    "without_entry",
+]
 
 _CLOSE = 0.6  # of the bits: half of the box around a root
 
@@ -240,6 +247,11 @@ def _largest(numbers: Sequence[Any]) -> Any:
     for number in numbers[1:]:
         found = found.max(number)
     return found.upper()
+
+
+def middle_and_half(low: Any, high: Any) -> tuple[Any, Any]:
+    """Return balls of the middle of an interval with exact ends, and of half its length."""
+    return arb((low + high) / 2), arb((high - low) / 2)
 
 
 def with_entry(place: int, value: Any, others: Sequence[Any]) -> list[Any]:

@@ -12,7 +12,13 @@ from typing import Any, NamedTuple
 
 from flint import arb, ctx
 
-from nonsmooth.runtime.checker.orbits.motion import Border, admissibility, borders_of, time_of_touch
+from nonsmooth.runtime.checker.orbits.motion import (
+    Border,
+    admissibility,
+    borders_of,
+    demand_no_phase,
+    event_number,
+)
 from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.orbits.stability import (
     MULTIPLIERS,
@@ -21,14 +27,15 @@ from nonsmooth.runtime.checker.orbits.stability import (
     judged_stability,
     outside_if_reached,
     paired,
-    passing,
 )
 from nonsmooth.runtime.checker.ranges.branch_curve import (
     CheckedCurve,
+    middle_and_half,
     prove_on_parts,
     with_entry,
     without_entry,
 )
+from nonsmooth.runtime.checker.ranges.divided import curve_at
 from nonsmooth.runtime.checker.stated.exact import Failure, demand, exact, inside
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import TaylorModel, range_of, space_of
@@ -95,14 +102,8 @@ class CheckedTile:
 
     def centre(self, value: Any) -> list[Any]:
         """Return the tube's middle, the stated polynomials, at a value of the tile's coordinate."""
-        e = (value - arb((self.low + self.high) / 2)) / arb((self.high - self.low) / 2)
-        found = []
-        for row in self.tile["centre"]:
-            total = arb(0)
-            for coefficient in reversed(row):
-                total = total * e + arb(coefficient)
-            found.append(total)
-        return found
+        middle, half = middle_and_half(self.low, self.high)
+        return [curve_at(row, (value - middle) / half) for row in self.tile["centre"]]
 
     def holds(self, value: Any, others: Sequence[Any]) -> bool:
         """Return whether the other coordinates lie in the tube at a value of the tile's."""
@@ -114,6 +115,11 @@ class CheckedTile:
         found = self.curve.located(self.place, value, self.centre(value.mid()))
         demand(self.holds(value, without_entry(self.place, found)), "an orbit is not in its tube")
         return found
+
+    def at_event(self) -> list[Any]:
+        """Return sharp enclosures of all coordinates where the tile's event may be."""
+        middle, half = middle_and_half(exact(self.event["lower"]), exact(self.event["upper"]))
+        return self.at(middle + arb(0, half))
 
     def at_end(self, end: Any) -> list[Any]:
         """Return sharp enclosures of all coordinates at one end of the tile."""
@@ -148,8 +154,7 @@ class CheckedTile:
 
     def locate(self) -> None:
         """Prove that the tube holds one orbit for each value, inside of the interval."""
-        half = arb((self.high - self.low) / 2)
-        value = self.space.variable(0, arb((self.low + self.high) / 2), half)
+        value = self.space.variable(0, *middle_and_half(self.low, self.high))
         centre = [
             TaylorModel(self.space, tuple(arb(c) for c in row)) for row in self.tile["centre"]
         ]
@@ -183,6 +188,19 @@ class CheckedTile:
     def parts(self, prove: Callable[[Sequence[Any]], None]) -> None:
         """Call `prove` on the whole tile or, where that fails, on its halves again and again."""
         prove_on_parts(prove, self.point, self.deepest, self._sharper)
+
+    def rises(self, rate: Callable[[Sequence[Any]], Any], otherwise: str) -> bool:
+        """Return whether a rate at the tile's orbits is positive; `Failure` if it may be zero."""
+        signs: set[bool] = set()
+
+        def moves(point: Sequence[Any]) -> None:
+            over = range_of(rate(point))
+            demand(over > 0 or over < 0, otherwise)
+            signs.add(bool(over > 0))
+
+        self.parts(moves)
+        demand(len(signs) == 1, otherwise)
+        return signs == {True}
 
     def _sharper(self, point: Sequence[Any]) -> list[Any]:
         """Return narrower enclosures of the orbits on a part, by repeated Krawczyk steps."""
@@ -227,13 +245,7 @@ class CheckedTile:
             slope = curve.jets(place, point, 1 + order)[-1]
             return part_of(slope, 1), 2 * part_of(slope, 2) if order else None
         orbit = curve.orbit(curve.jets(place, point, 1) if order else point)
-        if isinstance(which, str):
-            found = passing(characteristic(orbit.section), which)
-        else:
-            time = None
-            if which.kind == "grazing":
-                time = time_of_touch(curve.orbit(point), which, window)
-            found = which.number(orbit, time)
+        found = event_number(which, orbit, lambda: curve.orbit(point), window)
         return part_of(found, 0), part_of(found, 1) if order else None
 
 
@@ -260,9 +272,7 @@ class _CheckedEvent:
         tile, event = self.tile, self.event
         demand(tile.low < self.low < self.high < tile.high, "its event is outside")
         if event["kind"] in MULTIPLIERS:
-            own = [event[name] for name in ("phase", "configuration", "boundary", "instant")]
-            alone = not event["also"] and not event["window"]
-            demand(own == [None, "", "", ""] and alone, "a phase")
+            demand_no_phase(event)
             below, above = self._multiplier(event["kind"])
         else:
             beside = [entry for entry in event["also"] if entry[0] in MULTIPLIERS]
@@ -276,8 +286,7 @@ class _CheckedEvent:
             below, above = self._border()
         enclosures: dict[str, Any] = {}
         with ctx.workprec(SHARP):
-            middle, half = (self.low + self.high) / 2, (self.high - self.low) / 2
-            found = tile.at(arb(middle) + arb(0, arb(half)))
+            found = tile.at_event()
             for name, x in zip(self.curve.names, found, strict=True):
                 enclosures[name] = x.union(enclosures.get(name, x))  # two may have one name
             if event["kind"] == "neimark-sacker":
@@ -350,21 +359,15 @@ class _CheckedEvent:
     def _passes(self, which: Border | str) -> bool:
         """Return whether the event's number rises through zero, once; `Failure` if it may not."""
         tile = self.tile
-        signs: set[bool] = set()
-
-        def moves(point: Sequence[Any]) -> None:
-            rate = range_of(tile.number(which, point, 1, self.window)[1])
-            demand(rate > 0 or rate < 0, "an event may happen twice, or be touched only")
-            signs.add(bool(rate > 0))
-
-        tile.parts(moves)
-        demand(len(signs) == 1, "an event may happen twice")
+        rises = tile.rises(
+            lambda point: tile.number(which, point, 1, self.window)[1],
+            "an event may happen twice, or be touched only",
+        )
         with ctx.workprec(SHARP):
             low, high = (
                 tile.number(which, tile.at(arb(end)), 0, self.window)[0]
                 for end in (self.low, self.high)
             )
-        rises = signs == {True}
         opposite = (low < 0 < high) if rises else (high < 0 < low)
         demand(opposite, "there may be no event between its bounds")
         return rises

@@ -12,14 +12,19 @@ from typing import Any, NamedTuple
 
 from flint import arb, fmpq
 
-from nonsmooth.runtime.checker.orbits.motion import Border, admissibility, borders_of, time_of_touch
+from nonsmooth.runtime.checker.orbits.motion import (
+    Border,
+    admissibility,
+    borders_of,
+    demand_no_phase,
+    event_number,
+)
 from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.orbits.stability import (
     MULTIPLIERS,
     characteristic,
     demand_alone,
     paired,
-    passing,
     stability,
 )
 from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve
@@ -27,7 +32,16 @@ from nonsmooth.runtime.checker.stated.exact import demand
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import TaylorModel, range_of, space_of
 
-__all__ = ["Band", "DividingCurve", "Division", "Part", "curve_at", "fraction"]
+__all__ = [
+    "VERDICTS",
+    "Band",
+    "DividingCurve",
+    "Division",
+    "Part",
+    "curve_at",
+    "fraction",
+    "monotone",
+]
 
 Part = Sequence[tuple[Any, Any]]
 _WHOLE = ((fmpq(-1), fmpq(1)),) * 2
@@ -35,7 +49,7 @@ _ORDER = 12  # of what is composed along a curve
 _NARROW = fmpq(1, 100_000)  # the largest radius of a band, as a share of the box
 _SPARE = 2  # times the radius that a band needs: another version of the arithmetic rounds otherwise
 _FINEST = 2.0**-41  # the least radius that is found, as a share of the box: all tiles round alike
-_VERDICTS = {"proved": "proved", "refuted": "unstable"}
+VERDICTS = {"proved": "proved", "refuted": "unstable"}  # of admissible orbits, by stability
 
 
 class Band(NamedTuple):
@@ -78,13 +92,12 @@ class Band(NamedTuple):
         demand(len(centre) > 1 and radius > 0, "a curve without width")
         share = radius / 2 ** (place[self.axis][1] + 1)
         demand(share < _NARROW, "a band is too wide: a part of the tile has no verdict")
-        bends = sum((k * abs(c) for k, c in enumerate(centre) if k > 1), fmpq(0))
-        over = sum((abs(c) for c in centre[1:]), fmpq(0))
+        one_way, over = monotone(centre)
         whole = all(  # each side is on all lines along the axis, or on none
             side * centre[0] + over + radius < 1 or side * centre[0] - over + radius >= 1
             for side in (-1, 1)
         )
-        demand(whole or abs(centre[1]) > bends, "a side may consist of several parts")
+        demand(whole or one_way, "a side may consist of several parts")
         return self
 
     def at(self, place: Any) -> Any:
@@ -133,7 +146,7 @@ class Division:
         self.curve, self.band, self.beside = curve, band, beside
         self.borders, self.window = curve.borders, curve.window
         if self.borders:
-            told = admissible == "undecided" and self.stable in _VERDICTS
+            told = admissible == "undecided" and self.stable in VERDICTS
             demand(self.borders[0].kind == curve.kind, "a border of another kind")
             demand(len({*self.borders}) == len(self.borders), "a border twice")
         else:
@@ -154,8 +167,7 @@ class Division:
         demand(event["kind"] != "fold" and event["fold"] is None, "at a fold the orbit ends")
         band = Band.stated(event, names, place)
         if event["kind"] in MULTIPLIERS:
-            own = [event[name] for name in ("phase", "configuration", "boundary", "instant")]
-            demand(own == [None, "", "", ""] and not event["also"], "a phase")
+            demand_no_phase(event)
         own = [event["kind"], *(kind for kind, *_ in event["also"])]
         demand(len(own) == 1 or not {*own} & {*MULTIPLIERS}, "a multiplier at a border")
         borders, times = borders_of(event)
@@ -201,10 +213,9 @@ class Division:
             demand_alone(orbit, kind)
             if kind == "neimark-sacker":
                 demand(paired(characteristic(orbit.section)), "two multipliers may be real")
-        borders: Sequence[Border | None] = self.borders or [None]
-        for border in borders:
-            number, slope = _number(orbit, moving, kind, border, self.window)
-            rate = range_of(slope)
+        for which in self.borders or [kind]:
+            found = event_number(which, moving, lambda: orbit, self.window)
+            number, rate = part_of(found, 0), range_of(part_of(found, 1))
             demand(rate > 0 or rate < 0, "an event may happen twice, or be touched only")
             self._beyond(number, part, 1 if rate > 0 else -1)
             self.signs.add(bool(rate > 0))
@@ -260,7 +271,7 @@ class Division:
         """
         demand(len(self.signs) == 1, "an event may happen twice, or in both directions")
         if self.borders:
-            beside = _VERDICTS[self.stable], "not admissible"
+            beside = VERDICTS[self.stable], "not admissible"
             return beside if self.signs == {True} else beside[::-1]
         band = self.band
         assert band is not None
@@ -272,8 +283,8 @@ class Division:
                 continue
             clearest = max(points, key=lambda point: abs(band.away(point)))
             told = stability(at([arb(fmpq(*x.as_integer_ratio())) for x in clearest]))
-            demand(told in _VERDICTS, f"beside the event stability is {told}")
-            found.append(_VERDICTS[told])
+            demand(told in VERDICTS, f"beside the event stability is {told}")
+            found.append(VERDICTS[told])
         demand(found, "the tile is thinner than its band")
         return found[0], found[-1]
 
@@ -283,6 +294,15 @@ def _power(bound: Any, power: int) -> Any:
     if power == 0:
         return arb(1)
     return arb(0, bound**power) if power % 2 else arb(0).union(bound**power)
+
+
+def monotone(centre: Sequence[Any]) -> tuple[bool, Any]:
+    """Return whether a polynomial surely only rises or falls from -1 to 1, by its terms' sizes.
+
+    With it comes a bound of how far it is there from its constant term.
+    """
+    bends = sum((k * abs(c) for k, c in enumerate(centre) if k > 1), fmpq(0))
+    return abs(centre[1]) > bends, sum((abs(c) for c in centre[1:]), fmpq(0))
 
 
 def fraction(number: float) -> Any:
@@ -307,16 +327,3 @@ def _moving(
     beside = [x for k, x in enumerate(parameters) if k != axis]
     curve = CheckedCurve(orbit.declared, {}, constants, "", (), axis, beside)
     return curve.orbit(curve.jets(curve.last, [*orbit.root, parameters[axis]], 1))
-
-
-def _number(
-    orbit: CheckedOrbit, moving: CheckedOrbit, kind: str, border: Border | None,
-    window: tuple[Any, Any] | None,
-) -> tuple[Any, Any]:  # fmt: skip
-    """Return the number that is zero at the event, and its derivative by the parameter."""
-    if border is None:
-        found = passing(characteristic(moving.section), kind)
-    else:
-        time = time_of_touch(orbit, border, window) if border.kind == "grazing" else None
-        found = border.number(moving, time)
-    return part_of(found, 0), part_of(found, 1)

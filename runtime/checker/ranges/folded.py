@@ -14,11 +14,16 @@ from typing import Any, NamedTuple
 
 from flint import arb, fmpq
 
-from nonsmooth.runtime.checker.orbits.motion import admissibility
-from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, Cut, followed
+from nonsmooth.runtime.checker.orbits.motion import admissibility, demand_no_phase
+from nonsmooth.runtime.checker.orbits.orbit import Cut, followed, orbit_at
 from nonsmooth.runtime.checker.orbits.stability import demand_alone, stability
-from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve, with_entry, without_entry
-from nonsmooth.runtime.checker.ranges.divided import Band, curve_at, fraction
+from nonsmooth.runtime.checker.ranges.branch_curve import (
+    CheckedCurve,
+    middle_and_half,
+    with_entry,
+    without_entry,
+)
+from nonsmooth.runtime.checker.ranges.divided import VERDICTS, Band, curve_at, fraction, monotone
 from nonsmooth.runtime.checker.stated.declared import StatedSystem
 from nonsmooth.runtime.checker.stated.exact import demand
 from nonsmooth.runtime.checker.stated.parameters import number_at
@@ -73,7 +78,6 @@ _TRIES = (2, 4, 16)  # times the distance of the polynomials from the orbits: si
 _NEAR = 0.0625  # how far from the stated numbers the orbits may be in the middle
 _CLEAR = fmpq(3, 4)  # of the tube: there a sheet is clearly one of the two
 _NEWTON, _HALVINGS = 3, 64
-_VERDICTS = {"proved": "proved", "refuted": "unstable"}
 
 
 class Sheets(NamedTuple):
@@ -126,9 +130,7 @@ class FoldedTile:
         event = tile["event"]
         fold = event["fold"]
         demand(fold is not None, "a fold without its orbits")
-        own = [event[name] for name in ("phase", "configuration", "boundary", "instant")]
-        named = own == [None, "", "", ""] and not event["also"] and not event["window"]
-        demand(named, "a phase")
+        demand_no_phase(event)
         demand({*tile["claims"].values()} == {"undecided"}, "claims of another event")
         demand(not tile["enclosures"], "enclosures of no orbit")
         band = Band.stated(event, names, tile["place"])
@@ -153,8 +155,7 @@ class FoldedTile:
     def _prove(self) -> None:
         """Prove all of it in Taylor models over the tube (e) and the tile (q)."""
         space = space_of(2, _ORDER)
-        low, high = self.where[1 - self.axis]
-        beside = space.variable(1, arb((low + high) / 2), arb((high - low) / 2))
+        beside = space.variable(1, *middle_and_half(*self.where[1 - self.axis]))
         along = space.variable(1, arb(0), arb(1))
         value = curve_at(self.sheets.middle, along) + space.variable(0, arb(0), arb(self.half))
         self._locate(beside, value)
@@ -205,12 +206,11 @@ class FoldedTile:
 
     def _meets(self, slope: Any, bend: Any) -> None:
         """Find how far from the curve, and from the middle of the tube, the orbits may meet."""
-        low, high = self.where[self.axis]
+        middle, half = middle_and_half(*self.where[self.axis])
         along = space_of(1, _ORDER).variable(0, arb(0), arb(1))
-        over = self.root[-1].at([arb(0), along])
-        away = (over - arb((low + high) / 2)) / arb((high - low) / 2)
+        away = (self.root[-1].at([arb(0), along]) - middle) / half
         rate = abs(_along(slope, 0))
-        least = rate * rate / (2 * abs(bend)) / arb((high - low) / 2)
+        least = rate * rate / (2 * abs(bend)) / half
         self.far = abs(range_of(away - curve_at(self.sheets.centre, along))) + least
         self.apart = (rate / abs(bend) / arb(self.half)).upper()
         demand(self.apart < arb(_CLEAR), "they may meet far from the middle of the tube")
@@ -228,8 +228,8 @@ class FoldedTile:
         for sheet, end in (("below", -_CLEAR), ("above", _CLEAR)):
             at = [x.at([arb(end), arb(0)]) for x in point]
             told = stability(self._curve(lambda x: x, beside.at([arb(end), arb(0)])).orbit(at))
-            demand(told in _VERDICTS, f"stability of an orbit beside the fold is {told}")
-            self.verdicts[sheet] = _VERDICTS[told]
+            demand(told in VERDICTS, f"stability of an orbit beside the fold is {told}")
+            self.verdicts[sheet] = VERDICTS[told]
 
     def claims_at(self, point: Sequence[Any]) -> bool:
         """Return whether a point, from -1 to 1 over the tile, clearly has orbits."""
@@ -253,11 +253,10 @@ class FoldedTile:
             near, far = (near, middle) if beyond else (middle, far)
         rest = [x.at([near, other]).mid() for x in self.root[:-1]]
         start = curve_at(self.sheets.middle, other) + near * arb(self.half)
-        orbit = CheckedOrbit(self.declared, number_at([*values, *self.constants]))
-        unique, _ = orbit.locate(orbit.near(with_entry(self.place, start.mid(), rest)))
-        demand(unique, "existence at a point is not proved: Krawczyk's test fails")
-        demand(self.holds(point, orbit.root), "an orbit at a point is not in the tube")
-        return list(orbit.root)
+        number = number_at([*values, *self.constants])
+        root = orbit_at(self.declared, number, with_entry(self.place, start.mid(), rest)).root
+        demand(self.holds(point, root), "an orbit at a point is not in the tube")
+        return list(root)
 
     def holds(self, point: Sequence[Any], found: Sequence[Any]) -> bool:
         """Return whether an orbit at a point, from -1 to 1 over the tile, is the map's.
@@ -339,9 +338,8 @@ def _is_beyond(tile: dict[str, Any], place: Sequence[Any], edge: Sequence[Any]) 
         [(2 * x - low - high) / (high - low) for x in ends]
         for ends, (low, high) in zip(edge, place, strict=True)
     ]
-    over = sum((abs(c) for c in centre[1:]), fmpq(0))
-    bends = sum((k * abs(c) for k, c in enumerate(centre) if k > 1), fmpq(0))
-    if abs(centre[1]) > bends:
+    one_way, over = monotone(centre)
+    if one_way:
         curve = [curve_at(event["centre"], other) for other in sides[1 - axis]]
     else:
         curve = [centre[0] - over, centre[0] + over]

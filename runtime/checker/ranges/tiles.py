@@ -10,9 +10,10 @@ from typing import Any
 from flint import arb, ctx, fmpq
 
 from nonsmooth.runtime.checker.orbits.motion import admissibility
-from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit
+from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, orbit_at
 from nonsmooth.runtime.checker.orbits.stability import judged_stability, stability
-from nonsmooth.runtime.checker.ranges.divided import Band, DividingCurve, Division
+from nonsmooth.runtime.checker.ranges.branch_curve import middle_and_half
+from nonsmooth.runtime.checker.ranges.divided import VERDICTS, Band, DividingCurve, Division
 from nonsmooth.runtime.checker.ranges.folded import (
     BEYOND,
     SMALLEST,
@@ -299,13 +300,9 @@ class MapTile:
 
     def _orbit_at(self, point: Sequence[Any]) -> CheckedOrbit:
         """Return the tile's orbit at a point, from -1 to 1 over it."""
-        values = [
-            arb((low + high) / 2) + x * arb((high - low) / 2)
-            for x, (low, high) in zip(point, self.where, strict=True)
-        ]
-        orbit = CheckedOrbit(self.declared, number_at([*values, *self.constants]))
-        unique, _ = orbit.locate(orbit.near([_at(x, point) for x in self.centre]))
-        demand(unique, "existence at a point is not proved: Krawczyk's test fails")
+        sides = zip(point, (middle_and_half(*ends) for ends in self.where), strict=True)
+        number = number_at([*(m + x * half for x, (m, half) in sides), *self.constants])
+        orbit = orbit_at(self.declared, number, [_at(x, point) for x in self.centre])
         demand(self._holds(point, orbit.root), "another orbit is found at a point of it")
         return orbit
 
@@ -437,10 +434,7 @@ def _numbers(where: Sequence[Interval], constants: Any, space: Space) -> Callabl
 
 def _values(where: Sequence[Interval], space: Space) -> list[Any]:
     """Return all parameters of a tile, as Taylor models."""
-    return [
-        space.variable(axis, arb((low + high) / 2), arb((high - low) / 2))
-        for axis, (low, high) in enumerate(where)
-    ]
+    return [space.variable(axis, *middle_and_half(*ends)) for axis, ends in enumerate(where)]
 
 
 def _verdict(tile: dict[str, Any]) -> str:
@@ -448,7 +442,7 @@ def _verdict(tile: dict[str, Any]) -> str:
     _, admissible, stable = agreed_claims(tile["claims"], tile["reasons"])
     if tile["event"] is not None:
         return "divided"
-    verdict = {"proved": "proved", "refuted": "unstable"}.get(stable, "undecided")
+    verdict = VERDICTS.get(stable, "undecided")
     return {"proved": verdict, "refuted": "not admissible"}.get(admissible, "undecided")
 
 

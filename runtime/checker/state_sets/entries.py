@@ -3,7 +3,13 @@
 from functools import cached_property
 from typing import Any, NamedTuple
 
-from nonsmooth.runtime.checker.state_sets.sets import CarryingPhase, StateSet, TooWide, matrix_of
+from nonsmooth.runtime.checker.state_sets.sets import (
+    CarryingPhase,
+    StateSet,
+    TooWide,
+    matrix_of,
+    row_of,
+)
 from nonsmooth.runtime.checker.state_sets.switching import SwitchingSystem, echelon_behind
 from nonsmooth.runtime.checker.stated.exact import (
     Elimination,
@@ -60,7 +66,7 @@ class Entry:
         for name, row in phase.rows.items():
             order, begins = leading(row, phase.exact, self.facts, 0)
             if begins is not None:
-                found.append((name, order, phase.timed(begins)))
+                found.append((name, order, row_of(begins)))
         return found
 
     def watched(self, states: StateSet) -> dict[str, int]:
@@ -127,7 +133,7 @@ class Entry:
                 for k, (row, along, holds) in enumerate(way.conditions):
                     field = owner.system.fields[along]
                     order, first = leading(row, field, facts, int(row in rows))
-                    signs.append((None if first is None else phase.timed(first), holds))
+                    signs.append((None if first is None else row_of(first), holds))
                     decided &= k >= (way.early or 0) or (not order and first is not None)
                 if way.early is not None:
                     for k, row in enumerate(way.reset):

@@ -9,8 +9,9 @@ from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
-from flint import arb, arb_mat
+from flint import arb_mat
 
+from nonsmooth.runtime.checker.state_sets.sets import row_of
 from nonsmooth.runtime.checker.stated.exact import Elimination
 from nonsmooth.runtime.core.exponentials.float_flows import FloatFlow
 from nonsmooth.runtime.core.float_sets import Floats, ManySets, Rounded, joined_sets
@@ -230,7 +231,7 @@ class PhaseExits:
 
 def rounded(row: Sequence[Any]) -> Rounded:
     """Return an exact affine function of the state as a rounded row (1, N + 2) over (y, t, 1)."""
-    return Rounded.of(arb_mat([[*map(arb, row[:-1]), arb(0), arb(row[-1])]]))
+    return Rounded.of(row_of(row))
 
 
 def negative(row: Rounded) -> Rounded:

@@ -31,7 +31,14 @@ from nonsmooth.runtime.checker.state_sets.switching import (
     echelon_behind,
 )
 from nonsmooth.runtime.checker.stated.declared import Transition
-from nonsmooth.runtime.checker.stated.exact import Elimination, demand, leading, product, reduced
+from nonsmooth.runtime.checker.stated.exact import (
+    Elimination,
+    demand,
+    leading,
+    pivot,
+    product,
+    reduced,
+)
 from nonsmooth.runtime.core.exponentials.float_flows import FloatFlow
 from nonsmooth.runtime.core.float_sets import LONGEST, Floats, ManySets, Rounded, within
 
@@ -351,10 +358,10 @@ class ManyMotions:
         for column, k in enumerate(places):
             found[k, column] = arb(1)
         for row in facts:
-            pivot = next(k for k, x in enumerate(row) if x)
+            own = pivot(row)
             for column, k in enumerate(places):
-                found[pivot, column] = arb(0 if k == size else -row[k])
-            found[pivot, len(places)] = arb(-row[size])
+                found[own, column] = arb(0 if k == size else -row[k])
+            found[own, len(places)] = arb(-row[size])
         found[size + 1, len(places)] = arb(1)
         return Rounded.of(found)
 
@@ -370,5 +377,5 @@ class ManyMotions:
 
 
 def _without_pivots(facts: Any, size: int) -> list[int]:
-    pivots = {next(k for k, x in enumerate(row) if x) for row in facts}
+    pivots = {*map(pivot, facts)}
     return [k for k in range(size) if k not in pivots]

@@ -13,9 +13,9 @@ from flint import arb, arb_mat, ctx, fmpq
 from nonsmooth.runtime.checker.state_sets.entries import CarryingSystem, Entry
 from nonsmooth.runtime.checker.state_sets.for_ever import stays_negative
 from nonsmooth.runtime.checker.state_sets.portions import direction
-from nonsmooth.runtime.checker.state_sets.sets import CarryingPhase, StateSet, TooWide
+from nonsmooth.runtime.checker.state_sets.sets import CarryingPhase, StateSet, TooWide, row_of
 from nonsmooth.runtime.checker.state_sets.switching import SwitchingSystem
-from nonsmooth.runtime.checker.stated.exact import demand, product, reduced
+from nonsmooth.runtime.checker.stated.exact import demand, fixed, pivot, product, reduced
 
 __all__ = ["OneMotion"]
 
@@ -35,15 +35,14 @@ class OneMotion(CarryingSystem):
         super().__init__(system)
         demand(configuration in system.fields, "there is no such configuration")
         demand(len(start) == system.size, "a state of another size")
-        facts = [
-            (*(fmpq(int(i == k)) for i in range(system.size)), -x) for k, x in enumerate(start)
-        ]
+        facts = fixed(system.size, enumerate(start))
         held, rows = system.held[configuration], system.boundaries[configuration]
         demand(not any(any(reduced(row, facts)) for row in held), "the start is off what is held")
         inside = all(reduced(row, facts)[-1] <= 0 for row in rows.values())
         demand(inside, "the start is beyond a boundary")
         self.entry = Entry(self, configuration, facts)
         self.states = _about([*map(arb, start), arb(0)])
+        self.arrival = self.time  # up to which the motion is proved, in a ball
 
     @property
     def phase(self) -> CarryingPhase:
@@ -86,14 +85,15 @@ class OneMotion(CarryingSystem):
     def arrive(self, reached: frozenset[str], about: Any) -> None:
         """Show that boundaries are the next ones, `about` when, and take the transition behind.
 
-        `TooWide` is raised with the reason if that is not known, `Failure` if no transition
-        follows, or stops may act in several orders that do not agree.
+        `TooWide` is raised with the reason if that is not known, and nothing is reached before the
+        times that it tells. `Failure` is raised if no transition follows, or stops may act in
+        several orders that do not agree: then `arrival` is when the boundaries are reached.
         """
         demand(reached in self.moving(), "other boundaries are reached together")
         phase, watched, first = self.phase, self.entry.watched(self.states), min(reached)
         own, others = ({name: order for name, order in watched.items() if (name in reached) == mine}
                        for mine in (True, False))  # fmt: skip
-        row = phase.timed(phase.rows[first])
+        row = row_of(phase.rows[first])
         least = 2.0 ** -min(ctx.prec // 2, _DEEPEST)
         try:
             arrived, before, after = phase.arrive(self.states, row, about, least)
@@ -109,7 +109,7 @@ class OneMotion(CarryingSystem):
             if trouble.at < together:
                 raise
             told = _AT_ONCE.format(*sorted((first, trouble.name)))
-            raise TooWide(told, trouble.name, together) from None
+            raise TooWide(told, trouble.name, together.union(trouble.at)) from None
         self._go_on(reached, arrived)
 
     def never(self, since: Any) -> bool:
@@ -127,36 +127,42 @@ class OneMotion(CarryingSystem):
     def clear(self, until: Any) -> None:
         """Show that no boundary is reached up to a time since the phase's start, an exact one."""
         self._clear(until, self.entry.watched(self.states))
+        self.arrival = self._since(until)
 
     def _clear(self, until: Any, watched: dict[str, int], ends: str | None = None) -> None:
-        """Show that no boundary is reached up to a time."""
+        """Show that no boundary is reached up to a time.
+
+        If that is not known it is shown up to the times that are told, and if the one that `ends`
+        is watched alone, of all others too.
+        """
         deepest = min(ctx.prec // 2, _DEEPEST)
         try:
             self.phase.clear(self.states, until, watched, ends, deepest)
         except TooWide as trouble:
-            told, at = _SLOW.format(trouble.name), self._since(trouble.at)
-            raise TooWide(told, trouble.name, at) from None
+            before, told = trouble.at.lower(), _SLOW.format(trouble.name)
+            if ends and before > 0:
+                others = self.entry.watched(self.states)
+                del others[ends]
+                self._clear(before, others)
+            raise TooWide(told, trouble.name, self._since(trouble.at)) from None
 
     def _since(self, time: Any) -> Any:
         """Return the time since the start, for one since the phase's start."""
         return self.time + time
 
     def _go_on(self, reached: frozenset[str], states: StateSet, *, at_once: bool = False) -> None:
-        """Take the transition behind boundaries; its instant is told if it is not known."""
-        try:
-            behind, entry = self.entry.behind(reached, states, at_once=at_once)
-        except TooWide as trouble:
-            at = states.hull[self.system.size, 0]
-            raise TooWide(trouble.reason, trouble.name, at) from None
+        """Take the transition behind boundaries that are reached."""
+        self.arrival = states.hull[self.system.size, 0]
+        behind, entry = self.entry.behind(reached, states, at_once=at_once)
         demand(all(any(row[:-1]) for row in entry.facts), "what is known contradicts itself")
         found = behind.hull.entries()[:-1]
         for row in entry.facts:  # what gives a state exactly, or better
-            pivot = next(k for k, x in enumerate(row) if x)
+            place = pivot(row)
             pairs = zip(row[:-1], found, strict=False)
             given = -sum(
-                (x * y for k, (x, y) in enumerate(pairs) if x and k != pivot), arb(row[-1])
+                (x * y for k, (x, y) in enumerate(pairs) if x and k != place), arb(row[-1])
             )
-            found[pivot] = given if given.rad() <= found[pivot].rad() else found[pivot]
+            found[place] = given if given.rad() <= found[place].rad() else found[place]
         self.states, self.entry = _about(found), entry
 
 

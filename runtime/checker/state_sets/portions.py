@@ -8,6 +8,7 @@ import numpy as np
 from flint import arb, arb_mat, fmpq
 
 from nonsmooth.runtime.checker.state_sets.exits import ExitFunction, PhaseExits, negative, rounded
+from nonsmooth.runtime.checker.state_sets.sets import row_of
 from nonsmooth.runtime.checker.state_sets.switching import SwitchingSystem
 from nonsmooth.runtime.checker.stated.exact import Elimination, leading, product, reduced
 from nonsmooth.runtime.core.exponentials.float_flows import FloatFlow
@@ -109,8 +110,7 @@ class DividingPhase:
                 continue
             facts = exactly.echelon([*lasting, row])
             rate = reduced(product(row, field), facts)
-            timed = arb_mat([[*map(arb, row[:-1]), arb(0), arb(row[-1])]])
-            self.functions.append(ExitFunction(frozenset(names), timed, order, facts, rate))
+            self.functions.append(ExitFunction(frozenset(names), row_of(row), order, facts, rate))
             if any(reduced(product(row, field), lasting)):
                 self.changing.append(self.functions[-1])
             self.first.append(first)

@@ -11,9 +11,9 @@ from typing import Any
 from flint import arb, arb_mat, fmpq, fmpq_mat
 
 from nonsmooth.runtime.checker.state_sets.entries import CarryingSystem, Entry
-from nonsmooth.runtime.checker.state_sets.sets import StateSet, TooWide
+from nonsmooth.runtime.checker.state_sets.sets import StateSet, TooWide, row_of
 from nonsmooth.runtime.checker.state_sets.switching import StatedSection, SwitchingSystem
-from nonsmooth.runtime.checker.stated.exact import Failure, demand, exact, reduced
+from nonsmooth.runtime.checker.stated.exact import Failure, demand, exact, pivot, reduced
 
 __all__ = ["Box", "Parallelepiped", "SectionMap", "Way", "divided"]
 
@@ -85,7 +85,7 @@ class SectionMap(CarryingSystem):
         demand(self.iterates > 0, "no iterate of the map")
         super().__init__(SwitchingSystem(content["declaration"], content["parameters"]))
         self.facts, self.forced = self.section.facts(self.system, self.exactly)
-        pivots = {next(k for k, x in enumerate(row) if x) for row in self.facts}
+        pivots = {*map(pivot, self.facts)}
         self.free = [k for k in range(self.system.size) if k not in pivots]
         named = [self.system.states[k] for k in self.free]
         told = [*content["coordinates"]] == named
@@ -129,7 +129,7 @@ class SectionMap(CarryingSystem):
         entry, states = self._start, self._part(own, box, sloped)
         for source, boundary, target in way:
             phase = self.phases[source]
-            row = phase.timed(phase.rows[boundary])
+            row = row_of(phase.rows[boundary])
             arrived, before, after = phase.arrive(states, row, phase.guess(states.centre, boundary))
             watched = entry.watched(states)
             if boundary not in watched:
@@ -164,7 +164,7 @@ class SectionMap(CarryingSystem):
 
     def _lifted(self, columns: list[list[Any]]) -> list[list[Any]]:
         """Return columns of (states, time 0, 1): the first of a point, the others of directions."""
-        given = {next(k for k, x in enumerate(row) if x): row for row in self.facts}
+        given = {pivot(row): row for row in self.facts}
         rows = []
         for k in range(self.system.size):
             row = []

@@ -8,15 +8,15 @@ that every state of the set does about then, and nothing else before.
 from collections.abc import Sequence
 from functools import cached_property
 from itertools import count
-from math import ceil, frexp, hypot, ldexp
+from math import ceil, frexp, ldexp
 from typing import Any, NamedTuple
 
 import numpy as np
-from flint import arb, arb_mat, ctx
+from flint import arb, arb_mat, ctx, fmpq_mat
 
 from nonsmooth.runtime.checker.stated.exact import Failure
 
-__all__ = ["CarryingPhase", "StateSet", "TooWide", "matrix_of"]
+__all__ = ["CarryingPhase", "StateSet", "TooWide", "matrix_of", "row_of"]
 
 _ORDER = 7  # of Taylor's polynomials; more at a precision above 128 bits
 _DEEPEST = 14  # halvings of a phase
@@ -32,8 +32,11 @@ _STEPS, _TERMS = 64, 20  # at once, and of Taylor's polynomial over a step
 class TooWide(Exception):
     """Nothing is shown of a set, though perhaps of parts of it, or with more digits.
 
-    `name` is the boundary of which it is not known whether it is reached, and `at` a ball of times
-    since the phase's start, where these are known; `reason` says what else is open.
+    It is raised where the radii of balls leave a sign open, a phase has too many windows, or a
+    centre is not finite. `name` is the boundary of which it is not known whether it is reached, and
+    `at` a ball of times, where these are known: since the phase's start, or since the motion's
+    where `OneMotion` raises it, and then nothing else is reached before; `reason` says what is
+    open.
     """
 
     def __init__(self, reason: str = "", name: str = "", at: Any = None) -> None:
@@ -56,6 +59,11 @@ def matrix_of(rows: Sequence[Sequence[Any]], runs: bool) -> Any:
     else:
         found[size, size] = arb(1)
     return found
+
+
+def row_of(row: Sequence[Any]) -> Any:
+    """Return an exact row (N + 1) over (states, 1) as a row (1, N + 2) over (states, time, 1)."""
+    return arb_mat([[*map(arb, row[:-1]), arb(0), arb(row[-1])]])
 
 
 class StateSet(NamedTuple):
@@ -126,10 +134,6 @@ class CarryingPhase:
         """Return the flow over a time, as a matrix over (states, time, 1)."""
         return (self.matrix * time).exp()
 
-    def timed(self, row: Any) -> Any:
-        """Return a row (N + 1) as a row (1, N + 2) over (states, time, 1)."""
-        return arb_mat([[*(arb(x) for x in row[:-1]), arb(0), arb(row[-1])]])
-
     @np.errstate(all="ignore")
     def guess(self, centre: Any, name: str) -> float:
         """Return about the time at which a boundary's function of the centre first rises to zero.
@@ -143,7 +147,7 @@ class CarryingPhase:
             raise TooWide
         seen, slopes = self._seen(name)
         for _ in range(_LONGEST // _STEPS):
-            values = seen @ state
+            values = _times(seen, state)
             before, behind = values[:-1], values[1:]
             below = before < 0
             below[1 if not time else 0 :] |= before[1 if not time else 0 :] == 0
@@ -151,35 +155,45 @@ class CarryingPhase:
             if len(rises):
                 k = int(rises[0])
                 part = step * before[k] / (before[k] - behind[k])
-                return float(time + k * step + _root(slopes @ powers[k] @ state, part))
+                terms = _times(slopes, _times(powers[k], state)).tolist()
+                return float(time + k * step + _root(terms, part))
             if not np.isfinite(values).all():
                 break
-            state, time = powers[-1] @ state, time + _STEPS * step
+            state, time = _times(powers[-1], state), time + _STEPS * step
         raise Failure("a state of a set does not come to the boundary that is stated")
+
+    @cached_property
+    def fastest(self) -> float:
+        """About the largest size of an eigenvalue; 0 where all of them are."""
+        if not any(fmpq_mat(self.exact).charpoly().coeffs()[:-1]):
+            return 0.0
+        rates = arb_mat(self.near).eig(algorithm="approx")
+        return max(float(abs(x).mid()) for x in rates)
 
     @cached_property
     def step(self) -> float:
         """A time that is short for the fastest motion of the phase."""
-        rates = arb_mat(self.near).eig(algorithm="approx")
-        fastest = max(hypot(float(x.real.mid()), float(x.imag.mid())) for x in rates)
-        return _GRID / max(fastest, 0.05 * max(sum(map(abs, row)) for row in self.near), 1e-6)
+        size = max(sum(map(abs, row)) for row in self.near)
+        return _GRID / max(self.fastest, 0.05 * size, 1e-6)
 
     @cached_property
     def _ahead(self) -> tuple[float, Any]:
         """A step of time, and the flows over no, one and more steps in double precision."""
-        step, powers = self.step, [np.eye(self.size)]
+        step, powers = self.step, [self.flow(arb(0))]
+        flow = self.flow(arb(step))
         for _ in range(_STEPS):
-            powers.append(np.array(_near(self.flow(arb(step)))) @ powers[-1])
-        return step, np.stack(powers)
+            powers.append(flow * powers[-1])
+        return step, np.array([_near(power) for power in powers])
 
     def _seen(self, name: str) -> tuple[Any, Any]:
         """A boundary's function after no, one and more steps, and Taylor's coefficients of it."""
         if name not in self._rows:
-            (row,), field = _near(self.timed(self.rows[name])), np.array(self.near)
-            slopes = [np.array(row)]
+            slopes = [row_of(self.rows[name])]
             for k in range(1, _TERMS):
-                slopes.append(slopes[-1] @ field / k)
-            self._rows[name] = row @ self._ahead[1], np.stack(slopes)
+                slopes.append(slopes[-1] * self.matrix / k)
+            near = np.array([_near(row)[0] for row in slopes])
+            across = self._ahead[1].transpose(0, 2, 1)
+            self._rows[name] = _times(across, near[0]), near
         return self._rows[name]
 
     def clear(
@@ -192,14 +206,15 @@ class CarryingPhase:
     ) -> None:
         """Show that no boundary is reached up to a time; `TooWide` if that is not shown.
 
-        `watched` has the boundaries, with the order of the first derivative that is not zero
-        at the start; `ends` is the one that is known to be negative at the end. A window in
-        which a function rises is left to the next one, or to the end where it is known to be
-        negative; one in which it falls is left to the one before it, or to the start, where it is
-        not positive: both cannot meet. The phase is halved `deepest` times at most, and so many
-        windows are looked at as `_MOST_WINDOWS`.
+        `watched` has the boundaries, with the order of the first derivative that is not zero at the
+        start; `ends` is the one that is known to be negative at the end. A window in which a
+        function rises, and whose end does not tell its sign, is left to the next one, or to the end
+        where it is known to be negative; one in which it falls is left to the one before it, or to
+        the start, where it is not positive: both cannot meet. The times that are told begin where
+        such a function begins to rise, so that all are negative before. The phase is halved
+        `deepest` times at most, and so many windows are looked at as `_MOST_WINDOWS`.
         """
-        windows = [(arb(0), until, 0, sorted(watched))]
+        windows, rising = [(arb(0), until, 0, sorted(watched))], dict[str, Any]()
         for number in count(1):
             if not windows:
                 return
@@ -212,12 +227,23 @@ class CarryingPhase:
             for name in names:
                 first = watched[name] if begin == 0 else 0
                 if self._over(name, first, moved, over, radius) < 0:
+                    rising.pop(name, None)
                     continue
-                slope, rises = self._over(name, 1, moved, over, radius), name == ends or end < until
-                if not (slope < 0 or (rises and slope > 0)):
+                slope = self._over(name, 1, moved, over, radius)
+                if slope < 0:
+                    continue
+                height = self._over(name, 0, moved, over, end - middle)
+                if slope > 0 and height < 0:
+                    rising.pop(name, None)
+                elif slope > 0 and not height > 0 and (name == ends or end < until):
+                    rising.setdefault(name, begin)
+                else:
                     left.append(name)
             if left and (depth == deepest or number >= _MOST_WINDOWS):
-                raise TooWide("", left[0], middle + radius)
+                at = middle + radius
+                for since in rising.values():
+                    at = at.union(since)
+                raise TooWide("", left[0], at)
             if left:
                 windows.append((middle, end, depth + 1, left))
                 windows.append((begin, middle, depth + 1, left))
@@ -241,7 +267,7 @@ class CarryingPhase:
     def _derivatives(self, name: str, first: int) -> tuple[Any, Any]:
         """Return Taylor's coefficients from a derivative on, and the remainder's."""
         if (name, first) not in self._taylor:
-            row = self.timed(self.rows[name])
+            row = row_of(self.rows[name])
             for _ in range(first):
                 row = row * self.matrix
             found = []
@@ -310,13 +336,21 @@ def _near(matrix: Any) -> list[list[float]]:
     return [[float(x.mid()) for x in row] for row in matrix.tolist()]
 
 
-def _root(terms: Any, part: float) -> float:
+def _times(rows: Any, numbers: Any) -> Any:
+    """Return rows (..., n) times n numbers, summed in one order on every machine."""
+    total = rows[..., 0] * numbers[0]
+    for k in range(1, len(numbers)):
+        total = total + rows[..., k] * numbers[k]
+    return total
+
+
+def _root(terms: list[float], part: float) -> float:
     """Return where a polynomial is zero, by Newton's method from about there."""
-    powers = np.arange(len(terms))
     for _ in range(4):
-        raised = part**powers
-        slope = (powers[1:] * terms[1:]) @ raised[:-1]
+        value = slope = 0.0
+        for term in reversed(terms):
+            value, slope = value * part + term, slope * part + value
         if not slope:
             break
-        part -= terms @ raised / slope
+        part -= value / slope
     return part

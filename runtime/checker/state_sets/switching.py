@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 from flint import fmpq
 
 from nonsmooth.runtime.checker.stated.declared import StatedTables, Transition
-from nonsmooth.runtime.checker.stated.exact import Elimination, demand, exact, reduced
+from nonsmooth.runtime.checker.stated.exact import Elimination, demand, exact, fixed, reduced
 from nonsmooth.runtime.checker.stated.parameters import values_of
 
 __all__ = ["StatedSection", "SwitchingSystem", "echelon_behind"]
@@ -111,10 +111,7 @@ class StatedSection(NamedTuple):
             system.speed()
             phase = [*map(exact, self.phase)]
             demand(phase[0] ** 2 + phase[1] ** 2 == 1, "the phase is no point of the circle")
-            forced = [
-                (*(fmpq(int(j == k)) for j in range(system.size)), -x)
-                for k, x in zip(system.forcing[0], phase, strict=True)
-            ]
+            forced = fixed(system.size, zip(system.forcing[0], phase, strict=True))
             found = [exactly.echelon([*forced, *system.held[here]])]
         demand(all(any(row[:-1]) for row in found[0]), "the section is empty")
         return found[0], forced

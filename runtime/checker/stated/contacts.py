@@ -10,7 +10,7 @@ against its force. What slips gets its kinetic limit in the next step, until not
 from itertools import chain
 from typing import Any
 
-from nonsmooth.runtime.checker.stated.exact import Elimination, demand
+from nonsmooth.runtime.checker.stated.exact import Elimination, demand, pivot
 
 __all__ = ["ContactLaw"]
 
@@ -135,7 +135,7 @@ class ContactLaw:
         lines = [(*(self.coupling[i][j] for j in held), *right[i]) for i in held]
         found: list[Any] = [None] * len(held)
         for solved in self.exactly.echelon(lines):
-            place = next(k for k, x in enumerate(solved) if x)
+            place = pivot(solved)
             demand(place < len(held), "directions that hold depend on each other")
             found[place] = solved[len(held) :]
         return found

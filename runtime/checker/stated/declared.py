@@ -20,6 +20,7 @@ from nonsmooth.runtime.checker.stated.exact import (
     is_integer,
     leading,
     number_of,
+    pivot,
     product,
     reduced,
 )
@@ -33,7 +34,6 @@ __all__ = [
     "Step",
     "Transition",
     "Way",
-    "gauge_of",
 ]
 
 _FORCING_PHASE = "forcing-phase"  # ends the one phase of a motion that reaches no boundary
@@ -332,7 +332,7 @@ class StatedSystem(StatedTables):
         demand(len(direction) == self.size and self.rational and any(direction),
                "no direction to close along")  # fmt: skip
         demand(not any(product(row, along)[0] for row in rows), "no translation of the system")
-        gauge = gauge_of(direction)
+        gauge = pivot(direction)  # zero where the cycle begins
         others = sum(1 for other in self.translations if other[gauge])
         demand(others == 1, "directions that are not independent")
         last = self.steps[-1]
@@ -397,10 +397,10 @@ class StatedSystem(StatedTables):
         forced = [[fmpq(int(j == k)) for j in range(self.size)] for k in self.forced]
         for place in range(len(self.steps) if self.rational else 1):
             facts = self.known[place][1 if self.forcing else 0] if self.rational else []
-            gauges = [gauge_of(direction) for direction in self.translations if not place]
+            gauges = [pivot(direction) for direction in self.translations if not place]
             still = [[fmpq(int(j == k)) for j in range(self.size)] for k in gauges]
             rows = self.exactly.echelon([*forced, *still, *(row[:-1] for row in facts)])
-            pivots = {next(j for j, x in enumerate(row) if x): row for row in rows}
+            pivots = {pivot(row): row for row in rows}
             free = [k for k in range(self.size) if k not in pivots]
             basis = [
                 [-pivots[i][k] if i in pivots else fmpq(int(i == k)) for k in free]
@@ -465,14 +465,6 @@ class StatedSystem(StatedTables):
                 found.append(Way(conditions, wanted, alike, decided))
             passed = passed or (other is taken and not number)
         return found
-
-
-def gauge_of(direction: Any) -> int:
-    """Return the first coordinate of a direction (N) that is not zero.
-
-    Along a translation, this coordinate is zero where the cycle begins.
-    """
-    return next(k for k, x in enumerate(direction) if x)
 
 
 def _seen(form: Any, rows: Any) -> list[Any]:

@@ -5,7 +5,7 @@ of the parameters that the file names: lists of [coefficient, exponents].
 """
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import lru_cache
 from typing import Any, NamedTuple
 
@@ -22,10 +22,12 @@ __all__ = [
     "ball",
     "demand",
     "exact",
+    "fixed",
     "inside",
     "is_integer",
     "leading",
     "number_of",
+    "pivot",
     "product",
     "reduced",
 ]
@@ -143,6 +145,11 @@ def product(row: Any, rows: Any) -> tuple[Any, ...]:
     )
 
 
+def pivot(row: Any) -> Any:
+    """Return the place of the first entry that is not zero; None if all are."""
+    return next((k for k, x in enumerate(row) if x), None)
+
+
 def reduced(row: Any, facts: Any) -> Any:
     """Return the same affine function of a state for which the facts hold, with pivots removed.
 
@@ -150,9 +157,14 @@ def reduced(row: Any, facts: Any) -> Any:
     result is zero if the facts make the function zero.
     """
     for fact in facts:
-        if factor := row[next(j for j, x in enumerate(fact) if x)]:
+        if factor := row[pivot(fact)]:
             row = tuple(x - factor * y if y else x for x, y in zip(row, fact, strict=True))
     return row
+
+
+def fixed(size: int, values: Iterable[tuple[int, Any]]) -> list[Any]:
+    """Return rows (size + 1) over (y, 1) that are zero where some coordinates have these values."""
+    return [(*(fmpq(int(i == k)) for i in range(size)), -x) for k, x in values]
 
 
 def leading(row: Any, field: Any, facts: Any, order: int) -> tuple[int, Any]:
@@ -193,9 +205,9 @@ class Elimination:
             if place is None:
                 continue
             taken = left.pop(place)
-            pivot = taken[column]
-            self.divisors.append(pivot)
-            taken = [x / pivot if x else x for x in taken]
+            divisor = taken[column]
+            self.divisors.append(divisor)
+            taken = [x / divisor if x else x for x in taken]
             for row in (*left, *found):
                 if factor := row[column]:
                     row[:] = [x - factor * y if y else x for x, y in zip(row, taken, strict=True)]

@@ -15,8 +15,8 @@ import numpy as np
 
 from nonsmooth.runtime.checker.state_sets.entries import Unlisted
 from nonsmooth.runtime.checker.state_sets.one_motion import OneMotion
-from nonsmooth.runtime.checker.state_sets.sets import TooWide
-from nonsmooth.runtime.checker.stated.exact import Elimination, Failure, reduced
+from nonsmooth.runtime.checker.state_sets.sets import TooWide, row_of
+from nonsmooth.runtime.checker.stated.exact import Elimination, Failure, fixed, reduced
 from nonsmooth.runtime.core.errors import InputError, check_integer, unknown_name
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.transition_choice import Decider
@@ -36,8 +36,8 @@ __all__ = ["Enclosure", "Proof", "certify_motion"]
 
 _FEWEST_BITS = 64
 _MOST_IMMEDIATE = 64  # transitions without any time between them
-_STEP = 2.0  # times what is short for the fastest motion
-_LONGEST = 20_000  # steps in one phase
+_STEP = 0.2  # radians of the fastest motion
+_LONGEST = 100_000  # steps in one phase
 _LOOKS = frozenset(64 * 2**k for k in range(12))  # steps after which for ever is judged
 _ERROR = 2.0**-40  # of a state, where what a law says is guessed
 _QUIET = "no boundary is reached any more"
@@ -156,12 +156,12 @@ class _Motion:
                 self.digits = True
                 self._stop(trouble.reason, trouble.at)
             except Failure as failure:
-                self._stop(str(failure), self.instant)
+                self._stop(str(failure))
             if immediate > _MOST_IMMEDIATE:
-                self._stop("transitions follow each other without any time between them", None)
+                self._stop("transitions follow each other without any time between them")
 
-    def _stop(self, reason: str, at: arb | None) -> None:
-        self.reason, self.instant = reason, self.proved.time if at is None else at
+    def _stop(self, reason: str, at: arb | None = None) -> None:
+        self.reason, self.instant = reason, self.proved.arrival if at is None else at
 
     def _transition(self) -> bool:
         """Prove the next transition; return whether time passes before it."""
@@ -177,12 +177,10 @@ class _Motion:
             if about is None:
                 motion.pass_on(reached)
             else:
-                self.instant = motion.time + dwell
                 motion.arrive(reached, dwell)
         except Unlisted:
             self.unlisted = self._route(here, reached, dwell if about else None)
             raise
-        self.instant = None
         self.configurations.append(motion.entry.here)
         self.sets.append(
             tuple(name for name in self.proved.system.boundaries[here] if name in reached)
@@ -203,8 +201,8 @@ class _Motion:
         sets = motion.moving()
         if not sets:
             return None
-        rows = arb_mat([phase.timed(phase.rows[min(names)]).entries() for names in sets])
-        step = arb(_STEP * phase.step)
+        rows = arb_mat([row_of(phase.rows[min(names)]).entries() for names in sets])
+        step = arb(_STEP / phase.fastest if phase.fastest else 2 * phase.step)
         flow, rates = phase.flow(step).mid(), (rows * phase.matrix).mid()
         state, since = motion.states.centre, arb(0)
         slopes = (rates * state).entries()
@@ -232,7 +230,6 @@ class _Motion:
             if number == _LONGEST:
                 told = " or ".join(sorted(name for names in sets for name in names))
                 motion.clear(since.mid())
-                self.instant = motion.time + since
                 raise Failure(f"no boundary is reached, and {told} still could be")
         raise AssertionError
 
@@ -337,11 +334,9 @@ def _check_belongs(system: ExactSystem, configuration: int, start: Sequence[Any]
 
     It holds what is true behind every reset into it, and stays true in it.
     """
-    from flint import fmpq
-
     structure, exact, exactly = system.structure, system.exact, Elimination()
     name = structure.configurations[configuration]
-    facts = [(*(fmpq(int(i == j)) for j in range(len(start))), -x) for i, x in enumerate(start)]
+    facts = fixed(len(start), enumerate(start))
     for boundary in structure.boundaries[configuration]:
         if reduced(exact.rows[boundary.row], facts)[-1] > 0:
             raise InputError(f"the state is not in {name}: it is beyond {boundary.name}")
