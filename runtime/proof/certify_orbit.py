@@ -28,7 +28,7 @@ from nonsmooth.runtime.proof.orbit_proposal import (
     nearly_vanishing,
     proposed,
 )
-from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, Subject, subject_near, system_of
+from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, Subject, subject_near
 from nonsmooth.runtime.proof.statement import decimals
 
 if TYPE_CHECKING:
@@ -223,7 +223,7 @@ def _undecided(orbit: Orbit, bits: int, by: Sequence[str]) -> Certificate:
     """Return the certificate of an orbit of which nothing is proved."""
     return Certificate(
         orbit=orbit.name,
-        system=system_of(orbit),
+        system=orbit.system.name,
         parameters=dict(orbit.given),
         chosen=(),
         itinerary=(),

@@ -12,7 +12,7 @@ from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.orbits.points import JudgedOrbit
 from nonsmooth.runtime.checker.stated.exact import Elimination, Failure
 from nonsmooth.runtime.core.errors import chosen_names
-from nonsmooth.runtime.core.values import Value, flint_precision
+from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
 from nonsmooth.runtime.proof.certificate import Unknown
@@ -20,14 +20,11 @@ from nonsmooth.runtime.proof.exact_closure import ClosureConditions, closing_of
 from nonsmooth.runtime.proof.exact_tables import (
     NotRational,
     Row,
-    constants_over,
-    irrational_texts,
     rational_of,
     tables_over,
 )
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
-from nonsmooth.runtime.proof.parametric_declaration import PERIOD, system_declaration
-from nonsmooth.runtime.proof.statement import closing_json, decimals
+from nonsmooth.runtime.proof.statement import PERIOD, closing_json, decimals, system_declaration
 
 if TYPE_CHECKING:
     from flint import arb
@@ -130,21 +127,12 @@ def _moving(region: Region, names: tuple[str, ...]) -> tuple[ClosureConditions, 
     closes in another way at other values of the parameters.
     """
     subject = region.subject
-    kernels, values = subject.kernels, subject.values
-    still = [value for name, value in values.items() if name not in names]
+    values = subject.values
+    still = {name: value for name, value in values.items() if name not in names}
     try:
-        known = constants_over(names, irrational_texts(kernels, still))
-        variables = dict(zip(names, known.variables, strict=True))
-
-        def entry(name: str, value: Value) -> Any:
-            if name in variables:
-                return variables[name]
-            return known.numbers[value.text] if value.exact is None else rational_of(value.exact)
-
-        tables = tables_over(kernels, [entry(*pair) for pair in values.items()], known)
+        tables = tables_over(subject.kernels, names, still)
         own: dict[str, Any] = {**values, PERIOD: subject.period}
-        at = [own[name].ball(_ROUGH) for name in names]
-        closing = closing_of(subject, tables, at)
+        closing = closing_of(subject, tables, [own[name].ball(_ROUGH) for name in names])
     except (NotRational, ArithmeticError) as problem:
         raise NotCovered(str(problem)) from None
     if closing.dropped != region.closing.dropped:

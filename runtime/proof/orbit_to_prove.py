@@ -24,7 +24,6 @@ __all__ = [
     "Subject",
     "guess_of",
     "subject_near",
-    "system_of",
 ]
 
 _MOST_TURNS = 1000
@@ -59,11 +58,6 @@ class Subject:
         """Names of the equations' unknowns: free states, the forcing's time, dwell times."""
         free = [name for k, name in enumerate(self.start_names) if k not in self.forced]
         return (*free, *(["forcing time"] if self.forced else []), *self.dwell_names)
-
-
-def system_of(orbit: Orbit) -> str:
-    """Return the name of the system that an orbit belongs to."""
-    return orbit.system.name
 
 
 def subject_near(orbit: Orbit) -> Subject:

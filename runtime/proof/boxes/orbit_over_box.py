@@ -19,18 +19,16 @@ from nonsmooth.runtime.proof.exact_tables import (
     NotRational,
     Tables,
     exact_tables,
-    irrational_texts,
     rational_of,
+    tables_over,
 )
 from nonsmooth.runtime.proof.orbit_to_prove import (
     NotCovered,
     Subject,
     guess_of,
     subject_near,
-    system_of,
 )
-from nonsmooth.runtime.proof.parametric_declaration import orbit_declaration, tables_of_orbit
-from nonsmooth.runtime.proof.statement import closing_json
+from nonsmooth.runtime.proof.statement import closing_json, declaration_json
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 
 if TYPE_CHECKING:
@@ -71,14 +69,10 @@ class Region:
         """
         subject, given = self.subject, given_of(orbit)
         names = (*self.names, *(name for name in given if name not in self.names))
-        declared = orbit_declaration(
-            subject.kernels,
-            orbit.problem.kernels,
-            self.cycle,
-            names,
-            subject.start_names,
-            subject.dwell_names,
-            irrational_texts(subject.kernels, given.values() if self.closing.form else ()),
+        beside, orbit_kernels = given.values() if self.closing.form else (), orbit.problem.kernels
+        tables = tables_over(subject.kernels, names, beside=beside, orbit=orbit_kernels)
+        declared = declaration_json(
+            tables, self.cycle, names, subject.start_names, subject.dwell_names
         )
         variables = [*self.names, *(value.text for value in self.tables.constants)]
         period = orbit.problem.period_name or ""
@@ -101,7 +95,7 @@ def stated_orbits(
     declaration, closing = ({}, {}) if region is None else region.statement(orbit)
     return {
         "orbit": orbit.name,
-        "system": system_of(orbit),
+        "system": orbit.system.name,
         "parameters": {n: value for n, value in given_of(orbit).items() if n not in names},
         "chosen": chosen,
         "itinerary": () if region is None else region.cycle.itinerary,
@@ -178,13 +172,8 @@ def region_of(orbit: Orbit, box: Mapping[str, Interval]) -> Region:
     if None in at:
         raise NotCovered("the orbit's own point of the box is irrational")
     try:
-        tables = tables_of_orbit(
-            subject.kernels,
-            orbit.problem.kernels,
-            box,
-            irrational_texts(subject.kernels, given.values()),
-            {name: value for name, value in given.items() if name not in box},
-        )
+        fixed = {name: value for name, value in given.items() if name not in box}
+        tables = tables_over(subject.kernels, box, fixed, orbit=orbit.problem.kernels)
     except NotRational:
         raise NotCovered("the declaration takes a root or a sine of its parameters") from None
     except ArithmeticError as problem:
@@ -198,7 +187,7 @@ def region_at(subject: Subject, bits: int) -> Region:
     `bits` is the precision of the tables where the declaration takes a root or a sine.
     `NotCovered` as from `closing_of`.
     """
-    tables = exact_tables(subject.kernels, tuple(subject.values.values()), bits)
+    tables = exact_tables(subject.kernels, subject.values, bits)
     return _region(subject, {}, tables, ())
 
 

@@ -23,8 +23,8 @@ from nonsmooth.runtime.orbits.table_solve import unknowns_of, with_routes
 from nonsmooth.runtime.proof.certificate import GUARD
 from nonsmooth.runtime.proof.exact_closure import symplectic_form
 from nonsmooth.runtime.proof.exact_tables import exact_tables
-from nonsmooth.runtime.proof.parametric_declaration import system_declaration
 from nonsmooth.runtime.proof.refusals import as_read
+from nonsmooth.runtime.proof.statement import system_declaration
 from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
 from nonsmooth.runtime.shooting.translations import translations_of
 
@@ -49,8 +49,7 @@ class Asked:
         """What the file of a census states of the question, ready for JSON."""
         problem, timed = self.problem, self.period is not None
         cycle = itinerary_shape(structure_of(problem.system), problem.itinerary)
-        work = self.bits + GUARD
-        tables = exact_tables(problem.system, tuple(self.values.values()), work)
+        tables = exact_tables(problem.system, self.values, self.bits + GUARD)
         label = problem.name
         if len(translations_of(piecewise(problem.system, self.values))):
             raise InputError(

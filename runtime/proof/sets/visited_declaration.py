@@ -12,8 +12,7 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.structure import TransitionShape
 from nonsmooth.runtime.proof.exact_tables import ExactSystem
-from nonsmooth.runtime.proof.parametric_declaration import system_declaration
-from nonsmooth.runtime.proof.statement import declaration_json
+from nonsmooth.runtime.proof.statement import declaration_json, system_declaration
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 
 __all__ = [
