@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, replace
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from flint import arb
 
 from nonsmooth.runtime.checker.orbits.motion import Margin
 from nonsmooth.runtime.checker.orbits.points import JudgedOrbit
@@ -30,9 +32,6 @@ from nonsmooth.runtime.proof.orbit_proposal import (
 )
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, Subject, subject_near
 from nonsmooth.runtime.proof.statement import decimals
-
-if TYPE_CHECKING:
-    from flint import arb
 
 __all__ = ["FEWEST_BITS", "MOST_BITS", "certify", "stated"]
 
@@ -195,8 +194,6 @@ def _share_of_largest(rates: Mapping[str, arb]) -> arb:
 
     Derivatives that are zero are computed from numbers of such a size.
     """
-    from flint import arb
-
     return max((abs(rate).mid() for rate in rates.values()), key=float) * arb(2) ** -_SHARE
 
 
@@ -206,8 +203,6 @@ def stated(ball: arb, bits: int, size: arb | int = 0) -> Stated:
     Another version of the arithmetic may round otherwise. `size` is the size of the numbers that
     the ball is computed from, which may be much larger than the ball's own middle.
     """
-    from flint import arb
-
     unit = arb(2) ** -bits
     wide = ball.mid() + arb(0, _SLACK * (ball.rad() + (abs(ball) + size) * unit) + unit * unit)
     return Stated.around(wide, bits)

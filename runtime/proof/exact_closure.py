@@ -22,6 +22,8 @@ from fractions import Fraction
 from functools import partial
 from typing import Any
 
+from flint import fmpq
+
 from nonsmooth.runtime.checker.stated.exact import Elimination, product
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.proof.exact_tables import Matrix, Row, Tables, rational_of
@@ -43,8 +45,6 @@ class SymplecticForm:
 
 def symplectic_form(tables: Tables, cycle: ItineraryShape) -> SymplecticForm | None:
     """Return a nondegenerate form and energies that a cycle keeps exactly, or None."""
-    from flint import fmpq
-
     size = len(tables.fields[0]) - 1
     visited = sorted(set(cycle.configurations))
     pairs = [(i, j) for i in range(size) for j in range(i)]
@@ -65,8 +65,6 @@ def _form(
     tables: Tables, visited: Sequence[int], pairs: Sequence[tuple[int, int]], values: Sequence[Any]
 ) -> SymplecticForm:
     """Return the form of given entries, with the matrices of the energies that follow from it."""
-    from flint import fmpq
-
     size = len(tables.fields[0]) - 1
     entries: list[list[Any]] = [[fmpq(0)] * size for _ in range(size)]
     for (i, j), value in zip(pairs, values, strict=False):

@@ -7,7 +7,9 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
+
+from flint import arb, ctx, fmpq
 
 from nonsmooth.runtime.checker.stated.parameters import number_at
 from nonsmooth.runtime.core.arithmetic import Balls
@@ -20,9 +22,6 @@ from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.parameters import system_parameters
 from nonsmooth.runtime.model.saved_system import saved_of
 from nonsmooth.runtime.model.structure import Structure, structure_of
-
-if TYPE_CHECKING:
-    from flint import fmpq
 
 __all__ = [
     "ExactSystem",
@@ -64,8 +63,6 @@ class Tables:
 
     def near(self, entry: Any, values: Sequence[Any] = ()) -> float:
         """Return the middle of an entry's ball, at values of the parameters that vary."""
-        from flint import ctx
-
         known = [value.ball(ctx.prec) for value in self.constants]
         return float(number_at([*values, *known])(entry).mid())
 
@@ -81,8 +78,6 @@ class _Exactly:
 
     @staticmethod
     def rational(numerator: int, denominator: int) -> Any:
-        from flint import fmpq
-
         return fmpq(numerator, denominator)
 
     def constant(self, text: str) -> Any:
@@ -190,14 +185,10 @@ def exact_system(
 
 def rational_of(value: Fraction) -> fmpq:
     """Return a fraction as FLINT's rational number."""
-    from flint import fmpq
-
     return fmpq(value.numerator, value.denominator)
 
 
 def _tables(kernels: SystemKernels, point: Sequence[Any], lib: Any, *, exact: bool) -> Tables:
-    from flint import arb, fmpq
-
     number: Any = fmpq if exact else arb
     size = len(kernels.table["states"])
     fields, rows, resets = (

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from flint import arb, fmpq
 
 from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.orbits.points import JudgedOrbit
@@ -25,9 +26,6 @@ from nonsmooth.runtime.proof.exact_tables import (
 )
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 from nonsmooth.runtime.proof.statement import PERIOD, closing_json, decimals, system_declaration
-
-if TYPE_CHECKING:
-    from flint import arb
 
 __all__ = [
     "Direction",
@@ -146,8 +144,6 @@ def boxes(judge: JudgedOrbit, guess: Sequence[arb]) -> Iterator[tuple[Unknown, .
     If Newton's method does not find it near the guess, a box around that is the only one, and
     behind it `NotCovered` is raised.
     """
-    from flint import arb
-
     bits, names = judge.bits, judge.declared.unknowns
     with flint_precision(_ROUGH):
         sizes = _sizes(judge.equations(), guess)
@@ -186,8 +182,6 @@ def _sizes(orbit: CheckedOrbit, point: Sequence[arb]) -> list[arb]:
 
     The changes of a state along the phases count too.
     """
-    from flint import arb
-
     orbit.along(point)
     dwell, now = [abs(t).mid() for t in orbit.dwell], orbit.now
     rates = [b * y for b, y in zip(orbit.chain.fields, now.ends, strict=True)]
@@ -204,8 +198,6 @@ def _box(
     names: Sequence[str], centre: Sequence[arb], radii: Sequence[Any], bits: int
 ) -> tuple[Unknown, ...]:
     """Return a box with decimal middles and radii."""
-    from flint import arb
-
     return tuple(
         Unknown(name, *decimals(arb(x.mid(), r), bits))
         for name, x, r in zip(names, centre, radii, strict=True)
@@ -217,7 +209,6 @@ def nearly_vanishing(region: Region) -> tuple[Row, ...]:
 
     They are exact rows (N + 1), as of x1 - x2 along an orbit that is symmetric.
     """
-    from flint import fmpq
     from scipy.linalg import expm
 
     subject, tables = region.subject, region.tables

@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from flint import arb
 
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.errors import InputError
@@ -15,9 +17,6 @@ from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.exact_tables import Tables
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, itinerary_shape
-
-if TYPE_CHECKING:
-    from flint import arb
 
 __all__ = [
     "NotCovered",
@@ -100,8 +99,6 @@ def guess_of(subject: Subject, tables: Tables, at: Sequence[Any] = ()) -> list[a
     pairs = subject.cycle.structure.forcing
     if not pairs:
         return [*subject.start, *subject.dwell]
-    from flint import arb
-
     start = [float(x) for x in subject.start]
     field = tables.fields[subject.cycle.configurations[0]]
     speeds = [tables.near(field[s][c], at) for c, s in pairs]

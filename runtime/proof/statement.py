@@ -8,7 +8,9 @@ its values.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from flint import arb, fmpz
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.rational_functions import RationalFunction
@@ -20,9 +22,6 @@ from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.proof.exact_closure import ClosureConditions
 from nonsmooth.runtime.proof.exact_tables import NotRational, Tables, tables_over
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
-
-if TYPE_CHECKING:
-    from flint import arb, fmpz
 
 __all__ = [
     "PERIOD",
@@ -216,15 +215,12 @@ def _row(row: Sequence[Any]) -> list[Any]:
 
 def _entry(number: Any) -> Any:
     """Return a number as JSON: a text, a quotient of polynomials, or a ball's middle and radius."""
-    from flint import fmpq
-
     if isinstance(number, RationalFunction):
         return {"above": _terms(number.above), "below": _terms(number.below)}
     if not hasattr(number, "rad"):
         return str(number)
     if number.is_exact():
-        mantissa, exponent = number.man_exp()
-        return (fmpq(mantissa) * fmpq(2) ** exponent).str()
+        return number.fmpq().str()
     middle, radius = decimals(number, max(64, number.rel_accuracy_bits() + 32))
     return {"mid": middle, "rad": radius}
 

@@ -8,7 +8,9 @@ from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from itertools import count
-from typing import TYPE_CHECKING
+from operator import itemgetter
+
+from flint import arb
 
 from nonsmooth.runtime.checker.ranges.folded import BEYOND, neighbours
 from nonsmooth.runtime.checker.ranges.tiles import SHARES, MapTile
@@ -41,9 +43,6 @@ from nonsmooth.runtime.proof.exact_tables import rational_of
 from nonsmooth.runtime.proof.kept_state import KeptState
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 from nonsmooth.runtime.proof.refusals import asking
-
-if TYPE_CHECKING:
-    from flint import arb
 
 __all__ = ["MOST_TILES", "certify_box"]
 
@@ -167,7 +166,7 @@ class _Work:
     def tiles(self) -> list[Tile]:
         """Tiles that fill the box, also while a tile is being looked at."""
         done, waiting, stranded = self._settled
-        return [*done, *(tile for *_, tile in sorted(waiting, key=_by_order)), *stranded]
+        return [*done, *(tile for *_, tile in sorted(waiting, key=itemgetter(0, 1))), *stranded]
 
     def stated(self, whole: bool = False) -> list[Tile]:
         """The tiles that fill the box, each with the claims that the checker proves.
@@ -302,7 +301,7 @@ class _Work:
         """A point of a tile with the approximate orbit there; None if no orbit has reached it."""
         region, place = self.region, tile.place
         if tile.guess:
-            return Anchor(place.middle(region.box), _balls(tile.guess))
+            return Anchor(place.middle(region.box), [*map(arb, tile.guess)])
         if place.holds(region.at, region.box):
             return Anchor(region.at, region.guess)
         beside = [other for other in self.reached if other.touches(place)]
@@ -378,10 +377,6 @@ def _levels(tile: Tile) -> list[int]:
     return [level for _, level in tile.place.steps]
 
 
-def _by_order(entry: tuple[Fraction, int, Tile]) -> tuple[Fraction, int]:
-    return entry[:2]
-
-
 def _tile_with(found: MapTile, place: Place) -> Tile:
     """What is stated of a tile with a fold: two orbits meet in it or near it."""
     fold = found.fold
@@ -404,16 +399,8 @@ def _tile_with(found: MapTile, place: Place) -> Tile:
 
 def _wider(ball: arb) -> arb:
     """A ball a little wider: another version of the arithmetic may round otherwise."""
-    from flint import arb
-
     found: arb = ball + arb(0, (1 + abs(ball)) * arb(2) ** -_SEEN)
     return found
-
-
-def _balls(guess: Sequence[float]) -> list[arb]:
-    from flint import arb
-
-    return [arb(x) for x in guess]
 
 
 def _record(

@@ -6,7 +6,9 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import product
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from flint import arb
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.values import Value, as_value, axes
@@ -30,9 +32,6 @@ from nonsmooth.runtime.proof.orbit_to_prove import (
 )
 from nonsmooth.runtime.proof.statement import closing_json, declaration_json
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
-
-if TYPE_CHECKING:
-    from flint import arb
 
 __all__ = [
     "Region",
@@ -194,8 +193,6 @@ def region_at(subject: Subject, bits: int) -> Region:
 def _region(
     subject: Subject, box: Mapping[str, Interval], tables: Tables, at: Sequence[Fraction]
 ) -> Region:
-    from flint import arb
-
     point = [arb(rational_of(x)) for x in at]
     closing, guess = closing_of(subject, tables, point), guess_of(subject, tables, point)
     return Region(subject, tuple(box), tuple(box.values()), tables, closing, tuple(at), guess)

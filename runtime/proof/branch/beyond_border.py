@@ -16,6 +16,7 @@ from functools import partial
 from typing import Any
 
 import numpy as np
+from flint import arb
 
 from nonsmooth.runtime.checker.ranges.beyond import found_beyond
 from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve, without_entry
@@ -92,8 +93,6 @@ class BordersOfBranch:
 
     def _proved(self, orbit: Orbit, met: CheckedTile, value: float) -> OrbitBeyond | None:
         """Return orbits of another itinerary that begin at a border; None if that is not proved."""
-        from flint import arb
-
         lower, upper = (Fraction(str(end)) for end in self.curve.interval)
         box = {self.branch.parameter: (lower, upper)}
         try:

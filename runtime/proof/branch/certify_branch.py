@@ -8,6 +8,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
 
+from flint import arb
+
 from nonsmooth.runtime.checker.ranges.branch import check_joint, ending
 from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve
 from nonsmooth.runtime.checker.ranges.branch_tile import BITS, SHARP, CheckedTile
@@ -236,8 +238,6 @@ def _begin(curve: CheckedCurve, region: Region) -> MarchPlace:
 
     `NotCovered` if it is not proved to be there.
     """
-    from flint import arb
-
     with flint_precision(SHARP):
         value = arb(rational_of(region.at[0]))
         try:

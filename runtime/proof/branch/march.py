@@ -6,7 +6,8 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import TYPE_CHECKING
+
+from flint import arb
 
 from nonsmooth.runtime.checker.ranges.branch import ending
 from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve, without_entry
@@ -16,12 +17,10 @@ from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.branch.tiles import (
     JudgedTile,
     judged_tile,
+    middle_fraction,
     proposed_tile,
 )
 from nonsmooth.runtime.proof.refusals import REFUSED
-
-if TYPE_CHECKING:
-    from flint import arb
 
 __all__ = ["BranchStep", "MarchPlace", "march", "place_behind"]
 
@@ -144,11 +143,10 @@ def _turned(curve: CheckedCurve, place: MarchPlace, sizes: Sequence[Fraction]) -
     if wanted == place.coordinate:
         return place
     slope = place.slopes[wanted]
-    mantissa, exponent = (int(x) for x in place.point[wanted].mid().man_exp())
     return replace(
         place,
         coordinate=wanted,
-        value=Fraction(mantissa) * Fraction(2) ** exponent,
+        value=middle_fraction(place.point[wanted]),
         forwards=place.forwards == (slope > 0),
         slopes=[x / slope for x in place.slopes],
     )
@@ -164,8 +162,6 @@ def _tried(
     curve: CheckedCurve, place: MarchPlace, turned: MarchPlace, step: Fraction, *, onwards: bool
 ) -> JudgedTile:
     """Return a tile of this width; `Failure` says why its orbits are not proved."""
-    from flint import arb
-
     coordinate, sign = turned.coordinate, 1 if turned.forwards else -1
     begin = turned.value
     if coordinate != place.coordinate:

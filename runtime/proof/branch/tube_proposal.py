@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from flint import arb
 
 from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve
 from nonsmooth.runtime.checker.ranges.doubling import ORDER, DoubledEquations, JudgedDoubling
@@ -15,9 +16,6 @@ from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, 
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.box_certificate import BITS
 from nonsmooth.runtime.proof.exact_tables import rational_of
-
-if TYPE_CHECKING:
-    from flint import arb
 
 __all__ = ["begin_of_branch", "doubled_guess", "flip_with_direction", "start_of", "tubes"]
 
@@ -34,8 +32,6 @@ def flip_with_direction(curve: CheckedCurve, point: Sequence[arb]) -> tuple[int,
     `point` is about the cycle's unknowns and the parameter at the flip. The second result is the
     solution of the doubled equations at the amplitude zero. `Failure` if there is none.
     """
-    from flint import arb
-
     with flint_precision(_FLIP):
         middles = [x.mid() for x in point]
         _, rows = curve.slopes(middles)
@@ -55,8 +51,6 @@ def tubes(
 
     There is none where Newton's method fails.
     """
-    from flint import arb
-
     equations, space = DoubledEquations(curve, scaled), space_of(1, ORDER)
     with flint_precision(BITS):
         a = space.variable(0, arb(0), arb(rational_of(amplitude)))
@@ -96,8 +90,6 @@ def begin_of_branch(found: JudgedDoubling) -> Fraction:
 
 def doubled_guess(found: JudgedDoubling, value: Fraction) -> list[float]:
     """Return the unknowns of the doubled orbit, about, at a value of the parameter in a tube."""
-    from flint import arb
-
     square = (float(value) - float(found.centre[-1].parts[0])) / float(found.rate.mid())
     amplitude = arb(math.sqrt(max(square, 0.0)))
     with flint_precision(BITS):
@@ -109,8 +101,6 @@ def doubled_guess(found: JudgedDoubling, value: Fraction) -> list[float]:
 
 def start_of(twice: CheckedCurve, near: Sequence[float], value: Fraction) -> list[float]:
     """Return the state at which a doubled orbit begins, about, from about its unknowns."""
-    from flint import arb
-
     with flint_precision(BITS):
         orbit = twice.orbit([*map(arb, near), arb(rational_of(value))])
         return [float(x.mid()) for x in orbit.now.starts[0].entries()[:-1]]

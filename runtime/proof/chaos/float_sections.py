@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,6 +11,7 @@ from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import tables_at
 from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.proof.exact_tables import ExactSystem
 from nonsmooth.runtime.proof.sets.sections import MapSection
 from nonsmooth.runtime.simulation.engines import Trajectories
 from nonsmooth.runtime.simulation.simulate import simulate_many
@@ -34,19 +34,13 @@ class Mapped(NamedTuple):
 class FloatSection:
     """The map from a section to itself, in double precision.
 
-    `parameters` are all of the system, in their order. `period` is that of the forcing, and not
-    used for a section at a transition.
+    `system` is that of the kernels at one parameter point.
     """
 
-    def __init__(
-        self,
-        kernels: SystemKernels,
-        parameters: Mapping[str, float],
-        section: MapSection,
-        period: float,
-    ) -> None:
-        self._kernels, self._parameters, self.section = kernels, dict(parameters), section
-        self._period = period
+    def __init__(self, kernels: SystemKernels, system: ExactSystem, section: MapSection) -> None:
+        self._kernels, self.section = kernels, section
+        self._parameters = {name: float(value) for name, value in system.values.items()}
+        self._period = 0.0 if section.phase is None else float(section.period(system))
         lift = np.array([[int(x.p) / int(x.q) for x in row] for row in section.lift])
         self._lift, self._shift = lift[:, :-1], lift[:, -1]
         (rows,) = tables_at(kernels, np.array([[*self._parameters.values()]]))[1]

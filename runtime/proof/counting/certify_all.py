@@ -13,7 +13,7 @@ from nonsmooth.runtime.checker.counting.contraction import Linear, Sides, share_
 from nonsmooth.runtime.checker.counting.covering import CUTS, CoveringBox, Root, Walk
 from nonsmooth.runtime.checker.counting.dwell_equations import DwellEquations
 from nonsmooth.runtime.checker.stated.exact import Failure
-from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.core.errors import InputError, Interrupted, check_integer
 from nonsmooth.runtime.core.json_codec import stated
 from nonsmooth.runtime.core.values import by_name, flint_precision
 from nonsmooth.runtime.core.workload import TooLarge
@@ -107,11 +107,8 @@ def certify_all(
     >>> census.decided, census.count, census.admissible
     (True, 1, 1)
     """
-    for name, number, least in (("limit", limit, 1), ("bits", bits, FEWEST_BITS)):
-        if number < least:
-            raise InputError(f"{name} = {number!r} is not an integer from {least} on")
-    if bits > MOST_BITS:
-        raise InputError(f"bits = {bits} is more than {MOST_BITS}")
+    check_integer("limit", limit, 1)
+    check_integer("bits", bits, FEWEST_BITS, MOST_BITS)
     if not 0 < largest < math.inf:
         raise InputError(f"largest = {largest!r} is not positive and finite")
     values, bounds = by_name("parameters", parameters), by_name("box", box)

@@ -15,12 +15,9 @@ from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.errors import InputError, check_integer
 from nonsmooth.runtime.core.float_sets import Floats
 from nonsmooth.runtime.core.parallel import check_workers, in_processes
-from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.explore.finding.find import start_box
-from nonsmooth.runtime.model.kernels import known_system
-from nonsmooth.runtime.model.saved_system import check_same_system
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
 from nonsmooth.runtime.proof.exact_tables import ExactSystem, exact_system
@@ -28,7 +25,12 @@ from nonsmooth.runtime.proof.kept_state import KeptState
 from nonsmooth.runtime.proof.sets.attracting_core import AttractingCore, attracting_core
 from nonsmooth.runtime.proof.sets.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.sets.basin_section import MetSection, section_of
-from nonsmooth.runtime.proof.sets.section_record import named_way, section_entries, stated_section
+from nonsmooth.runtime.proof.sets.section_record import (
+    check_same_section,
+    named_way,
+    section_entries,
+    stated_section,
+)
 from nonsmooth.runtime.proof.sets.starting_tiles import next_tiles
 from nonsmooth.runtime.proof.sets.visited_declaration import (
     listed_declaration,
@@ -213,9 +215,8 @@ class _BasinQuestion:
 
     def core(self, met: MetSection, scale: float) -> AttractingCore:
         """A set around the orbit's point that is contracted; `Undecided` if none is proved."""
-        kernels, values = self.orbit.system, {n: float(x) for n, x in self.system.values.items()}
-        period = 0.0 if met.section.phase is None else float(met.section.period(self.system))
-        floats = FloatSection(kernels, values, met.section, period)
+        kernels = self.orbit.system
+        floats = FloatSection(kernels, self.system, met.section)
         empty = self.undecided(met, "")
         empty = replace(empty, declaration=listed_declaration(kernels, self.system))
 
@@ -326,18 +327,15 @@ class _BasinQuestion:
 
     def check_same(self, known: BasinCertificate, met: MetSection) -> None:
         """Refuse a state of another question."""
-        wanted, own = self.undecided(met, ""), {}
+        wanted = self.undecided(met, "")
+        told: dict[str, tuple[object, object]] = {}
         if known.tiles is not None:
-            own = {"box": self._box, "tiles": self.tiles}
-        names = ["orbit", "parameters", "configuration", "phase", "source", "boundary", *own]
-        names += [] if known.phase else ["widest"]
+            told = {"box": (self._box, known.box), "tiles": (self.tiles, known.tiles)}
+        if not known.phase:
+            told["widest"] = self.widest, known.widest
         # a file calls the system by its data, and holds it
-        check_same_system("basin", self.orbit.system, known_system(known.system))
-        asked, found = (
-            {**vars(each), "orbit": each.orbit.removeprefix(each.system)}
-            for each in (wanted, known)
-        )
-        check_same_question("basin", {name: {**asked, **own}[name] for name in names}, found)
+        own, other = (each.orbit.removeprefix(each.system) for each in (wanted, known))
+        check_same_section(self.orbit.system, wanted, known, "basin", orbit=(own, other), **told)
 
 
 def _entries(found: BasinCertificate) -> dict[str, Any]:

@@ -8,14 +8,23 @@ from typing import Any
 
 from nonsmooth.runtime.core.json_codec import Exact
 from nonsmooth.runtime.core.registry import Certified
+from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.boundary_sets import members_of
-from nonsmooth.runtime.model.saved_system import KeptSystemName
+from nonsmooth.runtime.model.kernels import SystemKernels, known_system
+from nonsmooth.runtime.model.saved_system import KeptSystemName, check_same_system
 from nonsmooth.runtime.proof.certificate import Declaration
 from nonsmooth.runtime.proof.exact_tables import ExactSystem
 from nonsmooth.runtime.proof.sets.sections import MapSection
 
-__all__ = ["SectionRecord", "named_way", "section_entries", "stated_section"]
+__all__ = [
+    "SectionRecord",
+    "check_same_section",
+    "named_way",
+    "reached_text",
+    "section_entries",
+    "stated_section",
+]
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
@@ -60,20 +69,44 @@ def section_entries(record: SectionRecord, *more: str) -> dict[str, Any]:
     return {"parameters": parameters, **{name: getattr(record, name) for name in names}}
 
 
+def check_same_section(
+    kernels: SystemKernels,
+    asked: SectionRecord,
+    known: SectionRecord,
+    what: str,
+    **more: tuple[object, object],
+) -> None:
+    """Refuse a state of another question: of another system or section, or where `more` differs.
+
+    `what` says in words what was kept. `more` has by its name what is asked for and what was kept.
+    """
+    # a file calls the system by its data, and holds it
+    check_same_system(what, kernels, known_system(known.system))
+    names = ("parameters", "configuration", "phase", "source", "boundary")
+    pairs = {name: (getattr(asked, name), getattr(known, name)) for name in names} | more
+    wanted, found = ({name: pair[k] for name, pair in pairs.items()} for k in (0, 1))
+    check_same_question(what, wanted, found)
+
+
 def stated_section(system: ExactSystem, section: MapSection) -> dict[str, Any]:
     """Return the attributes of `SectionRecord` for a section, but for the declaration."""
     structure, forced = system.structure, section.phase is not None
     names = structure.configurations
-    shapes = () if forced else structure.boundaries[section.source]
     return {
         "system": structure.name,
         "parameters": system.values,
         "configuration": names[section.configuration],
         "phase": tuple(map(str, section.phase or ())),
         "source": "" if forced else names[section.source],
-        "boundary": "+".join(sorted(shapes[b].name for b in section.boundaries)),
+        "boundary": reached_text(system, section.source, section.boundaries),
         "coordinates": tuple(structure.states[k] for k in section.free),
     }
+
+
+def reached_text(system: ExactSystem, source: int, boundaries: Iterable[int]) -> str:
+    """Return boundaries of a configuration by names, in order and joined by +."""
+    shapes = system.structure.boundaries[source]
+    return "+".join(sorted(shapes[b].name for b in boundaries))
 
 
 def named_way(
@@ -83,12 +116,11 @@ def named_way(
 
     They are given by numbers, and by the mask of the boundaries.
     """
-    structure = system.structure
-    names = structure.configurations
+    names = system.structure.configurations
     return tuple(
         (
             names[source],
-            "+".join(sorted(structure.boundaries[source][b].name for b in members_of(mask))),
+            reached_text(system, source, members_of(mask)),
             names[target],
         )
         for source, mask, target in way

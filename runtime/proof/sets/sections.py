@@ -13,7 +13,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import gcd
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from flint import arb, fmpq
 
 from nonsmooth.runtime.checker.state_sets.switching import echelon_behind
 from nonsmooth.runtime.checker.stated.exact import Elimination
@@ -21,9 +23,6 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.boundary_sets import members_of
 from nonsmooth.runtime.model.engine_run import Run
 from nonsmooth.runtime.proof.exact_tables import ExactSystem, Row
-
-if TYPE_CHECKING:
-    from flint import arb
 
 __all__ = [
     "MapSection",
@@ -64,8 +63,6 @@ class MapSection:
     @cached_property
     def lift(self) -> tuple[Row, ...]:
         """Rows (N, d + 1) that give each state as an affine function of the d coordinates."""
-        from flint import fmpq
-
         size, given = len(self.facts[0]) - 1, self._given
         return tuple(
             tuple(-given[k][j] for j in (*self.free, size))
@@ -76,8 +73,6 @@ class MapSection:
 
     def period(self, system: ExactSystem) -> arb:
         """Return the period of the forcing, at the working precision."""
-        from flint import arb
-
         return 2 * arb.pi() / abs(arb(_speed(system)))
 
 
@@ -87,8 +82,6 @@ def forcing_section(system: ExactSystem, configuration: int, phase: Sequence[Any
     The phase is cosine and sine, a rational point of the unit circle. Any other point, and a system
     without exactly one forcing, is refused.
     """
-    from flint import fmpq
-
     cosine, sine = phase
     if cosine**2 + sine**2 != 1:
         raise InputError("the phase is no point of the unit circle")
@@ -162,8 +155,6 @@ def phases(count: int) -> list[tuple[Any, Any]]:
 
     Their number is a multiple of 4.
     """
-    from flint import fmpq
-
     part = count // 4
     quarter = []
     for k in range(part):
