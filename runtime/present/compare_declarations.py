@@ -39,8 +39,8 @@ from nonsmooth.runtime.proof.exact_tables import (
     exact_tables,
     tables_over,
 )
+from nonsmooth.runtime.proof.sets.sections import Way
 from nonsmooth.runtime.proof.sets.visited_declaration import (
-    PassedTransition,
     listed_declaration,
     visited_declaration,
 )
@@ -182,10 +182,10 @@ def _chaos(content: Content) -> bool:
     def declare(kernels: SystemKernels, system: ExactSystem) -> Mapping[str, Any]:
         structure = system.structure
 
-        def passed(source: str, boundary: str, target: str) -> PassedTransition:
+        def passed(source: str, boundary: str, target: str) -> Way:
             here = structure.configuration(source)
-            reached = tuple(structure.boundary(here, name) for name in boundary.split("+"))
-            return PassedTransition(here, reached, structure.configuration(target))
+            reached = frozenset(structure.boundary(here, name) for name in boundary.split("+"))
+            return here, reached, structure.configuration(target)
 
         ways = [
             passed(*each) for h in content["h_sets"] for each in content["itineraries"][h["name"]]

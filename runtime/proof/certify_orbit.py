@@ -30,7 +30,7 @@ from nonsmooth.runtime.proof.orbit_proposal import (
     nearly_vanishing,
     proposed,
 )
-from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, Subject, subject_near
+from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, subject_near
 from nonsmooth.runtime.proof.statement import decimals
 
 __all__ = ["FEWEST_BITS", "MOST_BITS", "certify", "stated"]
@@ -94,7 +94,12 @@ def certify(
     undecided = _undecided(orbit, bits, by)
     try:
         subject = subject_near(orbit)
-        undecided = _about(undecided, subject)
+        undecided = replace(
+            undecided,
+            parameters=subject.values,
+            chosen=subject.chosen,
+            itinerary=subject.cycle.itinerary,
+        )
         with flint_precision(bits + GUARD):
             region = region_at(subject, bits + GUARD)
             proposal, missing = proposed(region, bits, directions(orbit, subject.chosen, by))
@@ -235,16 +240,6 @@ def _undecided(orbit: Orbit, bits: int, by: Sequence[str]) -> Certificate:
         declaration={},
         closing={},
         no_derivatives=dict.fromkeys(by, NO_ORBIT),
-    )
-
-
-def _about(undecided: Certificate, subject: Subject) -> Certificate:
-    """Return the certificate with the parameters of the system and the cycle."""
-    return replace(
-        undecided,
-        parameters=subject.values,
-        chosen=subject.chosen,
-        itinerary=subject.cycle.itinerary,
     )
 
 

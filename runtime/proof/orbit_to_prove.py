@@ -48,15 +48,11 @@ class Subject:
     dwell_names: tuple[str, ...]
 
     @property
-    def forced(self) -> tuple[int, ...]:
-        """The cosine and sine states of all forcings."""
-        return tuple(state for pair in self.cycle.structure.forcing for state in pair)
-
-    @property
     def unknown_names(self) -> tuple[str, ...]:
         """Names of the equations' unknowns: free states, the forcing's time, dwell times."""
-        free = [name for k, name in enumerate(self.start_names) if k not in self.forced]
-        return (*free, *(["forcing time"] if self.forced else []), *self.dwell_names)
+        forced = self.cycle.structure.forced
+        free = [name for k, name in enumerate(self.start_names) if k not in forced]
+        return (*free, *(["forcing time"] if forced else []), *self.dwell_names)
 
 
 def subject_near(orbit: Orbit) -> Subject:
@@ -96,7 +92,8 @@ def guess_of(subject: Subject, tables: Tables, at: Sequence[Any] = ()) -> list[a
 
     `at` holds the values at the orbit of what the tables are functions of.
     """
-    pairs = subject.cycle.structure.forcing
+    structure = subject.cycle.structure
+    pairs = structure.forcing
     if not pairs:
         return [*subject.start, *subject.dwell]
     start = [float(x) for x in subject.start]
@@ -111,5 +108,5 @@ def guess_of(subject: Subject, tables: Tables, at: Sequence[Any] = ()) -> list[a
 
     times = [(angles[0] + 2 * math.pi * k) / speeds[0] for k in range(_MOST_TURNS)]
     time = times[0] if len(speeds) == 1 else min(times, key=missed)
-    free = [x for k, x in enumerate(subject.start) if k not in subject.forced]
+    free = [x for k, x in enumerate(subject.start) if k not in structure.forced]
     return [*free, arb(time), *subject.dwell]

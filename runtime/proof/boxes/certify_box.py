@@ -37,7 +37,7 @@ from nonsmooth.runtime.proof.boxes.tile import (
 )
 from nonsmooth.runtime.proof.boxes.tile_event import Fold, TileEvent
 from nonsmooth.runtime.proof.boxes.tile_fold import FoldSearch
-from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
+from nonsmooth.runtime.proof.boxes.tile_places import Place
 from nonsmooth.runtime.proof.certificate import CLAIMS, Stated, check_same_orbits
 from nonsmooth.runtime.proof.exact_tables import rational_of
 from nonsmooth.runtime.proof.kept_state import KeptState
@@ -108,7 +108,12 @@ def certify_box(
     whole = Place(((0, 0),) * len(ends))
 
     def record(region: Region | None, tiles: Sequence[Tile]) -> BoxCertificate:
-        return _record(orbit, ends, chosen, region, tiles)
+        return BoxCertificate(
+            **stated_orbits(orbit, ends, chosen, region),
+            box=ends,
+            stability="stable" if region is None else region.closing.stability,
+            tiles=tuple(tiles),
+        )
 
     chosen: tuple[str, ...] = ()
     try:
@@ -401,18 +406,3 @@ def _wider(ball: arb) -> arb:
     """A ball a little wider: another version of the arithmetic may round otherwise."""
     found: arb = ball + arb(0, (1 + abs(ball)) * arb(2) ** -_SEEN)
     return found
-
-
-def _record(
-    orbit: Orbit,
-    box: Mapping[str, Interval],
-    chosen: tuple[str, ...],
-    region: Region | None,
-    tiles: Sequence[Tile],
-) -> BoxCertificate:
-    return BoxCertificate(
-        **stated_orbits(orbit, box, chosen, region),
-        box=dict(box),
-        stability="stable" if region is None else region.closing.stability,
-        tiles=tuple(tiles),
-    )

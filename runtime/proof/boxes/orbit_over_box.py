@@ -31,7 +31,6 @@ from nonsmooth.runtime.proof.orbit_to_prove import (
     subject_near,
 )
 from nonsmooth.runtime.proof.statement import closing_json, declaration_json
-from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 
 __all__ = [
     "Region",
@@ -56,11 +55,6 @@ class Region:
     at: tuple[Fraction, ...]  # the subject's point in the box
     guess: Sequence[arb]  # approximate unknowns of the equations there
 
-    @property
-    def cycle(self) -> ItineraryShape:
-        """The orbit's cycle."""
-        return self.subject.cycle
-
     def statement(self, orbit: Orbit) -> tuple[dict[str, Any], dict[str, Any]]:
         """Declaration and closing of an orbit as a file states them, each ready for JSON.
 
@@ -71,12 +65,12 @@ class Region:
         beside, orbit_kernels = given.values() if self.closing.form else (), orbit.problem.kernels
         tables = tables_over(subject.kernels, names, beside=beside, orbit=orbit_kernels)
         declared = declaration_json(
-            tables, self.cycle, names, subject.start_names, subject.dwell_names
+            tables, subject.cycle, names, subject.start_names, subject.dwell_names
         )
         variables = [*self.names, *(value.text for value in self.tables.constants)]
         period = orbit.problem.period_name or ""
         over = [*names, *declared.get("constants", ())]
-        return declared, closing_json(self.closing, self.cycle, over, variables, period)
+        return declared, closing_json(self.closing, subject.cycle, over, variables, period)
 
 
 def given_of(orbit: Orbit) -> dict[str, Value]:
@@ -97,7 +91,7 @@ def stated_orbits(
         "system": orbit.system.name,
         "parameters": {n: value for n, value in given_of(orbit).items() if n not in names},
         "chosen": chosen,
-        "itinerary": () if region is None else region.cycle.itinerary,
+        "itinerary": () if region is None else region.subject.cycle.itinerary,
         "declaration": declaration,
         "closing": closing,
     }

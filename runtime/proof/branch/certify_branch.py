@@ -34,7 +34,7 @@ from nonsmooth.runtime.proof.kept_state import KeptState
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 from nonsmooth.runtime.proof.refusals import REFUSED
 
-__all__ = ["MOST_TILES", "certify_branch"]
+__all__ = ["MOST_TILES", "asked_interval", "certify_branch"]
 
 MOST_TILES = 2000
 _NO_STATE = "the state to resume is not one of this branch"
@@ -103,13 +103,8 @@ def certify_branch(
     (['grazing', 'flip'], '1.080588074177112019')
     """
     check_integer("tiles", tiles, 1)
-    if not seconds > 0:
-        raise InputError(f"seconds = {seconds!r} is not a positive number")
-    if interval is None:
-        values = branch.parameter_values
-        interval = as_value(float(values.min())), as_value(float(values.max()))
     orbit: Orbit = branch.orbit
-    box = checked_box(orbit, {branch.parameter: interval})
+    box = checked_box(orbit, {branch.parameter: asked_interval(branch, interval, seconds)})
     try:
         orbit, chosen = with_open_ones(orbit, box)
         region = region_of(orbit, box)
@@ -138,6 +133,18 @@ def certify_branch(
             for place, tile in enumerate(work.state.tiles):
                 work.put(place, borders.with_beyond(tile))
     return work.state
+
+
+def asked_interval(
+    branch: Branch, interval: tuple[object, object] | None, seconds: float
+) -> tuple[object, object]:
+    """Return the interval that is asked for, by default that of a branch; refuse no time for it."""
+    if not seconds > 0:
+        raise InputError(f"seconds = {seconds!r} is not a positive number")
+    if interval is not None:
+        return interval
+    values = branch.parameter_values
+    return as_value(float(values.min())), as_value(float(values.max()))
 
 
 class _Following:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any, cast
 
@@ -28,7 +28,7 @@ from nonsmooth.runtime.proof.branch.certified_doubling import (
     DoubledOrbits,
     Ended,
 )
-from nonsmooth.runtime.proof.branch.certify_branch import MOST_TILES, certify_branch
+from nonsmooth.runtime.proof.branch.certify_branch import MOST_TILES, asked_interval, certify_branch
 from nonsmooth.runtime.proof.branch.tube_proposal import (
     begin_of_branch,
     doubled_guess,
@@ -110,8 +110,7 @@ def certify_doubling(
     """
     for name, count in (("flip", flip), ("tiles", tiles)):
         check_integer(name, count, 1)
-    if not seconds > 0:
-        raise InputError(f"seconds = {seconds!r} is not a positive number")
+    ends = asked_interval(branch, interval, seconds)
     flips = [event for event in branch.events if event.kind == "flip"]
     if len(flips) < flip:
         told = f"{len(flips) or 'no'} {'flip' if len(flips) == 1 else 'flips'}"
@@ -120,10 +119,7 @@ def certify_doubling(
     base, _ = composed_family(branch, round(event.place), None)
     if branch.parameter not in base.parameters:
         raise InputError(f"{branch.parameter} is no parameter of {base.system.name}")
-    if interval is None:
-        values = branch.parameter_values
-        interval = as_value(float(values.min())), as_value(float(values.max()))
-    lower, upper = (as_value(end).exact for end in interval)
+    lower, upper = (as_value(end).exact for end in ends)
     if lower is None or upper is None or not lower < upper:
         raise InputError("the interval has no two rational ends, the lower one first")
     # by the tables an orbit has no name of its own; phases that take no time are left out
@@ -135,7 +131,7 @@ def certify_doubling(
         (lower, upper),
         event.value,
         tiles=tiles,
-        seconds=seconds,
+        until=time.monotonic() + seconds,
         progress=progress,
         keep=keep,
     )
@@ -161,26 +157,20 @@ class _Stopped(Exception):
         self.ended = ended
 
 
+@dataclass
 class _DoublingWork:
     """The work on a doubling: to the flip, to the tube beside it, and along the doubled branch."""
 
-    def __init__(
-        self,
-        name: str,
-        base: Orbit,
-        parameter: str,
-        interval: Interval,
-        value: float,
-        *,
-        tiles: int,
-        seconds: float,
-        progress: Callable[[float, int], object],
-        keep: Callable[[CertifiedDoubling], object] | None,
-    ) -> None:
-        self.name, self.base, self.parameter, self.interval = name, base, parameter, interval
-        self.value, self.tiles, self.progress, self.keep = value, tiles, progress, keep
-        self.until = time.monotonic() + seconds
-        self.stopped = False  # by Ctrl-C, along a branch
+    name: str
+    base: Orbit
+    parameter: str
+    interval: Interval
+    value: float
+    tiles: int
+    until: float
+    progress: Callable[[float, int], object]
+    keep: Callable[[CertifiedDoubling], object] | None
+    stopped: bool = False  # by Ctrl-C, along a branch
 
     @property
     def over(self) -> bool:
@@ -361,6 +351,7 @@ class _DoublingWork:
         return found
 
 
+@dataclass(eq=False)
 class _Beside:
     """Proved orbits beside a flip, whose branch is to be found.
 
@@ -368,27 +359,21 @@ class _Beside:
     of the parameter the branch begins with about the `orbit`.
     """
 
-    def __init__(
-        self,
-        tile: int,
-        tube: dict[str, Any],
-        found: JudgedDoubling,
-        undecided: str,
-        value: Fraction,
-        orbit: Orbit,
-    ) -> None:
-        self.tile, self.tube, self.found, self.undecided = tile, tube, found, undecided
-        self.value, self.orbit = value, orbit
-        self._verdict: tuple[str, str] | None = None
+    tile: int
+    tube: dict[str, Any]
+    found: JudgedDoubling
+    undecided: str
+    value: Fraction
+    orbit: Orbit
+    judged: tuple[str, str] | None = None  # verdict and reason, which the first tile tells
 
     def with_branch(self, branch: CertifiedBranch) -> DoubledOrbits:
         """Return what is stated of them, if they go on with this branch.
 
         `_Stopped` if the branch is not proved to begin with one of them.
         """
-        if self._verdict is None:  # it is the first tile of the branch that matters
-            self._verdict = self._judged(branch)
-        verdict, reason = self._verdict
+        self.judged = self.judged or self._judged(branch)
+        verdict, reason = self.judged
         with flint_precision(STATED):
             rate = stated(self.found.rate, STATED)
         tube, found = self.tube, self.found

@@ -6,13 +6,14 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 
 from flint import arb
 
 from nonsmooth.runtime.checker.ranges.branch import ending
 from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve, without_entry
 from nonsmooth.runtime.checker.ranges.branch_tile import SHARP, CheckedTile
-from nonsmooth.runtime.checker.stated.exact import Failure, demand
+from nonsmooth.runtime.checker.stated.exact import demand
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.branch.tiles import (
     JudgedTile,
@@ -20,7 +21,7 @@ from nonsmooth.runtime.proof.branch.tiles import (
     middle_fraction,
     proposed_tile,
 )
-from nonsmooth.runtime.proof.refusals import REFUSED
+from nonsmooth.runtime.proof.refusals import REFUSED, holds
 
 __all__ = ["BranchStep", "MarchPlace", "march", "place_behind"]
 
@@ -201,10 +202,7 @@ def _short_phase(curve: CheckedCurve, point: Sequence[arb]) -> int | None:
     mean = sum(abs(float(time.mid())) for time in times) / len(times)
     for place, time in enumerate(times):
         # where it is zero other solutions of the conditions may be
-        if abs(float(time.mid())) < _SHORT * mean and (time > 0 or time < 0):
-            try:
-                curve.divided(place + 1)
-            except Failure:
-                continue
+        short = abs(float(time.mid())) < _SHORT * mean and (time > 0 or time < 0)
+        if short and holds(partial(curve.divided, place + 1)):
             return place
     return None

@@ -12,6 +12,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from typing import Any, NamedTuple
 
 from flint import arb
@@ -39,7 +40,7 @@ from nonsmooth.runtime.proof.branch.certified_branch import (
 )
 from nonsmooth.runtime.proof.certificate import Stated, file_json
 from nonsmooth.runtime.proof.exact_tables import rational_of
-from nonsmooth.runtime.proof.refusals import REFUSED, as_read, asking
+from nonsmooth.runtime.proof.refusals import REFUSED, as_read, asking, holds
 
 __all__ = [
     "JudgedTile",
@@ -185,29 +186,13 @@ def _proposed_event(tile: CheckedTile) -> BranchEvent:
     """Return an event that may be the one of a tile; `Failure` says why there is none."""
     orbit = tile.curve.orbit(tile.point)
     told = admissibility(orbit)
-    turns = _may_turn(tile)
+    turns = not holds(lambda: tile.goes_on(tile.point))
     if told.claim == "undecided":
         return _border(tile, orbit, told, turns=turns)
-    kinds = ["fold"] if turns else [k for k in ("flip", "neimark-sacker") if _alone(orbit, k)]
+    alone = [k for k in ("flip", "neimark-sacker") if holds(partial(demand_alone, orbit, k))]
+    kinds = ["fold"] if turns else alone
     demand(len(kinds) == 1, "multipliers may pass the unit circle in several ways")
     return _event(tile, kinds[0])
-
-
-def _may_turn(tile: CheckedTile) -> bool:
-    """Return whether the parameter is not proved to change all along a tile."""
-    try:
-        tile.goes_on(tile.point)
-    except REFUSED:
-        return True
-    return False
-
-
-def _alone(orbit: CheckedOrbit, kind: str) -> bool:
-    try:
-        demand_alone(orbit, kind)
-    except REFUSED:
-        return False
-    return True
 
 
 def _border(tile: CheckedTile, orbit: CheckedOrbit, told: Verdict, *, turns: bool) -> BranchEvent:

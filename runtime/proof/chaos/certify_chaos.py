@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import chain
 from typing import Any
 
 from nonsmooth.runtime.checker.state_sets.chaos import StretchedSets, check_entropy
@@ -11,7 +12,6 @@ from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.core.errors import InputError, Interrupted, check_integer
 from nonsmooth.runtime.core.json_codec import encode
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.model.boundary_sets import members_of
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
@@ -28,11 +28,8 @@ from nonsmooth.runtime.proof.sets.section_record import (
     section_entries,
     stated_section,
 )
-from nonsmooth.runtime.proof.sets.sections import MapSection
-from nonsmooth.runtime.proof.sets.visited_declaration import (
-    PassedTransition,
-    visited_declaration,
-)
+from nonsmooth.runtime.proof.sets.sections import MapSection, Way
+from nonsmooth.runtime.proof.sets.visited_declaration import visited_declaration
 from nonsmooth.runtime.simulation.simulate import simulate_one
 
 __all__ = ["certify_chaos"]
@@ -251,17 +248,12 @@ class _ChaosQuestion:
         section: MapSection,
         iterates: int,
         sets: Sequence[HSet],
-        ways: Sequence[Sequence[tuple[int, int, int]]],
+        ways: Sequence[Sequence[Way]],
     ) -> ChaosCertificate:
         """The certificate of sets and ways of which nothing is proved."""
-        passages = [
-            PassedTransition(source, tuple(members_of(mask)), target)
-            for way in ways
-            for source, mask, target in way
-        ]
+        passages = [*chain(*ways)]
         if section.phase is None:
-            reached = tuple(sorted(section.boundaries))
-            passages.append(PassedTransition(section.source, reached, section.configuration))
+            passages.append((section.source, section.boundaries, section.configuration))
         return replace(
             self.undecided(),
             reason="",

@@ -87,7 +87,7 @@ def _passed(system: ExactSystem, motion: Trajectory) -> Iterator[Sampled]:
     start, first = motion.states[0], int(motion.run.configurations[0])
     run = follow(motion.system, start, first, transitions=_TRANSITIONS)
     half = len(run.times) // 2
-    ways = ways_of(run, half)
+    ways = ways_of(run.configurations[half - 1 :], run.sets[half - 1 :])
     counts = {way: count for way, count in Counter(ways).items() if count >= _FEWEST}
     sections = sections_behind(system, [*counts])
     found = sorted(

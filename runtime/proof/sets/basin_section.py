@@ -66,7 +66,7 @@ def _forced(system: ExactSystem, motion: Trajectory, period: float) -> MetSectio
 
 
 def _passed(system: ExactSystem, motion: Trajectory) -> Iterator[MetSection]:
-    ways = ways_of(motion.run)
+    ways = ways_of(motion.run.configurations, motion.run.sets)
     sections = sections_behind(system, ways)
     for k, way in enumerate(ways):
         if section := sections.get(way):

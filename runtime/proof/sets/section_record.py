@@ -10,12 +10,11 @@ from nonsmooth.runtime.core.json_codec import Exact
 from nonsmooth.runtime.core.registry import Certified
 from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.model.boundary_sets import members_of
 from nonsmooth.runtime.model.kernels import SystemKernels, known_system
 from nonsmooth.runtime.model.saved_system import KeptSystemName, check_same_system
 from nonsmooth.runtime.proof.certificate import Declaration
 from nonsmooth.runtime.proof.exact_tables import ExactSystem
-from nonsmooth.runtime.proof.sets.sections import MapSection
+from nonsmooth.runtime.proof.sets.sections import MapSection, Way
 
 __all__ = [
     "SectionRecord",
@@ -109,19 +108,14 @@ def reached_text(system: ExactSystem, source: int, boundaries: Iterable[int]) ->
     return "+".join(sorted(shapes[b].name for b in boundaries))
 
 
-def named_way(
-    system: ExactSystem, way: Iterable[tuple[int, int, int]]
-) -> tuple[tuple[str, str, str], ...]:
-    """Return transitions by names: source, boundaries and target of each.
-
-    They are given by numbers, and by the mask of the boundaries.
-    """
+def named_way(system: ExactSystem, way: Iterable[Way]) -> tuple[tuple[str, str, str], ...]:
+    """Return transitions by names: source, boundaries and target of each."""
     names = system.structure.configurations
     return tuple(
         (
             names[source],
-            reached_text(system, source, members_of(mask)),
+            reached_text(system, source, boundaries),
             names[target],
         )
-        for source, mask, target in way
+        for source, boundaries, target in way
     )

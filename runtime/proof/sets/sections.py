@@ -16,18 +16,21 @@ from math import gcd
 from typing import Any
 
 from flint import arb, fmpq
+from numpy.typing import NDArray
 
 from nonsmooth.runtime.checker.state_sets.switching import echelon_behind
 from nonsmooth.runtime.checker.stated.exact import Elimination
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.boundary_sets import members_of
-from nonsmooth.runtime.model.engine_run import Run
+from nonsmooth.runtime.model.structure import TransitionShape
 from nonsmooth.runtime.proof.exact_tables import ExactSystem, Row
 
 __all__ = [
     "MapSection",
+    "Way",
     "angle_of",
     "forcing_section",
+    "listed_transition",
     "phases",
     "sections_behind",
     "transition_section",
@@ -103,19 +106,26 @@ def transition_section(
 
     A transition that is not listed, and a system with a forcing, are refused.
     """
-    structure, exact = system.structure, system.exact
+    exact, transition = system.exact, listed_transition(system, (source, boundaries, target))
+    structure = system.structure
     if structure.forcing:
         raise InputError("with a forcing states are taken at one of its phases")
     held = [exact.rows[row] for row in structure.constraints[source]]
     reached = [exact.rows[structure.boundaries[source][b].row] for b in sorted(boundaries)]
     exactly = Elimination()
     before = exactly.echelon([*held, *reached])
-    for transition in structure.listed(source, boundaries):
-        if transition.target == target:
-            facts = echelon_behind(exactly, before, exact.resets[transition.reset])
-            return MapSection(target, tuple(facts), None, source, boundaries)
-    name = structure.configurations
-    raise InputError(f"no listed transition leads from {name[source]} to {name[target]}")
+    if transition is None:
+        name = structure.configurations
+        raise InputError(f"no listed transition leads from {name[source]} to {name[target]}")
+    facts = echelon_behind(exactly, before, exact.resets[transition.reset])
+    return MapSection(target, tuple(facts), None, source, boundaries)
+
+
+def listed_transition(system: ExactSystem, way: Way) -> TransitionShape | None:
+    """Return the transition that is listed for a way, or None if a contact law decides."""
+    source, boundaries, target = way
+    listed = system.structure.listed(source, boundaries)
+    return next((t for t in listed if t.target == target), None)
 
 
 def sections_behind(system: ExactSystem, ways: Sequence[Way]) -> dict[Way, MapSection]:
@@ -123,25 +133,19 @@ def sections_behind(system: ExactSystem, ways: Sequence[Way]) -> dict[Way, MapSe
 
     Transitions that a contact law decides are left out: the checker knows listed ones alone.
     """
-    listed = [
-        way
-        for way in dict.fromkeys(ways)
-        if any(t.target == way[2] for t in system.structure.listed(*way[:2]))
-    ]
+    listed = [way for way in dict.fromkeys(ways) if listed_transition(system, way)]
     found = {way: transition_section(system, *way) for way in listed}
     return {way: section for way, section in found.items() if section.free}
 
 
-def ways_of(run: Run, first: int = 1) -> list[Way]:
-    """Return the transitions of a motion from one on: source, boundaries and target of each."""
-    return [
-        (
-            int(run.configurations[k - 1]),
-            frozenset(members_of(int(run.sets[k]))),
-            int(run.configurations[k]),
-        )
-        for k in range(first, len(run.times))
-    ]
+def ways_of(configurations: NDArray[Any], masks: NDArray[Any]) -> list[Way]:
+    """Return the transitions of a motion: source, boundaries and target of each.
+
+    `configurations` has that of the start, and the one behind each transition, and `masks` what
+    they follow.
+    """
+    behind = zip(configurations, masks[1:], configurations[1:], strict=False)
+    return [(int(a), frozenset(members_of(int(mask))), int(b)) for a, mask, b in behind]
 
 
 def angle_of(phase: Sequence[Any]) -> float:

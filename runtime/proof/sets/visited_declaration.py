@@ -4,32 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from typing import Any, NamedTuple
+from typing import Any
 
 from nonsmooth.runtime.checker.state_sets.switching import SwitchingSystem
 from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.kernels import SystemKernels
-from nonsmooth.runtime.model.structure import TransitionShape
 from nonsmooth.runtime.proof.exact_tables import ExactSystem
+from nonsmooth.runtime.proof.sets.sections import Way, listed_transition
 from nonsmooth.runtime.proof.statement import declaration_json, system_declaration
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 
 __all__ = [
-    "PassedTransition",
     "listed_declaration",
     "refused_as_input",
     "visited_declaration",
     "whole_system",
 ]
-
-
-class PassedTransition(NamedTuple):
-    """A transition that a motion passes, by configurations and boundaries."""
-
-    source: int
-    boundaries: tuple[int, ...]
-    target: int
 
 
 @contextmanager
@@ -44,7 +35,7 @@ def refused_as_input() -> Iterator[None]:
 def visited_declaration(
     kernels: SystemKernels,
     system: ExactSystem,
-    passages: Sequence[PassedTransition],
+    passages: Sequence[Way],
 ) -> dict[str, Any]:
     """Return the configurations and transitions of some passages, with all their numbers.
 
@@ -59,27 +50,24 @@ def visited_declaration(
     return system_declaration(kernels, cycle, system.exact, start, dwell, timed=False)
 
 
-def _cycle(system: ExactSystem, passages: Sequence[PassedTransition]) -> ItineraryShape | None:
+def _cycle(system: ExactSystem, passages: Sequence[Way]) -> ItineraryShape | None:
     """Return some passages, each once, as phases; None where a contact law decides what follows."""
-    structure = system.structure
-    found = list(
-        dict.fromkeys(p._replace(boundaries=tuple(sorted(p.boundaries))) for p in passages)
-    )
-    taken = [_transition(system, passage) for passage in found]
+    structure, found = system.structure, list(dict.fromkeys(passages))
+    taken = [listed_transition(system, way) for way in found]
     if any(transition is None for transition in taken):
         return None
     itinerary = tuple(
         (
-            structure.configurations[p.source],
-            "+".join(structure.boundaries[p.source][b].name for b in p.boundaries),
+            structure.configurations[source],
+            "+".join(structure.boundaries[source][b].name for b in sorted(boundaries)),
         )
-        for p in found
+        for source, boundaries, _ in found
     )
     return ItineraryShape(
         structure,
         itinerary,
-        tuple(p.source for p in found),
-        tuple(p.boundaries[0] for p in found),
+        tuple(source for source, _, _ in found),
+        tuple(min(boundaries) for _, boundaries, _ in found),
         tuple(t for t in taken if t is not None),
     )
 
@@ -103,17 +91,11 @@ def whole_system(system: ExactSystem) -> SwitchingSystem:
     return SwitchingSystem(told, {}, lawful=True)
 
 
-def _listed(system: ExactSystem, *, lawful: bool) -> list[PassedTransition]:
+def _listed(system: ExactSystem, *, lawful: bool) -> list[Way]:
     """Return all transitions of a system that are listed, or written out of a contact law too."""
     return [
-        PassedTransition(source, tuple(sorted(t.boundaries)), t.target)
+        (source, frozenset(t.boundaries), t.target)
         for source, transitions in enumerate(system.structure.transitions)
         for t in transitions
         if lawful or t.path is None
     ]
-
-
-def _transition(system: ExactSystem, passage: PassedTransition) -> TransitionShape | None:
-    """Return the transition that is listed for a passage, or None if a contact law decides."""
-    listed = system.structure.listed(passage.source, frozenset(passage.boundaries))
-    return next((t for t in listed if t.target == passage.target), None)
