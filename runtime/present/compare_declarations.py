@@ -39,8 +39,8 @@ from nonsmooth.runtime.proof.exact_tables import (
     exact_tables,
     tables_over,
 )
-from nonsmooth.runtime.proof.sets.sections import Way
-from nonsmooth.runtime.proof.sets.visited_declaration import (
+from nonsmooth.runtime.proof.sets.sections import (
+    Way,
     listed_declaration,
     visited_declaration,
 )

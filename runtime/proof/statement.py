@@ -19,8 +19,8 @@ from nonsmooth.runtime.model.contacts.stages import Path, Stage
 from nonsmooth.runtime.model.contacts.unfolding import Route, unfolded
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.proof.exact_closure import ClosureConditions
 from nonsmooth.runtime.proof.exact_tables import NotRational, Tables, tables_over
+from nonsmooth.runtime.proof.orbit_to_prove import ClosureConditions
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 
 __all__ = [

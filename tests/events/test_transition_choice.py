@@ -26,7 +26,7 @@ from nonsmooth.runtime.model.kernels import kernels_of
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import TransitionShape, mode_shapes
 from nonsmooth.runtime.proof.exact_tables import ExactSystem, Row, exact_system
-from nonsmooth.runtime.proof.sets.visited_declaration import whole_system
+from nonsmooth.runtime.proof.sets.sections import whole_system
 from nonsmooth.runtime.simulation.simulate import follow
 from tests.certified import struck
 from tests.large_systems import by_tables

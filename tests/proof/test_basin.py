@@ -16,8 +16,8 @@ from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
 from nonsmooth.runtime.proof.exact_tables import exact_system
 from nonsmooth.runtime.proof.sets import certify_basin as certifying
 from nonsmooth.runtime.proof.sets.attracting_core import attracting_core
-from nonsmooth.runtime.proof.sets.basin_section import section_of as basin_section
-from nonsmooth.runtime.proof.sets.starting_tiles import next_tiles
+from nonsmooth.runtime.proof.sets.certify_basin import next_tiles
+from nonsmooth.runtime.proof.sets.section_choice import section_of as basin_section
 from tests.certified import accepted
 from tests.friction_sets import DATA, arrival, section_of
 from tests.places import GALLERY

@@ -28,7 +28,7 @@ from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of, with_open_ones
 from nonsmooth.runtime.proof.branch import tiles
-from nonsmooth.runtime.proof.branch.march import _short_phase
+from nonsmooth.runtime.proof.branch.certify_branch import _short_phase
 from nonsmooth.runtime.proof.branch.tiles import (
     checked_curve,
     judged_tile,

@@ -73,6 +73,13 @@ def test_orbits_of_the_paper_are_certified(name: str, bits: int) -> None:
         assert float(enclosure.ball.rad()) < 1e6 * 2.0**-bits
 
 
+@pytest.mark.parametrize("text", ["nan", "0 +/- inf", "+inf"])
+def test_a_ball_that_is_not_finite_has_no_decimals(text: str) -> None:
+    stated = type(certified(loop()).trace)
+    with pytest.raises(ValueError, match="is not finite"):
+        stated.around(arb(text), 64)
+
+
 def test_digits_beyond_those_of_pythons_integers(tmp_path: Path) -> None:
     file = tmp_path / "many.json"
     found = certified(ns.solve("elastic-stop/one-contact"), 20_000)

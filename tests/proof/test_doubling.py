@@ -22,7 +22,7 @@ from nonsmooth.runtime.core.taylor_models import (
     space_of,
 )
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.branch.tube_proposal import flip_with_direction
+from nonsmooth.runtime.proof.branch.certify_doubling import flip_with_direction
 from tests.certified import accepted, content_of
 from tests.explore import test_continuation_forced as impacts
 

@@ -131,9 +131,14 @@ CASES = [
     *((name, *case) for name, case in DIVIDED.items()),
     *((name, "fold", *case) for name, case in FOLDED.items()),
     *((name, "common", *case) for name, case in TOGETHER.items()),
-    ("another kind of torus", "torus", lambda e: e.update(kind="flip"), ""),
-    ("other sides of a torus", "torus", exchanged, ""),
-    ("another torus", "torus", moved, ""),
+    (
+        "another kind of torus",
+        "torus",
+        lambda e: e.update(kind="flip"),
+        "there may be another event",
+    ),
+    ("other sides of a torus", "torus", exchanged, "other verdicts|beside"),
+    ("another torus", "torus", moved, "beside its band"),
 ]
 
 

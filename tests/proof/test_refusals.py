@@ -20,7 +20,7 @@ from nonsmooth.runtime.checker.state_sets.chaos import StretchedSets
 from nonsmooth.runtime.checker.state_sets.cones import Derivatives
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.proof.boxes import tile as of_tiles
+from nonsmooth.runtime.proof.boxes import certify_box as of_tiles
 from nonsmooth.runtime.proof.branch import certify_branch as of_branches
 from tests.certified import accepted
 from tests.horseshoes import folded_horseshoe

@@ -16,7 +16,6 @@ from nonsmooth.runtime.orbits.kernel_problem import chosen_parameters
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
 from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.proof.boxes.tile_places import Interval
-from nonsmooth.runtime.proof.exact_closure import ClosureConditions, closing_of
 from nonsmooth.runtime.proof.exact_tables import (
     NotRational,
     Tables,
@@ -25,8 +24,10 @@ from nonsmooth.runtime.proof.exact_tables import (
     tables_over,
 )
 from nonsmooth.runtime.proof.orbit_to_prove import (
+    ClosureConditions,
     NotCovered,
     Subject,
+    closing_of,
     guess_of,
     subject_near,
 )

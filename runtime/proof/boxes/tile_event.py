@@ -30,7 +30,7 @@ from nonsmooth.runtime.proof.refusals import asking
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.checker.ranges.tiles import MapTile
-    from nonsmooth.runtime.proof.boxes.tile import BoxRefusals
+    from nonsmooth.runtime.proof.boxes.certify_box import BoxRefusals
 
 __all__ = [
     "BEYOND",

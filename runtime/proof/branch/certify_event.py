@@ -26,9 +26,8 @@ from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, region_of, stated_orbits
 from nonsmooth.runtime.proof.branch.event_certificate import EventCertificate
 from nonsmooth.runtime.proof.certificate import GUARD, Unknown, file_json
-from nonsmooth.runtime.proof.certify_orbit import FEWEST_BITS, MOST_BITS, stated
+from nonsmooth.runtime.proof.certify_orbit import FEWEST_BITS, MOST_BITS, refined, stated
 from nonsmooth.runtime.proof.kept_state import KeptState
-from nonsmooth.runtime.proof.orbit_proposal import refined
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, guess_of
 from nonsmooth.runtime.proof.refusals import REFUSED, as_read
 from nonsmooth.runtime.proof.statement import decimals

@@ -19,17 +19,18 @@ from nonsmooth.runtime.proof.chaos.cone_conditions import cone_condition
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
 from nonsmooth.runtime.proof.chaos.h_sets import HSet, growth, logarithm_below, outline
 from nonsmooth.runtime.proof.chaos.search import Horseshoe, candidates, orbits_on
-from nonsmooth.runtime.proof.chaos.section_choice import sampled_sections
 from nonsmooth.runtime.proof.exact_tables import ExactSystem, exact_system
 from nonsmooth.runtime.proof.refusals import REFUSED
-from nonsmooth.runtime.proof.sets.section_record import (
+from nonsmooth.runtime.proof.sets.section_choice import sampled_sections
+from nonsmooth.runtime.proof.sets.sections import (
+    MapSection,
+    Way,
     named_way,
     reached_text,
     section_entries,
     stated_section,
+    visited_declaration,
 )
-from nonsmooth.runtime.proof.sets.sections import MapSection, Way
-from nonsmooth.runtime.proof.sets.visited_declaration import visited_declaration
 from nonsmooth.runtime.simulation.simulate import simulate_one
 
 __all__ = ["certify_chaos"]

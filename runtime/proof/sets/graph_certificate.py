@@ -16,7 +16,7 @@ from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.proof.certificate import Decided
 from nonsmooth.runtime.proof.sets.box_graphs import BoxGraph
 from nonsmooth.runtime.proof.sets.runs import Flags, Numbers, check_size
-from nonsmooth.runtime.proof.sets.section_record import SectionRecord
+from nonsmooth.runtime.proof.sets.sections import SectionRecord
 
 __all__ = [
     "Component",
