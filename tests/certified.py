@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import re
+import sys
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields
@@ -37,11 +38,6 @@ from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.check_file import Check
-from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
-from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
-from nonsmooth.runtime.proof.branch.certified_doubling import CertifiedDoubling
-from nonsmooth.runtime.proof.sets.basin_certificate import BasinCertificate
-from nonsmooth.runtime.proof.sets.graph_certificate import RegionCertificate
 
 __all__ = [
     "FORCED",
@@ -55,6 +51,7 @@ __all__ = [
     "edited",
     "flat",
     "forced",
+    "interrupted",
     "kicked",
     "loop",
     "moved",
@@ -215,32 +212,30 @@ def struck_together(law: str | None = None, coupling: str = "0") -> Orbit:
     return ns.solve(kernels, given, itinerary=found)
 
 
-def prove_basin() -> BasinCertificate:
+def prove_basin() -> Any:
     """Of a box of starts of the kicked mass, from which motions rise at once, or fall first."""
     box = {"x": (0, 2), "v": (-2, 2)}
     return ns.certify.basin(loop(a="9/4"), box=box, side=0.5)
 
 
-def prove_branch() -> CertifiedBranch:
+def prove_branch() -> Any:
     """Of an orbit with dry friction, from a grazing beyond a flip."""
     return ns.certify.branch(ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3)))
 
 
-def prove_doubling() -> CertifiedDoubling:
+def prove_doubling() -> Any:
     """What branches off at that flip, in one tile."""
     orbit = ns.solve("dry-friction/symmetric", {"V": "1.08"})
     return ns.certify.doubling(ns.continue_orbit(orbit, "V", (1.07, 1.09)), tiles=1)
 
 
-def prove_graph() -> RegionCertificate:
+def prove_graph() -> Any:
     """Of speeds of the kicked mass, which tend to one."""
     data = {"k": 1, "r": "1/2", "a": 10}
     return ns.certify.region(kicked(), data, [0, 1.5], region={"v": (0.5, 4)}, boxes=16, levels=1)
 
 
-def certified_over(
-    orbit: Orbit, parameter: str, low: object, high: object, **asked: Any
-) -> CertifiedBranch:
+def certified_over(orbit: Orbit, parameter: str, low: object, high: object, **asked: Any) -> Any:
     """What is proved of an orbit's branch between two rational values of a parameter."""
     ends = str(low), str(high)
     lower, upper = (float(Fraction(end)) for end in ends)
@@ -264,7 +259,45 @@ def content_of(found: Any) -> dict[str, Any]:
         return content
 
 
-def place_in(found: BoxCertificate, tile: Any, point: Mapping[str, Fraction]) -> list[Fraction]:
+def interrupted(
+    ask: Callable[[], object], files: tuple[str, ...], within: set[str], last: float = math.inf
+) -> tuple[int, Any]:
+    """How many lines of some files run while functions of these names do, and what is found.
+
+    Behind the `last` of them comes Ctrl-C, and what is found is the state that it leaves.
+    """
+    lines, before = 0, sys.gettrace()
+
+    def trace(frame: Any, event: str, argument: Any) -> Any:
+        nonlocal lines
+        if not frame.f_code.co_filename.endswith(files):
+            return None
+        if event == "line" and within & _callers(frame):
+            lines += 1
+            if lines > last:
+                sys.settrace(before)
+                raise KeyboardInterrupt
+        return trace
+
+    sys.settrace(trace)
+    try:
+        found = ask()
+        return lines, found
+    except ns.Interrupted as stopped:
+        return lines, stopped.partial
+    finally:
+        sys.settrace(before)
+
+
+def _callers(frame: Any) -> set[str]:
+    found = set()
+    while frame is not None:
+        found.add(frame.f_code.co_name)
+        frame = frame.f_back
+    return found
+
+
+def place_in(found: Any, tile: Any, point: Mapping[str, Fraction]) -> list[Fraction]:
     """A point of a tile, from -1 to 1 over it."""
     where = found.where(tile)
     return [(2 * point[n] - low - high) / (high - low) for n, (low, high) in where.items()]
@@ -275,9 +308,9 @@ def signed(content: dict[str, Any]) -> dict[str, Any]:
     return {**content, "sha256": checksum_of(content)}
 
 
-def edited(path: Path, change: Callable[[dict[str, Any]], object]) -> dict[str, Any]:
-    """A file's content, changed, with the checksum made right."""
-    content = json.loads(path.read_text())
+def edited(found: Any, change: Callable[[dict[str, Any]], object]) -> dict[str, Any]:
+    """The content of a file, or of that of what was found, changed, the checksum made right."""
+    content = json.loads(found.read_text()) if isinstance(found, Path) else content_of(found)
     change(content)
     return signed(content)
 

@@ -15,8 +15,7 @@ from nonsmooth.runtime.checker.state_sets.switching import StatedSection
 from nonsmooth.runtime.core.float_sets import ManySets
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.proof.exact_tables import exact_system
-from nonsmooth.runtime.proof.sets.sections import transition_section
-from nonsmooth.runtime.proof.sets.visited_declaration import listed_declaration
+from nonsmooth.runtime.proof.sets.sections import listed_declaration, transition_section
 
 __all__ = ["DATA", "anywhere", "arrival", "corner", "declared_system", "inside", "missed",
            "motions_of", "returns", "sampled", "section_of"]  # fmt: skip

@@ -37,19 +37,19 @@ from nonsmooth.runtime.proof.exact_tables import (
     ExactSystem,
     exact_system,
     exact_tables,
-    irrational_texts,
+    tables_over,
 )
-from nonsmooth.runtime.proof.parametric_declaration import (
-    PERIOD,
-    orbit_declaration,
-    system_declaration,
-)
-from nonsmooth.runtime.proof.sets.visited_declaration import (
-    PassedTransition,
+from nonsmooth.runtime.proof.sets.sections import (
+    Way,
     listed_declaration,
     visited_declaration,
 )
-from nonsmooth.runtime.proof.statement import kernels_with
+from nonsmooth.runtime.proof.statement import (
+    PERIOD,
+    declaration_json,
+    kernels_with,
+    system_declaration,
+)
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, itinerary_shape
 
 __all__ = ["check_domains", "compare"]
@@ -182,10 +182,10 @@ def _chaos(content: Content) -> bool:
     def declare(kernels: SystemKernels, system: ExactSystem) -> Mapping[str, Any]:
         structure = system.structure
 
-        def passed(source: str, boundary: str, target: str) -> PassedTransition:
+        def passed(source: str, boundary: str, target: str) -> Way:
             here = structure.configuration(source)
-            reached = tuple(structure.boundary(here, name) for name in boundary.split("+"))
-            return PassedTransition(here, reached, structure.configuration(target))
+            reached = frozenset(structure.boundary(here, name) for name in boundary.split("+"))
+            return here, reached, structure.configuration(target)
 
         ways = [
             passed(*each) for h in content["h_sets"] for each in content["itineraries"][h["name"]]
@@ -248,7 +248,7 @@ def _declared_at_point(named: _NamedOrbit, content: Content) -> Mapping[str, Any
         return system_declaration(
             named.kernels,
             named.cycle,
-            exact_tables(named.kernels, tuple(values.values()), work),
+            exact_tables(named.kernels, values, work),
             named.start,
             named.dwell,
             timed=bool(content["given_period"]),
@@ -265,10 +265,9 @@ def _declared_over_box(named: _NamedOrbit, content: Content) -> Mapping[str, Any
     if closing["kind"] == "period" and closing["period"] != named.period:
         raise Failure("the period is not the one that is given")
     names = content["declaration"]["parameters"]
-    texts = irrational_texts(named.kernels, given.values() if closing["kind"] == "period" else ())
-    return orbit_declaration(
-        named.kernels, named.derived, named.cycle, names, named.start, named.dwell, texts
-    )
+    beside = given.values() if closing["kind"] == "period" else ()
+    tables = tables_over(named.kernels, names, beside=beside, orbit=named.derived)
+    return declaration_json(tables, named.cycle, names, named.start, named.dwell)
 
 
 def _check_values(named: _NamedOrbit, values: dict[str, Value]) -> None:

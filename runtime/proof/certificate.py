@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
+
+from flint import arb
 
 from nonsmooth.runtime.checker.stated.exact import exact
 from nonsmooth.runtime.core.errors import InputError
@@ -27,9 +29,6 @@ from nonsmooth.runtime.core.values import LARGEST_EXPONENT, Value, flint_precisi
 from nonsmooth.runtime.model.saved_system import KeptOrbitName
 from nonsmooth.runtime.proof.motion.motion_proof import Enclosure
 from nonsmooth.runtime.proof.statement import decimals
-
-if TYPE_CHECKING:
-    from flint import arb
 
 __all__ = [
     "CLAIMS",
@@ -101,8 +100,6 @@ class Stated(Enclosure):
     @staticmethod
     def of(middle: str, radius: str, bits: int) -> Stated:
         """Return a ball that contains what two decimal texts, middle and radius, state exactly."""
-        from flint import arb
-
         with flint_precision(2 * bits + 64):
             ball = arb(exact(middle)) + arb(0, arb(exact(radius)))
         return Stated(ball, bits, (middle, radius))

@@ -7,22 +7,21 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
+
+from flint import arb, ctx, fmpq
 
 from nonsmooth.runtime.checker.stated.parameters import number_at
 from nonsmooth.runtime.core.arithmetic import Balls
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.irrational_numbers import Irrationals, irrationals
-from nonsmooth.runtime.core.rational_functions import RationalFunction
+from nonsmooth.runtime.core.irrational_numbers import irrationals
 from nonsmooth.runtime.core.values import Value, parse
-from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
+from nonsmooth.runtime.model.completion import follow
+from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.parameters import system_parameters
 from nonsmooth.runtime.model.saved_system import saved_of
 from nonsmooth.runtime.model.structure import Structure, structure_of
-
-if TYPE_CHECKING:
-    from flint import fmpq
 
 __all__ = [
     "ExactSystem",
@@ -30,11 +29,9 @@ __all__ = [
     "NotRational",
     "Row",
     "Tables",
-    "constants_over",
     "declared_constants",
     "exact_system",
     "exact_tables",
-    "irrational_texts",
     "rational_of",
     "tables_over",
 ]
@@ -66,52 +63,39 @@ class Tables:
 
     def near(self, entry: Any, values: Sequence[Any] = ()) -> float:
         """Return the middle of an entry's ball, at values of the parameters that vary."""
-        from flint import ctx
-
         known = [value.ball(ctx.prec) for value in self.constants]
         return float(number_at([*values, *known])(entry).mid())
 
 
-class _Rationals:
+class _Exactly:
     """The arithmetic that exact kernels need: rationals, and irrational numbers that are known.
 
     Any other function that a kernel asks for raises `NotRational`.
     """
 
-    def __init__(self, known: Irrationals | None = None) -> None:
-        self._known = known
+    def __init__(self, numbers: Mapping[str, Any]) -> None:
+        self._numbers = numbers
 
     @staticmethod
     def rational(numerator: int, denominator: int) -> Any:
-        from flint import fmpq
-
         return fmpq(numerator, denominator)
 
     def constant(self, text: str) -> Any:
-        if self._known is None:
-            raise NotRational("an irrational number")
-        return self._known.numbers[text]
+        return self._numbers[text]
 
     def __getattr__(self, name: str) -> Any:
         raise NotRational(name)
 
 
-def exact_tables(kernels: SystemKernels, values: Sequence[Value], bits: int) -> Tables:
+def exact_tables(kernels: SystemKernels, values: Mapping[str, Value], bits: int) -> Tables:
     """Return the tables of a system at the values of all its parameters, in their order.
 
     They are exact: rational, or functions of irrational numbers. Where the declaration takes a root
     or a sine of its parameters, the entries are balls of `bits`.
     """
     with suppress(NotRational, ArithmeticError):
-        return _symbolic(kernels, tuple(values))
-    return _tables(kernels, [value.ball(bits) for value in values], Balls(), exact=False)
-
-
-@lru_cache(maxsize=64)
-def _symbolic(kernels: SystemKernels, values: tuple[Value, ...]) -> Tables:
-    known = constants_over((), irrational_texts(kernels, values))
-    point = [known.numbers[v.text] if v.exact is None else rational_of(v.exact) for v in values]
-    return tables_over(kernels, point, known)
+        return tables_over(kernels, (), values)
+    return _tables(kernels, [value.ball(bits) for value in values.values()], Balls(), exact=False)
 
 
 @lru_cache(maxsize=64)
@@ -122,32 +106,51 @@ def declared_constants(kernels: SystemKernels) -> tuple[str, ...]:
     return tuple(dict.fromkeys(text for function in functions for text in function.constants))
 
 
-def irrational_texts(kernels: SystemKernels, values: Iterable[Value]) -> list[str]:
-    """Return the texts of all irrational numbers of a proof: given values and the declaration's."""
-    return [*(value.text for value in values if value.exact is None), *declared_constants(kernels)]
-
-
-def constants_over(names: Sequence[str], texts: Iterable[str]) -> Irrationals:
-    """Return irrational numbers, given as texts, beside parameters that vary.
-
-    `ArithmeticError` is raised if a number divides by what may be zero, or a literal is enormous.
-    """
-    return irrationals(names, texts, lambda text: parse(text).ball(_SHARP))
-
-
 def tables_over(
     kernels: SystemKernels,
-    values: Sequence[fmpq | RationalFunction],
-    known: Irrationals | None = None,
+    names: Iterable[str],
+    fixed: Mapping[str, Value] | None = None,
+    *,
+    beside: Iterable[Value] = (),
+    orbit: OrbitKernels | None = None,
 ) -> Tables:
     """Return exact tables of a system some of whose parameters vary: rational functions of these.
 
-    `values` holds all parameters in their order, `known` the irrational numbers that occur, those
-    of the declaration among them. `NotRational` is raised if the declaration takes a root or a sine
-    of its parameters.
+    `names` are the parameters that vary, `fixed` has the values of others. `orbit` holds an orbit's
+    functions where these are its parameters, from which the system's follow. The irrational ones of
+    `fixed`, of values `beside` and of the declaration are the last variables. `NotRational` is
+    raised if the declaration takes a root or a sine of its parameters, `ArithmeticError` if a
+    number divides by what may be zero, or a literal is enormous.
     """
-    constants = () if known is None else tuple(map(parse, known.generators))
-    return replace(_tables(kernels, values, _Rationals(known), exact=True), constants=constants)
+    given = {} if fixed is None else fixed
+    told = (value.text for value in (*given.values(), *beside) if value.exact is None)
+    texts = (*told, *declared_constants(kernels))
+    return _tables_over(kernels, tuple(names), tuple(given.items()), texts, orbit)
+
+
+@lru_cache(maxsize=128)
+def _tables_over(
+    kernels: SystemKernels,
+    names: tuple[str, ...],
+    fixed: tuple[tuple[str, Value], ...],
+    texts: tuple[str, ...],
+    orbit: OrbitKernels | None,
+) -> Tables:
+    required = {} if orbit is None else {n: parse(text) for n, text in orbit.required.items()}
+    own = [value.text for value in required.values() if value.exact is None]
+    known = irrationals(names, [*texts, *own], lambda text: parse(text).ball(_SHARP))
+    found: dict[str, Any] = {
+        name: known.numbers[v.text] if v.exact is None else rational_of(v.exact)
+        for name, v in (*required.items(), *fixed)
+    }
+    found |= zip(names, known.variables, strict=True)
+    if orbit is not None:
+        found |= follow(orbit, found, rational_of)
+        if missing := [table.name for table in kernels.parameters if table.name not in found]:
+            raise InputError(f"{orbit.name}: {', '.join(missing)} left open")
+    point = [found[table.name] for table in kernels.parameters]
+    tables = _tables(kernels, point, _Exactly(known.numbers), exact=True)
+    return replace(tables, constants=tuple(map(parse, known.generators)))
 
 
 class ExactSystem(NamedTuple):
@@ -171,29 +174,21 @@ def exact_system(
         if value.exact is None:
             raise InputError(f"a proof needs rational parameters, and {name} = {value} is not")
     try:
-        exact = _rational_tables(kernels, tuple(value.exact for value in values.values()))
+        if declared_constants(kernels):
+            raise NotRational("an irrational number")
+        return ExactSystem(structure, values, tables_over(kernels, (), values))
     except NotRational as problem:
         raise InputError(
             f"a proof needs rational rows, fields and resets, and {problem.function} is not"
         ) from None
-    return ExactSystem(structure, values, exact)
-
-
-@lru_cache(maxsize=64)
-def _rational_tables(kernels: SystemKernels, fractions: tuple[Any, ...]) -> Tables:
-    return _tables(kernels, list(map(rational_of, fractions)), _Rationals(), exact=True)
 
 
 def rational_of(value: Fraction) -> fmpq:
     """Return a fraction as FLINT's rational number."""
-    from flint import fmpq
-
     return fmpq(value.numerator, value.denominator)
 
 
 def _tables(kernels: SystemKernels, point: Sequence[Any], lib: Any, *, exact: bool) -> Tables:
-    from flint import arb, fmpq
-
     number: Any = fmpq if exact else arb
     size = len(kernels.table["states"])
     fields, rows, resets = (

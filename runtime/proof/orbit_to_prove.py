@@ -1,30 +1,50 @@
-"""What is to be proved: an orbit of any kind as a cycle of its system, in physical coordinates."""
+"""What is to be proved: an orbit as a cycle in physical coordinates, and how it closes.
+
+An autonomous dissipative cycle closes by its state. Of a conservative one the period is
+given, and one coordinate's closure is dropped: it follows from the energy. A forced one is a
+function of time: the forcing's states are cos(w t) and sin(w t) at an unknown time, and a
+whole number of the forcing's periods passes.
+
+Of a conservative cycle there is a nondegenerate skew form Omega and an energy E_c of each
+configuration with Omega f_c = grad E_c, each transition keeps the energy on its boundary and Omega
+on the tangents of its boundary. Hence the monodromy matrix is symplectic: the saltation maps the
+field in front to that behind. Both are found by exact arithmetic, for the checker to verify.
+
+Where nothing depends on some direction, a rotor's angle, a cycle closes up to a shift along it.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from fractions import Fraction
+from functools import partial
+from typing import Any
 
+from flint import arb, fmpq
+
+from nonsmooth.runtime.checker.stated.exact import Elimination, product
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.kernels import SystemKernels
+from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.proof.exact_tables import Tables
+from nonsmooth.runtime.proof.exact_tables import Matrix, Row, Tables, rational_of
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, itinerary_shape
-
-if TYPE_CHECKING:
-    from flint import arb
+from nonsmooth.runtime.shooting.translations import translations_of
 
 __all__ = [
+    "ClosureConditions",
     "NotCovered",
     "Subject",
+    "SymplecticForm",
+    "closing_of",
     "guess_of",
     "subject_near",
-    "system_of",
+    "symplectic_form",
 ]
 
 _MOST_TURNS = 1000
@@ -50,20 +70,11 @@ class Subject:
     dwell_names: tuple[str, ...]
 
     @property
-    def forced(self) -> tuple[int, ...]:
-        """The cosine and sine states of all forcings."""
-        return tuple(state for pair in self.cycle.structure.forcing for state in pair)
-
-    @property
     def unknown_names(self) -> tuple[str, ...]:
         """Names of the equations' unknowns: free states, the forcing's time, dwell times."""
-        free = [name for k, name in enumerate(self.start_names) if k not in self.forced]
-        return (*free, *(["forcing time"] if self.forced else []), *self.dwell_names)
-
-
-def system_of(orbit: Orbit) -> str:
-    """Return the name of the system that an orbit belongs to."""
-    return orbit.system.name
+        forced = self.cycle.structure.forced
+        free = [name for k, name in enumerate(self.start_names) if k not in forced]
+        return (*free, *(["forcing time"] if forced else []), *self.dwell_names)
 
 
 def subject_near(orbit: Orbit) -> Subject:
@@ -103,11 +114,10 @@ def guess_of(subject: Subject, tables: Tables, at: Sequence[Any] = ()) -> list[a
 
     `at` holds the values at the orbit of what the tables are functions of.
     """
-    pairs = subject.cycle.structure.forcing
+    structure = subject.cycle.structure
+    pairs = structure.forcing
     if not pairs:
         return [*subject.start, *subject.dwell]
-    from flint import arb
-
     start = [float(x) for x in subject.start]
     field = tables.fields[subject.cycle.configurations[0]]
     speeds = [tables.near(field[s][c], at) for c, s in pairs]
@@ -120,5 +130,152 @@ def guess_of(subject: Subject, tables: Tables, at: Sequence[Any] = ()) -> list[a
 
     times = [(angles[0] + 2 * math.pi * k) / speeds[0] for k in range(_MOST_TURNS)]
     time = times[0] if len(speeds) == 1 else min(times, key=missed)
-    free = [x for k, x in enumerate(subject.start) if k not in subject.forced]
+    free = [x for k, x in enumerate(subject.start) if k not in structure.forced]
     return [*free, arb(time), *subject.dwell]
+
+
+@dataclass(frozen=True, eq=False)
+class SymplecticForm:
+    """A skew form Omega (N, N) and the energies E_c = (y, 1) H_c (y, 1) / 2 of configurations."""
+
+    omega: Matrix
+    constants: dict[int, Any]  # last diagonal entry of H_c, by visited configuration
+    energies: dict[int, Matrix]  # H_c, by configuration
+
+
+def symplectic_form(tables: Tables, cycle: ItineraryShape) -> SymplecticForm | None:
+    """Return a nondegenerate form and energies that a cycle keeps exactly, or None."""
+    size = len(tables.fields[0]) - 1
+    visited = sorted(set(cycle.configurations))
+    pairs = [(i, j) for i in range(size) for j in range(i)]
+    count = len(pairs) + len(visited)
+    columns = []
+    for place in range(count):
+        values = [fmpq(int(k == place)) for k in range(count)]
+        columns.append(_missed(tables, cycle, _form(tables, visited, pairs, values)))
+    kernel = Elimination().left_kernel(columns)
+    values = [
+        sum((fmpq(k + 1) * row[j] for k, row in enumerate(kernel)), fmpq(0)) for j in range(count)
+    ]
+    form = _form(tables, visited, pairs, values)
+    return None if Elimination().left_kernel(form.omega) else form
+
+
+def _form(
+    tables: Tables, visited: Sequence[int], pairs: Sequence[tuple[int, int]], values: Sequence[Any]
+) -> SymplecticForm:
+    """Return the form of given entries, with the matrices of the energies that follow from it."""
+    size = len(tables.fields[0]) - 1
+    entries: list[list[Any]] = [[fmpq(0)] * size for _ in range(size)]
+    for (i, j), value in zip(pairs, values, strict=False):
+        entries[i][j], entries[j][i] = value, -value
+    omega: Matrix = tuple(map(tuple, entries))
+    constants = dict(zip(visited, values[len(pairs) :], strict=True))
+    energies: dict[int, Matrix] = {}
+    for configuration in visited:
+        upper = _times(omega, tables.fields[configuration][:-1])
+        below = (*(row[-1] for row in upper), constants[configuration])
+        energies[configuration] = (*upper, below)
+    return SymplecticForm(omega, constants, energies)
+
+
+def _missed(tables: Tables, cycle: ItineraryShape, form: SymplecticForm) -> list[Any]:
+    """Return what a form misses of being kept, linear in its entries: zero if it is kept."""
+    missed: list[Any] = []
+    for energy in form.energies.values():
+        missed += _difference(energy, _transposed(energy))
+    count = len(cycle)
+    for place, transition in enumerate(cycle.transitions):
+        before = cycle.configurations[place]
+        after = cycle.configurations[(place + 1) % count]
+        row = tables.rows[cycle.rows[place]]
+        reset = tables.resets[transition.reset]
+        on = Elimination().left_kernel([[entry] for entry in row])
+        missed += _difference(
+            _seen(_seen(form.energies[after], _transposed(reset)), on),
+            _seen(form.energies[before], on),
+        )
+        linear = tuple(r[:-1] for r in reset[:-1])
+        along = Elimination().left_kernel([[entry] for entry in row[:-1]])
+        missed += _difference(
+            _seen(_seen(form.omega, _transposed(linear)), along), _seen(form.omega, along)
+        )
+    return missed
+
+
+def _seen(form: Sequence[Row], rows: Sequence[Row]) -> Matrix:
+    """Return the matrix of a bilinear form between vectors that are given as rows."""
+    return _times(_times(rows, form), _transposed(rows))
+
+
+def _times(left: Sequence[Row], right: Sequence[Row]) -> Matrix:
+    return tuple(product(row, right) for row in left)
+
+
+def _transposed(rows: Sequence[Row]) -> Matrix:
+    return tuple(zip(*rows, strict=True))
+
+
+def _difference(left: Sequence[Row], right: Sequence[Row]) -> list[Any]:
+    return [x - y for a, b in zip(left, right, strict=True) for x, y in zip(a, b, strict=True)]
+
+
+_LARGEST_DENOMINATOR = 10**6  # of a direction
+_NEARLY = 1 - 1e-9  # of the largest: as large
+
+
+@dataclass(frozen=True)
+class ClosureConditions:
+    """How a cycle closes: by its state, by a given period and the energy, or by the forcing."""
+
+    kind: str  # "state", "period" or "forcing"
+    dropped: int = -1  # coordinate whose closure follows from the energy; -1 for none
+    form: SymplecticForm | None = None
+    turns: int = 0  # turns of the first forcing in one period
+    # directions along which nothing changes, in echelon form; the cycle closes up to these
+    translations: tuple[Row, ...] = ()
+
+    @property
+    def stability(self) -> str:
+        """The stability that is claimed: "stable", or "neutral" for a conservative orbit."""
+        return "stable" if self.form is None else "neutral"
+
+
+def closing_of(subject: Subject, tables: Tables, at: Sequence[Any] = ()) -> ClosureConditions:
+    """Return how the subject's cycle closes: by the forcing, by the state, or by period and energy.
+
+    `at` holds the values at the orbit of what the tables are functions of. `NotCovered` is raised
+    if the cycle closes in another way, or if its numbers are not rational where they have to be.
+    """
+    cycle, near = subject.cycle, partial(tables.near, values=at)
+    shifts = tuple(
+        tuple(rational_of(Fraction(x).limit_denominator(_LARGEST_DENOMINATOR)) for x in direction)
+        for direction in translations_of(piecewise(subject.kernels, subject.values)).tolist()
+    )
+    if cycle.structure.forcing:
+        cosine, sine = cycle.structure.forcing[0]
+        speed = near(tables.fields[cycle.configurations[0]][sine][cosine])
+        total = float(sum(float(t) for t in subject.dwell))
+        turns = max(1, round(speed * total / (2 * math.pi)))
+        return ClosureConditions("forcing", turns=turns, translations=shifts)
+    if shifts and subject.period is not None:
+        raise NotCovered("it is periodic up to a shift, and of a family that a period singles out")
+    if subject.period is None:
+        return ClosureConditions("state", translations=shifts)
+    if not tables.exact:
+        raise NotCovered("the parameters of a conservative system have to be rational")
+    form = symplectic_form(tables, cycle)
+    if form is None:
+        raise NotCovered("no energy was found that the cycle keeps, so its period cannot be given")
+    energy = form.energies[cycle.configurations[0]]
+    start = [float(x) for x in subject.start]
+    slopes = [
+        sum(near(x) * y for x, y in zip(row[:-1], start, strict=True)) + near(row[-1])
+        for row in energy[:-1]
+    ]
+    if not all(map(math.isfinite, slopes)):
+        raise NotCovered("the slopes of its energy are not finite where it starts")
+    # the first of those that are as large but for rounding, in whatever arithmetic it is
+    least = _NEARLY * max(abs(slope) for slope in slopes)
+    largest = next(i for i, slope in enumerate(slopes) if abs(slope) >= least)
+    return ClosureConditions("period", dropped=largest, form=form)

@@ -11,7 +11,7 @@ from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 
-__all__ = ["REFUSED", "as_read", "asking", "refusal"]
+__all__ = ["REFUSED", "as_read", "asking", "holds", "refusal"]
 
 # what the checker raises where something is not proved, or beyond what can be enclosed
 REFUSED = (Failure, ArithmeticError, ValueError)
@@ -40,6 +40,15 @@ def refusal(check: Callable[[], object]) -> str:
     except NotCovered as reason:
         return str(reason)
     return ""
+
+
+def holds(check: Callable[[], object]) -> bool:
+    """Return whether the checker refuses nothing, at the working precision."""
+    try:
+        check()
+    except REFUSED:
+        return False
+    return True
 
 
 def as_read(told: Mapping[str, Any]) -> dict[str, Any]:

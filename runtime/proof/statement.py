@@ -1,9 +1,16 @@
-"""The exact system of a certificate, as the file states it and the checker reads it."""
+"""The exact system of a certificate, as the file states it and the checker reads it.
+
+A declaration is stated as functions of the parameters that the file names. So every name and value
+that is printed is bound to the tables that are proved about: who reads the file evaluates them at
+its values.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from flint import arb, fmpz
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.rational_functions import RationalFunction
@@ -12,15 +19,20 @@ from nonsmooth.runtime.model.contacts.stages import Path, Stage
 from nonsmooth.runtime.model.contacts.unfolding import Route, unfolded
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.proof.exact_closure import ClosureConditions
-from nonsmooth.runtime.proof.exact_tables import Tables
+from nonsmooth.runtime.proof.exact_tables import NotRational, Tables, tables_over
+from nonsmooth.runtime.proof.orbit_to_prove import ClosureConditions
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 
-if TYPE_CHECKING:
-    from flint import arb, fmpz
+__all__ = [
+    "PERIOD",
+    "closing_json",
+    "decimals",
+    "declaration_json",
+    "kernels_with",
+    "system_declaration",
+]
 
-__all__ = ["closing_json", "decimals", "declaration_json", "kernels_with"]
-
+PERIOD = "period"  # its name among the parameters at one point
 _RADIUS = 3  # digits that a radius needs
 
 
@@ -45,6 +57,29 @@ def _scientific(integer: fmpz, exponent: int) -> str:
     digits = abs(integer).str()  # Python's own integers have no text beyond some digits
     sign, tail = "-" * (integer < 0), digits[1:]
     return f"{sign}{digits[0]}{'.' * bool(tail)}{tail}e{exponent + len(tail)}"
+
+
+def system_declaration(
+    kernels: SystemKernels,
+    cycle: ItineraryShape,
+    tables: Tables,
+    start: Sequence[str],
+    dwell: Sequence[str],
+    *,
+    timed: bool,
+) -> dict[str, Any]:
+    """Return the declaration over all parameters of the system, as `declaration_json` gives it.
+
+    If `timed`, the given period is one more parameter. Where the declaration takes a root or a sine
+    of its parameters there are no such functions: then it is that of the tables, which hold the
+    numbers at the orbit's parameters. `start` and `dwell` are names of states and dwell times.
+    """
+    names = tuple(table.name for table in kernels.parameters) + (PERIOD,) * timed
+    try:
+        over = tables_over(kernels, names, beside=tables.constants if timed else ())
+    except NotRational:
+        names, over = (), tables
+    return declaration_json(over, cycle, names, start, dwell)
 
 
 def declaration_json(
@@ -180,15 +215,12 @@ def _row(row: Sequence[Any]) -> list[Any]:
 
 def _entry(number: Any) -> Any:
     """Return a number as JSON: a text, a quotient of polynomials, or a ball's middle and radius."""
-    from flint import fmpq
-
     if isinstance(number, RationalFunction):
         return {"above": _terms(number.above), "below": _terms(number.below)}
     if not hasattr(number, "rad"):
         return str(number)
     if number.is_exact():
-        mantissa, exponent = number.man_exp()
-        return (fmpq(mantissa) * fmpq(2) ** exponent).str()
+        return number.fmpq().str()
     middle, radius = decimals(number, max(64, number.rel_accuracy_bits() + 32))
     return {"mid": middle, "rad": radius}
 

@@ -15,8 +15,8 @@ from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
 from nonsmooth.runtime.proof.exact_tables import exact_system
 from nonsmooth.runtime.proof.sets import certify_basin as certifying
 from nonsmooth.runtime.proof.sets.attracting_core import Undecided, attracting_core
-from nonsmooth.runtime.proof.sets.basin_section import section_of as basin_section
-from nonsmooth.runtime.proof.sets.starting_tiles import next_tiles
+from nonsmooth.runtime.proof.sets.certify_basin import next_tiles
+from nonsmooth.runtime.proof.sets.section_choice import section_of as basin_section
 from tests.certified import accepted
 from tests.friction_sets import DATA, arrival, section_of
 from tests.places import GALLERY
@@ -215,10 +215,8 @@ def test_an_orbit_that_is_not_stable_has_no_basin():
 def test_an_attractor_beside_an_orbit_is_not_taken_for_it(orbit, found):
     met = orbit.trajectory().states[1, 1]
     assert abs(float(found.core.centre[0]) - met) < 1e-5
-    with flint_precision(96):
-        section = section_of(exact_system("dry-friction", DATA))
-    values = {name: float(text) for name, text in DATA.items()}
-    floats = FloatSection(orbit.system, values, section, 0.0)
+    system = exact_system("dry-friction", DATA)
+    floats = FloatSection(orbit.system, system, section_of(system))
     with pytest.raises(Undecided, match="another orbit is there"):
         attracting_core(floats, 1, np.array([met + 2]), 16.0, pytest.fail)
 

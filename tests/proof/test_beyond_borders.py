@@ -1,9 +1,9 @@
 """What begins where a branch meets a border: proved, checked again, and seen by other means."""
 
 import copy
-import json
 from collections.abc import Callable
 from fractions import Fraction
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -26,43 +26,42 @@ from nonsmooth.runtime.checker.ranges.beyond import _CheckedState, _demand_one_m
 from nonsmooth.runtime.checker.ranges.branch import checked_tiles
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.values import as_value
-from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
-from tests.certified import PAD, accepted, certified_over, edited
+from tests.certified import PAD, accepted, certified_over, content_of, edited
 from tests.proof.test_branch_borders import HOT, SYSTEMS, THRESHOLD, WIDTH, A, B, two_phases
 
 GRAZING = 0.665294576295129867
 
 
-@pytest.fixture(scope="module")
-def symmetric(tmp_path_factory: pytest.TempPathFactory) -> tuple[CertifiedBranch, Path]:
+@cache
+def symmetric() -> Any:
     """The paper's orbit: at its grazing a mass begins to stick for a moment."""
     orbit = ns.solve("dry-friction/symmetric", {"V": "0.668"})
-    found = certified_over(orbit, "V", "0.66", "0.67", beyond=True)
-    path = tmp_path_factory.mktemp("symmetric") / "branch.json"
-    found.save(path)
-    return found, path
+    return certified_over(orbit, "V", "0.66", "0.67", beyond=True)
 
 
-@pytest.fixture(scope="module")
-def relay(tmp_path_factory: pytest.TempPathFactory) -> tuple[CertifiedBranch, Path]:
+@cache
+def relay() -> Any:
     """Two boundaries are reached together: beyond it the other one ends the phase."""
     system, value, low, high = SYSTEMS["simultaneous"]
-    orbit = two_phases(system, value)
-    found = certified_over(orbit, "w", low, high, beyond=True)
-    path = tmp_path_factory.mktemp("relay") / "branch.json"
-    found.save(path)
-    return found, path
+    return certified_over(two_phases(system, value), "w", low, high, beyond=True)
 
 
-def only(found: CertifiedBranch) -> Any:
+@cache
+def pad() -> Any:
+    """A motion that reaches nothing, until it touches a soft stop."""
+    orbit = ns.find_orbits(PAD, {"Omega": "0.79"}, 2, transitions=300).orbits[0].orbit
+    return certified_over(orbit, "Omega", "0.79", "0.8", beyond=True)
+
+
+def only(found: Any) -> Any:
     """What begins at its one border."""
     (beyond,) = (beyond for event in found.events for beyond in event.beyond)
     return beyond
 
 
 @pytest.mark.slow
-def test_a_contact_that_grazes_begins_to_stick(symmetric: Any) -> None:
-    found, path = symmetric
+def test_a_contact_that_grazes_begins_to_stick(tmp_path: Path) -> None:
+    found = symmetric()
     assert found.complete
     beyond = only(found)
     assert (beyond.side, beyond.own, beyond.verdict) == ("below", "above", "stable")
@@ -72,14 +71,13 @@ def test_a_contact_that_grazes_begins_to_stick(symmetric: Any) -> None:
     assert "stick-slip -> slip-slip begins, stable, below it" in found.statement
     told = beyond.branch.events[0].enclosures["V"]
     assert told.ball.overlaps(found.events[0].enclosures["V"].ball)
-    assert ns.certify.check(path).claims == {"branch": "proved"}
-    assert ns.load(path).statement == found.statement
+    assert accepted(found, tmp_path).claims == {"branch": "proved"}
+    assert ns.load(tmp_path / "found.json").statement == found.statement
 
 
-def test_motions_beside_the_border_are_those_that_are_proved(symmetric: Any) -> None:
+def test_motions_beside_the_border_are_those_that_are_proved() -> None:
     """Simulated: a motion settles on the other itinerary below, the dwell time in its tube."""
-    found, _ = symmetric
-    beyond = only(found)
+    beyond = only(symmetric())
     system = ns.solve("dry-friction/symmetric").system
     given = {name: value for name, value in beyond.branch.parameters.items()}
     tile = beyond.branch.tiles[0]
@@ -103,12 +101,11 @@ def test_motions_beside_the_border_are_those_that_are_proved(symmetric: Any) -> 
 
 
 @pytest.mark.slow
-def test_the_other_boundary_takes_over(relay: Any) -> None:
-    found, path = relay
-    beyond = only(found)
+def test_the_other_boundary_takes_over(tmp_path: Path) -> None:
+    beyond = only(relay())
     assert beyond.itinerary == (("off", "cold"), ("on", "hot"))
     assert (beyond.side, beyond.own, beyond.scenario) == ("below", "above", "persistence")
-    assert ns.certify.check(path).difference is None
+    accepted(relay(), tmp_path)
     # by an orbit at a point that is proved on its own
     system = SYSTEMS["simultaneous"][0]
     for value, verdict in (("0.5207", "proved"), ("0.521", "refuted")):
@@ -180,23 +177,13 @@ def test_nothing_is_claimed_where_nothing_is_found(kind: str) -> None:
     assert [event.beyond for event in found.events] == [()]
 
 
-@pytest.fixture(scope="module")
-def pad(tmp_path_factory: pytest.TempPathFactory) -> tuple[CertifiedBranch, Path]:
-    """A motion that reaches nothing, until it touches a soft stop."""
-    orbit = ns.find_orbits(PAD, {"Omega": "0.79"}, 2, transitions=300).orbits[0].orbit
-    found = certified_over(orbit, "Omega", "0.79", "0.8", beyond=True)
-    path = tmp_path_factory.mktemp("pad") / "branch.json"
-    found.save(path)
-    return found, path
-
-
 @pytest.mark.slow
-def test_a_contact_begins_where_a_soft_stop_is_touched(pad: Any) -> None:
-    found, path = pad
+def test_a_contact_begins_where_a_soft_stop_is_touched(tmp_path: Path) -> None:
+    found = pad()
     beyond = only(found)
     assert (beyond.side, beyond.own, beyond.verdict) == ("above", "below", "stable")
     assert beyond.scenario == "persistence"
-    assert ns.certify.check(path).difference is None
+    accepted(found, tmp_path)
     # without the stop the amplitude is 2/5 / |1 - Omega^2 + i Omega / 5|: 1 at the event
     (event,) = found.events
     with mpmath.workprec(200):
@@ -225,14 +212,14 @@ def test_a_contact_that_vanishes_leaves_the_motion_without_it(tmp_path: Path) ->
     accepted(found, tmp_path)
 
 
-def forged(path: Path, change: Callable[[dict[str, Any], dict[str, Any]], None]) -> dict[str, Any]:
+def forged(found: Any, change: Callable[[dict[str, Any], dict[str, Any]], None]) -> dict[str, Any]:
     """A file whose claims about what is beyond were edited, with its checksum."""
 
     def both(content: dict[str, Any]) -> None:
         event = next(t["event"] for t in content["tiles"] if (t["event"] or {}).get("beyond"))
         change(event, event["beyond"][0])
 
-    return edited(path, both)
+    return edited(found, both)
 
 
 def _flipped(beyond: dict[str, Any], name: str) -> None:
@@ -289,16 +276,16 @@ DEAR = {"twice", "verdicts swapped"}
     "name",
     [pytest.param(name, marks=pytest.mark.slow) if name in DEAR else name for name in FORGERIES],
 )
-def test_edited_files_are_refused(symmetric: Any, name: str) -> None:
+def test_edited_files_are_refused(name: str) -> None:
     change, reason = FORGERIES[name]
     with pytest.raises(Failure, match=reason):
-        check_branch(forged(symmetric[1], change))
+        check_branch(forged(symmetric(), change))
 
 
-def test_a_border_where_a_phase_began_is_not_met_where_it_ends(relay: Any) -> None:
+def test_a_border_where_a_phase_began_is_not_met_where_it_ends() -> None:
     """The state at the end of a phase says nothing of its start."""
     with ctx.workprec(192):
-        met = _Met(checked_tiles(json.loads(relay[1].read_text()))[4])
+        met = _Met(checked_tiles(content_of(relay()))[4])
         state = _CheckedState(met, 0)
         first = Border("entry", 0, "warm", "start")
         assert any(met.row(met.borders[0], state.before, state.behind))
@@ -306,11 +293,11 @@ def test_a_border_where_a_phase_began_is_not_met_where_it_ends(relay: Any) -> No
             met.row(first, state.before, state.behind)
 
 
-def test_a_branch_is_not_beyond_itself(relay: Any) -> None:
+def test_a_branch_is_not_beyond_itself() -> None:
     """A tile of the branch itself meets the border too, on its own side: no itinerary begins."""
 
     def itself(event: dict[str, Any], beyond: dict[str, Any]) -> None:
-        content = json.loads(relay[1].read_text())
+        content = content_of(relay())
         branch = {name: content[name] for name in beyond["branch"]}
         tile = next(tile for tile in branch["tiles"] if tile["event"])
         del tile["event"]["beyond"]
@@ -318,12 +305,12 @@ def test_a_branch_is_not_beyond_itself(relay: Any) -> None:
         beyond.update(branch=branch, side=beyond["own"])
 
     with pytest.raises(Failure, match="two motions"):
-        check_branch(forged(relay[1], itself))
+        check_branch(forged(relay(), itself))
 
 
-def test_orbits_beside_the_event_are_not_its_motion(symmetric: Any) -> None:
+def test_orbits_beside_the_event_are_not_its_motion() -> None:
     """The exact conditions hold for any such itinerary: the tube tells the orbits apart."""
-    content = json.loads(symmetric[1].read_text())
+    content = content_of(symmetric())
     beyond = next(t["event"] for t in content["tiles"] if t["event"])["beyond"][0]
     (other,) = checked_tiles(beyond["branch"])
     own = next(tile for tile in checked_tiles(content) if tile.event is not None)

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-import random
-import sys
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
@@ -18,14 +16,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import nonsmooth as ns
-from nonsmooth import InputError, Interrupted
+from nonsmooth import InputError
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
-from nonsmooth.runtime.proof.boxes.tile import BoxRefusals
-from tests.certified import accepted, loop
+from tests.certified import accepted, interrupted, loop
 
 STICK = "dry-friction/global-stick"
 SYMMETRIC = "dry-friction/symmetric"
@@ -33,14 +29,14 @@ PROVED = dict.fromkeys(("existence", "admissibility", "stability"), "proved")
 
 
 @cache
-def paper() -> BoxCertificate:
+def paper() -> Any:
     """Five percent around the paper's data."""
     box = {"V": ("0.95", "1.05"), "eta": ("0.95", "1.05")}
     return ns.certify.box(ns.solve(STICK), box)
 
 
 @cache
-def line() -> BoxCertificate:
+def line() -> Any:
     """Not admissible, unstable and stable along V: a grazing and a flip are in between."""
     return ns.certify.box(ns.solve(SYMMETRIC), {"V": ("0.6", "1.3")})
 
@@ -195,37 +191,13 @@ def test_forced_orbits_over_frequency_and_force() -> None:
         assert trace.lower <= orbit.trace <= trace.upper
 
 
-def same(left: BoxCertificate, right: BoxCertificate) -> bool:
+def same(left: Any, right: Any) -> bool:
     """Whether the tiles are the same, in whatever order."""
 
-    def told(found: BoxCertificate) -> list[str]:
+    def told(found: Any) -> list[str]:
         return sorted(json.dumps(tile) for tile in found.to_json()["tiles"])
 
     return told(left) == told(right)
-
-
-@pytest.mark.slow
-def test_what_was_stopped_goes_on_from_its_file(tmp_path: Path) -> None:
-    path = tmp_path / "map.json"
-    orbit, box = ns.solve(SYMMETRIC), {"V": ("0.6", "1.3")}
-    part = ns.certify.box(orbit, box, tiles=6)
-    assert part.decided < line().decided
-    assert any(not tile.looked_at for tile in part.tiles)
-    part.save(path)
-    again = ns.load(path)
-    assert again.to_json() == part.to_json()
-    told = []
-    whole = ns.certify.box(orbit, box, resume=again, progress=lambda *now: told.append(now))
-    assert same(whole, line())
-    assert told[-1][0] == pytest.approx(float(line().decided))
-    assert told[-1][1] == 6 + len(told)
-    # larger tiles were decided before: they are not proved again
-    assert len(told) < len(line().tiles) * 2
-    assert same(
-        ns.certify.box(orbit, box, tiles=8, resume=again), ns.certify.box(orbit, box, tiles=8)
-    )
-    finished = ns.certify.box(orbit, box, resume=whole)
-    assert finished.to_json() == whole.to_json()
 
 
 @pytest.mark.slow
@@ -234,10 +206,14 @@ def test_states_are_kept_on_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
 
     monkeypatch.setattr(kept_state, "_EVERY", 0.0)
     monkeypatch.setattr(kept_state, "_LONGER", 0.0)
-    kept: list[BoxCertificate] = []
+    kept: list[Any] = []
+    told: list[tuple[float, int]] = []
     box = {"V": ("0.6", "1.3")}
-    ns.certify.box(ns.solve(SYMMETRIC), box, tiles=5, keep=kept.append)
+    ns.certify.box(
+        ns.solve(SYMMETRIC), box, tiles=5, keep=kept.append, progress=lambda *now: told.append(now)
+    )
     assert len(kept) == 5
+    assert told == [(pytest.approx(float(x.decided)), k) for k, x in enumerate(kept, 1)]
     for state in kept:
         assert sum(state.shares.values()) == 1
     assert same(ns.certify.box(ns.solve(SYMMETRIC), box, resume=kept[2]), line())
@@ -337,23 +313,6 @@ def test_the_orbit_is_handed_on_from_its_own_point() -> None:
     assert wide.decided > Fraction(99, 100)
 
 
-def test_ctrl_c_while_what_is_left_is_checked(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The check that ends a map asks about tiles that were not looked at, too."""
-    of_tile, asked = BoxRefusals.of_tile, []
-
-    def interrupted(refusals: BoxRefusals, tile: Any) -> str:
-        asked.append(tile)
-        if not tile.looked_at and asked.count(tile) == 1:
-            raise KeyboardInterrupt
-        return of_tile(refusals, tile)
-
-    monkeypatch.setattr(BoxRefusals, "of_tile", interrupted)
-    orbit = ns.solve("dry-friction/symmetric", {"V": "1.05"})
-    with pytest.raises(Interrupted) as stopped:
-        ns.certify.box(orbit, {"V": ("1", "1.1")}, tiles=1)
-    assert sum(tile.place.share for tile in stopped.value.partial.tiles) == 1
-
-
 @pytest.mark.slow
 def test_totals_do_not_grow_with_the_number_of_tiles() -> None:
     found = ns.certify.box(loop(), {"k": ("1/4", "3"), "a": ("1.9", "4")}, tiles=120)
@@ -402,38 +361,23 @@ def test_a_narrow_box_says_what_its_point_does_and_its_file_is_proved_again(
     accepted(found, tmp_path)
 
 
-@pytest.mark.parametrize("line", random.Random(7).sample(range(150), 6))
-def test_an_interruption_anywhere_leaves_tiles_that_fill_the_box(line: int, tmp_path: Path) -> None:
-    orbit, box = ns.solve(SYMMETRIC), {"V": ("0.6", "1.3")}
-    lines, before = 0, sys.gettrace()
+def asked(**more: Any) -> Any:
+    """A map of a few tiles, some of which are not looked at."""
+    return ns.certify.box(ns.solve(SYMMETRIC), {"V": ("0.6", "1.3")}, **{"tiles": 5, **more})
 
-    def trace(frame: Any, event: str, argument: Any) -> Any:
-        nonlocal lines
-        if not frame.f_code.co_filename.endswith("boxes/certify_box.py"):
-            return None
-        lines += event == "line"
-        if event == "line" and lines > line and "look" in _callers(frame):
-            sys.settrace(before)
-            raise KeyboardInterrupt
-        return trace
 
-    sys.settrace(trace)
-    try:
-        with pytest.raises(Interrupted) as stopped:
-            ns.certify.box(orbit, box, tiles=5)
-    finally:
-        sys.settrace(before)
-    state: Any = stopped.value.partial
+@cache
+def lines() -> int:
+    return interrupted(asked, ("certify_box.py",), {"look", "stated"})[0]
+
+
+@pytest.mark.parametrize("share", [0.0, 0.01, 0.3, 0.7, 0.95, 0.99])
+def test_an_interruption_anywhere_leaves_tiles_that_fill_the_box(
+    share: float, tmp_path: Path
+) -> None:
+    """Also in the check that ends a map, which asks about tiles that were not looked at."""
+    _, state = interrupted(asked, ("certify_box.py",), {"look", "stated"}, share * lines())
     assert sum(tile.place.share for tile in state.tiles) == 1
     state.save(tmp_path / "map.json")
     read = ns.load(tmp_path / "map.json")
-    resumed = ns.certify.box(orbit, box, resume=read, tiles=7)
-    assert len(resumed.tiles) > len(read.tiles)
-
-
-def _callers(frame: Any) -> set[str]:
-    found = set()
-    while frame is not None:
-        found.add(frame.f_code.co_name)
-        frame = frame.f_back
-    return found
+    assert len(asked(resume=read, tiles=7).tiles) > len(read.tiles)

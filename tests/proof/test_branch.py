@@ -1,8 +1,10 @@
 """Certified branches: what is proved, against the integrator, the events' certificates, attacks."""
 
+import json
 import random
 from dataclasses import replace
 from fractions import Fraction
+from functools import cache
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -14,30 +16,26 @@ import sympy as sp
 from flint import arb, fmpq
 
 import nonsmooth as ns
-from nonsmooth import InputError, Interrupted, certify
+from nonsmooth import InputError, certify
 from nonsmooth.derive import Harmonic, SoftStop, oscillator
 from nonsmooth.runtime.checker import Failure, check_branch
 from nonsmooth.runtime.checker.orbits import stability
 from nonsmooth.runtime.checker.orbits.motion import Border, time_of_touch
+from nonsmooth.runtime.checker.ranges.branch import checked_tiles
 from nonsmooth.runtime.checker.ranges.branch_tile import CheckedTile
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.jets import part_of
-from nonsmooth.runtime.core.json_codec import encode
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of, with_open_ones
 from nonsmooth.runtime.proof.branch import tiles
-from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
-from nonsmooth.runtime.proof.branch.march import _short_phase
+from nonsmooth.runtime.proof.branch.certify_branch import _short_phase
 from nonsmooth.runtime.proof.branch.tiles import (
-    REFUSED,
-    JudgedTile,
     checked_curve,
     judged_tile,
     proposed_tile,
     stated_branch,
 )
-from nonsmooth.runtime.proof.refusals import as_read
-from tests.certified import PAD, accepted, edited, prove_branch
+from tests.certified import PAD, accepted, certified_over, edited, prove_branch
 from tests.explore import test_continuation_forced as impacts
 from tests.shared import shared_file
 
@@ -50,13 +48,13 @@ def branch() -> Any:
 
 
 @pytest.fixture(scope="module")
-def found() -> CertifiedBranch:
+def found() -> Any:
     return ns.load(shared_file("branch of friction", prove_branch))
 
 
 def tile_of(
     orbit: Any, parameter: str, ends: tuple[str, str], tile: tuple[str, str]
-) -> tuple[CertifiedBranch, JudgedTile]:
+) -> tuple[Any, Any]:
     """A branch of which nothing is proved, and one tile of it in which there are orbits."""
     lower, upper = map(Fraction, ends)
     box = {parameter: (lower, upper)}
@@ -71,13 +69,16 @@ def tile_of(
     )
 
 
-def tile_near(value: str, low: str, high: str) -> JudgedTile:
-    orbit = ns.solve("dry-friction/symmetric", {"V": value})
-    return tile_of(orbit, "V", ("0.6", "1.3"), (low, high))[1]
+@pytest.fixture(scope="module")
+def tile_near() -> Any:
+    """The tile of the branch that holds a value, as the checker knows it."""
+    path = shared_file("branch of friction", prove_branch)
+    checked = checked_tiles(json.loads(path.read_text()))
+    return lambda value: next(tile for tile in checked if tile.low <= value <= tile.high)
 
 
 @pytest.mark.slow
-def test_the_papers_orbit_has_three_intervals_and_two_events(found: CertifiedBranch) -> None:
+def test_the_papers_orbit_has_three_intervals_and_two_events(found: Any) -> None:
     assert found.complete
     assert found.claims == {"branch": "proved"}
     verdicts = [part.verdict for part in found.intervals]
@@ -87,7 +88,7 @@ def test_the_papers_orbit_has_three_intervals_and_two_events(found: CertifiedBra
     assert (found.intervals[0].begin, found.intervals[-1].end) == (0.6, 1.3)
 
 
-def test_events_are_those_of_their_certificates(branch: Any, found: CertifiedBranch) -> None:
+def test_events_are_those_of_their_certificates(branch: Any, found: Any) -> None:
     for event, computed in zip(found.events, branch.events, strict=True):
         assert event.kind == computed.kind
         told = certify.event(branch, computed, 180).value
@@ -99,7 +100,7 @@ def test_events_are_those_of_their_certificates(branch: Any, found: CertifiedBra
 
 
 def test_orbits_solved_anywhere_are_in_their_tubes_with_the_verdict(
-    found: CertifiedBranch,
+    found: Any,
 ) -> None:
     draw = random.Random(1)
     for tile in found.tiles:
@@ -119,29 +120,6 @@ def test_orbits_solved_anywhere_are_in_their_tubes_with_the_verdict(
 
 
 @pytest.mark.slow
-def test_a_branch_can_be_interrupted_and_resumed(
-    branch: Any, found: CertifiedBranch, tmp_path: Path
-) -> None:
-    part = ns.certify.branch(branch, tiles=4)
-    assert not part.complete
-    assert part.claims == {"branch": "undecided"}
-    part.save(tmp_path / "part.json")
-    again = ns.certify.branch(branch, resume=ns.load(tmp_path / "part.json"))
-    assert again.statement == found.statement
-    assert len(again.tiles) == len(found.tiles)
-
-    def stop(share: float, count: int) -> None:
-        raise KeyboardInterrupt
-
-    with pytest.raises(Interrupted) as stopped:
-        ns.certify.branch(branch, progress=stop)
-    assert len(stopped.value.partial.tiles) == 1
-    other = ns.certify.branch(branch, interval=("0.65", "1.1"), tiles=1)
-    with pytest.raises(InputError):
-        ns.certify.branch(branch, resume=other)
-
-
-@pytest.mark.slow
 def test_progress_rises_to_all_of_it(branch: Any) -> None:
     """In between it is the part of the interval that the tiles so far cover."""
     told: list[tuple[float, int]] = []
@@ -158,8 +136,8 @@ def test_progress_rises_to_all_of_it(branch: Any) -> None:
         assert share == pytest.approx(float(covered / Fraction("0.7")), abs=0.01)
 
 
-def test_derivatives_along_the_branch_are_those_of_differences() -> None:
-    tile = tile_near("1.08", "1.07", "1.09").checked
+def test_derivatives_along_the_branch_are_those_of_differences(tile_near: Any) -> None:
+    tile = tile_near(fmpq(27, 25))
     curve, step = tile.curve, Fraction(1, 10**12)
     with flint_precision(192):
         at, ahead, behind = (tile.at(arb(x)) for x in ("1.08", "1.080000000001", "1.079999999999"))
@@ -172,7 +150,7 @@ def test_derivatives_along_the_branch_are_those_of_differences() -> None:
 
 
 @pytest.mark.slow
-def test_a_vanishing_phase_is_one_event(tmp_path: Path) -> None:
+def test_a_vanishing_phase_is_one_event() -> None:
     branch = ns.continue_orbit(ns.solve("dry-friction/global-stick"), "V", (0.9, 1.3))
     found = ns.certify.branch(branch, interval=("0.9", "1.3"))
     assert found.complete
@@ -186,31 +164,8 @@ def test_a_vanishing_phase_is_one_event(tmp_path: Path) -> None:
     assert float(dwell.ball.rad()) < 1e-30
 
 
-def test_two_zeros_of_one_number_are_not_one_event() -> None:
-    """A tile that holds no event of a kind, or not inside of it, proves nothing of one."""
-    tile = tile_near("1.08", "1.07", "1.09")
-    event = judged_tile(tile).stated.event
-    assert event is not None
-    assert event.kind == "flip"
-    for kind in ("neimark-sacker", "fold"):
-        with pytest.raises(Failure):
-            tile.checked.stating(event=as_read(encode(replace(event, kind=kind)))).claims()
-    beside = tile_near("1.087", "1.085", "1.09")
-    assert judged_tile(beside).stated.event is None
-    with pytest.raises(Failure):
-        beside.checked.stating(event=as_read(encode(event))).claims()
-
-
-def test_a_tile_with_two_events_is_undecided() -> None:
-    try:
-        tile = tile_near("0.9", "0.65", "1.1")
-    except REFUSED:
-        return
-    assert judged_tile(tile).stated.before == "undecided"
-
-
-def test_another_orbit_is_not_taken_for_the_one_that_is_known() -> None:
-    tile = tile_near("1.08", "1.07", "1.09").checked
+def test_another_orbit_is_not_taken_for_the_one_that_is_known(tile_near: Any) -> None:
+    tile = tile_near(fmpq(27, 25))
     with flint_precision(192):
         *others, value = tile.at(arb("1.08"))
         assert tile.holds(value, others)
@@ -219,7 +174,7 @@ def test_another_orbit_is_not_taken_for_the_one_that_is_known() -> None:
 
 def forged(
     orbit: Any, parameter: str, ends: tuple[str, str], near: tuple[str, str], kind: str
-) -> CertifiedBranch:
+) -> Any:
     """One tile, unstable beside an event that was found in a smaller one."""
     empty, tile = tile_of(orbit, parameter, ends, ends)
     curve, small = tile.checked.curve, (Fraction(near[0]), Fraction(near[1]))
@@ -263,9 +218,9 @@ def test_a_pair_that_may_leave_the_circle_on_both_sides_is_undecided(
     assert judged_tile(tile).stated.event is None
 
 
-def test_a_touch_behind_the_end_of_its_phase_is_none() -> None:
+def test_a_touch_behind_the_end_of_its_phase_is_none(tile_near: Any) -> None:
     """A window of time may reach beyond the phase; what is touched there is not touched."""
-    tile = tile_near("0.6653", "0.665", "0.666").checked
+    tile = tile_near(fmpq(6653, 10_000))
     with flint_precision(192):
         point = tile.at(arb("0.6653"))
         orbit = tile.curve.orbit(point)
@@ -315,13 +270,15 @@ def test_a_torus_is_an_event(tmp_path: Path) -> None:
     assert accepted(found, tmp_path).claims == {"branch": "proved"}
 
 
-def test_what_is_asked_wrongly_is_told(branch: Any) -> None:
+def test_what_is_asked_wrongly_is_told(branch: Any, found: Any) -> None:
     with pytest.raises(InputError, match="branch takes"):
         ns.certify.branch(branch.orbit)
     with pytest.raises(InputError, match="positive integer"):
         ns.certify.branch(branch, tiles=0)
     with pytest.raises(InputError, match="is not in"):
         ns.certify.branch(branch, interval=("1.2", "1.3"))
+    with pytest.raises(InputError, match="another interval"):
+        ns.certify.branch(branch, interval=("0.65", "1.1"), resume=found)
     with pytest.raises(InputError, match="resume takes a CertifiedBranch"):
         ns.certify.branch(branch, resume=branch)
 
@@ -333,9 +290,7 @@ def test_narrow_tiles_are_proved_again(tmp_path: Path) -> None:
     branch = ns.continue_orbit(orbit, "V", (1.07, 1.09))
     found = ns.certify.branch(branch, interval=("1.08", "1.08000000001"))
     assert found.complete
-    found.save(tmp_path / "narrow.json")
-    check = ns.certify.check(tmp_path / "narrow.json")
-    assert check.claims == {"branch": "proved"}, check.difference
+    assert accepted(found, tmp_path).claims == {"branch": "proved"}
 
 
 @pytest.mark.slow
@@ -379,7 +334,7 @@ def test_a_tile_that_the_check_refuses_is_divided(
     accepted(found, tmp_path)
 
 
-def test_an_undecided_tile_is_never_part_of_a_complete_branch(found: CertifiedBranch) -> None:
+def test_an_undecided_tile_is_never_part_of_a_complete_branch(found: Any) -> None:
     tiles = list(found.tiles)
     tiles[3] = replace(tiles[3], before="undecided", after="undecided", reason="planted")
     worse = replace(found, tiles=tuple(tiles))
@@ -419,26 +374,20 @@ def test_a_fold_is_passed_by_another_coordinate(tmp_path: Path) -> None:
     # both ends are at the lower end of the interval
     ends = [found.intervals[0].begin, found.intervals[-1].end]
     np.testing.assert_allclose(ends, 25.5)
-    found.save(tmp_path / "fold.json")
-    check = ns.certify.check(tmp_path / "fold.json")
-    assert check.difference is None
-    assert check.claims == {"branch": "proved"}
+    assert accepted(found, tmp_path).claims == {"branch": "proved"}
     assert found.plot() is not None
 
 
-@pytest.fixture(scope="module")
-def grazing(tmp_path_factory: pytest.TempPathFactory) -> Path:
+@cache
+def grazing() -> Any:
     """A branch that ends where its contact vanishes."""
     found = ns.find_orbits(PAD, {"Omega": "0.8"}, 10, transitions=300).orbits
-    branch = ns.continue_orbit(found[0].orbit, "Omega", (0.79, 0.805))
-    path = tmp_path_factory.mktemp("soft") / "soft.json"
-    ns.certify.branch(branch, interval=("0.79", "0.805")).save(path)
-    return path
+    return certified_over(found[0].orbit, "Omega", "0.79", "0.805")
 
 
 @pytest.mark.slow
-def test_a_branch_ends_where_a_contact_with_a_soft_stop_vanishes(grazing: Path) -> None:
-    found = ns.load(grazing)
+def test_a_branch_ends_where_a_contact_with_a_soft_stop_vanishes(tmp_path: Path) -> None:
+    found = grazing()
     assert found.complete
     assert found.ends == (VANISHED, FINISHED)
     (event,) = found.events
@@ -451,7 +400,7 @@ def test_a_branch_ends_where_a_contact_with_a_soft_stop_vanishes(grazing: Path) 
         half = mpmath.mpf(49) / 50
         closed = mpmath.sqrt(half - mpmath.sqrt(half**2 - mpmath.mpf(21) / 25))
         assert event.enclosures["Omega"].ball.contains(exact_ball(closed))
-    assert ns.certify.check(grazing).claims == {"branch": "proved"}
+    assert accepted(found, tmp_path).claims == {"branch": "proved"}
 
 
 def first_tile(content: dict[str, Any]) -> None:
@@ -506,15 +455,15 @@ def call_it_admissible(content: dict[str, Any]) -> None:
     ],
     ids=lambda attack: attack.__name__,
 )  # fmt: skip
-def test_an_edited_end_is_refused(grazing: Path, attack: Any) -> None:
+def test_an_edited_end_is_refused(attack: Any) -> None:
     with pytest.raises(Failure):
-        check_branch(edited(grazing, attack))
+        check_branch(edited(grazing(), attack))
 
 
 @pytest.mark.slow
-def test_an_end_that_claims_nothing_is_accepted(grazing: Path) -> None:
+def test_an_end_that_claims_nothing_is_accepted() -> None:
     """It is refused above for what is hidden in it."""
-    check_branch(edited(grazing, first_tile))
+    check_branch(edited(grazing(), first_tile))
 
 
 def test_of_many_phases_none_is_short_for_being_one_of_many() -> None:

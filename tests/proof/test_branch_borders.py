@@ -1,6 +1,7 @@
 """Borders of branches: entry, tangent, simultaneous and condition events, proved and checked."""
 
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -140,56 +141,53 @@ def test_a_lone_border_is_one_event(kind: str, tmp_path: Path) -> None:
     assert accepted(found, tmp_path).claims == {"branch": "proved"}
 
 
-def certified(system: System, path: Path) -> Any:
-    orbit = two_phases(system, "0.6")
-    found = certified_over(orbit, "w", "0.45", "0.65")
-    found.save(path)
-    return found
+def certified(system: System) -> Any:
+    return certified_over(two_phases(system, "0.6"), "w", "0.45", "0.65")
 
 
-def with_event(path: Path, **changes: Any) -> dict[str, Any]:
-    """A file's content with another event."""
+def with_event(found: Any, **changes: Any) -> dict[str, Any]:
+    """The content of its file with another event."""
 
     def change(content: dict[str, Any]) -> None:
         (tile,) = (tile for tile in content["tiles"] if tile["event"])
         tile["event"].update(changes)
 
-    return edited(path, change)
+    return edited(found, change)
 
 
 @pytest.mark.slow
-def test_a_condition_without_effect_is_no_event(tmp_path: Path) -> None:
+def test_a_condition_without_effect_is_no_event() -> None:
     """A transition whose other condition fails does not follow, whatever this one does."""
     idle = Condition(-A, "off"), Condition(A - THRESHOLD.symbol, "off")
     before = (Transition(**COOLED, conditions=idle),)
-    found = certified(relay(before=before), tmp_path / "idle.json")
+    found = certified(relay(before=before))
     assert found.complete
     assert found.events == ()
     # nor is it one in a file: the declaration of the one that has it, with this sign
     both = Condition(A, "off"), Condition(A - THRESHOLD.symbol, "off")
-    path = tmp_path / "event.json"
-    assert certified(relay(before=(Transition(**COOLED, conditions=both),)), path).complete
+    event = certified(relay(before=(Transition(**COOLED, conditions=both),)))
+    assert event.complete
     for boundary in ("1.1", "2.1", "1.3", "0.2", "1.2.1", "-1.2", ""):
         with pytest.raises(Failure):
-            check_branch(with_event(path, boundary=boundary))
+            check_branch(with_event(event, boundary=boundary))
     with pytest.raises(Failure):
-        check_branch(with_event(path, phase=2))
+        check_branch(with_event(event, phase=2))
     with pytest.raises(Failure):
-        check_branch(with_event(path, also=[["condition", 1, "1.1", "end"]]))
+        check_branch(with_event(event, also=[["condition", 1, "1.1", "end"]]))
 
     def turned(content: dict[str, Any]) -> None:
         first = content["declaration"]["transitions"][0]["conditions"][0]
         first[2] = not first[2]
 
     with pytest.raises(Failure):
-        check_branch(edited(path, turned))
+        check_branch(edited(event, turned))
 
 
 LENGTH = Parameter("p", "where a phase ends, nondimensional", lower=-sp.oo)
 
 
-@pytest.fixture(scope="module")
-def shrinking(tmp_path_factory: pytest.TempPathFactory) -> Path:
+@cache
+def shrinking() -> Any:
     """A phase that lasts p, and would pass another boundary after 1/100."""
     full = Boundary("full", A - LENGTH.symbol), Boundary("hot", A - sp.Rational(1, 100))
     system = System(
@@ -219,18 +217,16 @@ def shrinking(tmp_path_factory: pytest.TempPathFactory) -> Path:
         "not admissible", "stable", "not admissible",
     ]  # fmt: skip
     assert [event.kind for event in found.events] == ["vanishing-phase", "simultaneous"]
-    path = tmp_path_factory.mktemp("saw") / "saw.json"
-    found.save(path)
-    return path
+    return found
 
 
 @pytest.mark.slow
-def test_numbers_that_are_zero_are_proved_again(shrinking: Path) -> None:
+def test_numbers_that_are_zero_are_proved_again(tmp_path: Path) -> None:
     """The reset sets them to zero: no ball around them is that narrow in every proof."""
-    assert ns.certify.check(shrinking).claims == {"branch": "proved"}
+    assert accepted(shrinking(), tmp_path).claims == {"branch": "proved"}
 
 
-def test_a_phase_that_may_end_before_passes_nothing(shrinking: Path) -> None:
+def test_a_phase_that_may_end_before_passes_nothing() -> None:
     """One tile over all: where the phase lasts less than 1/100 the orbit is a motion."""
 
     def whole(content: dict[str, Any]) -> None:
@@ -242,10 +238,10 @@ def test_a_phase_that_may_end_before_passes_nothing(shrinking: Path) -> None:
         content["tiles"], content["start"] = [tile], 0
 
     with pytest.raises(Failure, match="admissibility is undecided"):
-        check_branch(edited(shrinking, whole))
+        check_branch(edited(shrinking(), whole))
 
 
-def test_a_branch_goes_on_where_its_phase_vanishes_and_nothing_turns(shrinking: Path) -> None:
+def test_a_branch_goes_on_where_its_phase_vanishes_and_nothing_turns() -> None:
     def cut(content: dict[str, Any]) -> None:
         place = next(k for k, tile in enumerate(content["tiles"]) if tile["event"])
         content["tiles"] = content["tiles"][place:]
@@ -253,7 +249,7 @@ def test_a_branch_goes_on_where_its_phase_vanishes_and_nothing_turns(shrinking: 
         content["ends"][0] = "a phase vanishes"
 
     with pytest.raises(Failure, match="it goes on"):
-        check_branch(edited(shrinking, cut))
+        check_branch(edited(shrinking(), cut))
 
 
 @pytest.mark.parametrize("place", ["before", "behind"])
@@ -280,24 +276,23 @@ def alike(content: dict[str, Any]) -> None:
     other.update(reset=first["reset"], target=first["target"])
 
 
-def test_no_file_tells_of_a_condition_behind_which_the_motion_is_the_same(tmp_path: Path) -> None:
+def test_no_file_tells_of_a_condition_behind_which_the_motion_is_the_same() -> None:
     system, value, *_ = SYSTEMS["condition"]
     orbit = two_phases(system, value)
-    path, lone = tmp_path / "branch.json", tmp_path / "event.json"
-    certified_over(orbit, "w", "0.5198", "0.6").save(path)  # one tile holds all that is below it
-    check_branch(with_event(path))
+    found = certified_over(orbit, "w", "0.5198", "0.6")  # one tile holds all that is below it
+    check_branch(with_event(found))
     with pytest.raises(Failure, match="a window of no grazing"):
-        check_branch(with_event(path, window=["1/4", "1/2"]))
+        check_branch(with_event(found, window=["1/4", "1/2"]))
     with pytest.raises(Failure, match=r"admissibility|whether off follows"):
-        check_branch(edited(path, alike))
+        check_branch(edited(found, alike))
     branch = ns.continue_orbit(orbit, "w", (0.5, 0.7))
-    ns.certify.event(branch, branch.events[0]).save(lone)
+    lone = ns.certify.event(branch, branch.events[0])
     check_events(edited(lone, lambda content: None))
     with pytest.raises(Failure, match="another transition leads where"):
         check_events(edited(lone, lambda content: alike(content["events"][0])))
 
 
-def test_a_parameter_may_be_called_as_an_unknown_is(tmp_path: Path) -> None:
+def test_a_parameter_may_be_called_as_an_unknown_is() -> None:
     """What is stated has two names; in a file that has one its ball would hold both."""
     own = Parameter("a0", "a threshold, nondimensional", lower=-sp.oo)
     when = (Condition(own.symbol - A, "off"),)
@@ -308,7 +303,6 @@ def test_a_parameter_may_be_called_as_an_unknown_is(tmp_path: Path) -> None:
     reached = exact_ball(peak())
     assert event.enclosures["a0"].ball.contains(reached)
     assert (-event.enclosures["a"].ball).contains(reached)
-    found.save(path := tmp_path / "branch.json")
 
     def renamed(content: dict[str, Any]) -> None:
         content["declaration"]["start"][0] = content["unknown_names"][0] = "a0"
@@ -316,4 +310,4 @@ def test_a_parameter_may_be_called_as_an_unknown_is(tmp_path: Path) -> None:
         del event["enclosures"]["a"]
 
     with pytest.raises(Failure, match="a0 is not in its enclosure"):
-        check_branch(edited(path, renamed))
+        check_branch(edited(found, renamed))

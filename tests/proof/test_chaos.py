@@ -72,34 +72,6 @@ def test_states_of_the_sets_go_where_their_images_are_said_to_be(chaos, returned
             assert any(low - 1e-9 <= image <= high + 1e-9 for (low,), (high,) in parts)
 
 
-@pytest.mark.slow
-def test_words_are_periodic_motions(chaos, returned):
-    # each closed walk has a periodic point in its first set: bisection finds it
-    sets = {h_set.name: h_set for h_set in chaos.h_sets}
-    for word in chaos.words(2):
-        low, high = -1.0, 1.0
-        parts = [(low, high)]
-        centre, side = (float(x.ravel()[0]) for x in sets[word[0]].near)
-
-        def miss(share, word=word, centre=centre, side=side):
-            x = start = centre + share * side
-            for name in word:
-                c, s = (float(y.ravel()[0]) for y in sets[name].near)
-                if not abs(x - c) <= abs(s) * (1 + 1e-9):
-                    return None
-                x = returned(x, chaos.iterates)
-            return x - start
-
-        shares = np.linspace(low, high, 200)
-        missed = [miss(share) for share in shares]
-        parts = [
-            (a, b)
-            for a, b, u, v in zip(shares, shares[1:], missed, missed[1:], strict=False)
-            if u is not None and v is not None and u * v <= 0
-        ]
-        assert parts, word
-
-
 def test_a_stable_motion_is_not_called_chaos():
     stable = {**FRICTION_DATA, "V": "0.3", "ur1": "1.5", "ur2": "1.5", "eta": "1"}
     found = certify.chaos("dry-friction", stable, [1.0, 1.2, 0.1, 0.1], iterates=2, attempts=2)

@@ -6,27 +6,16 @@ the second one loose then leaves its limit with no speed, and only its curvature
 
 from __future__ import annotations
 
-import json
 import random
-from collections.abc import Callable
 from fractions import Fraction
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import pytest
-from flint import ctx
 
 import nonsmooth as ns
-from nonsmooth.runtime.checker import Failure, Malformed, check_tiles
-from nonsmooth.runtime.checker.orbits.points import JudgedOrbit
-from nonsmooth.runtime.checker.ranges.tiles import CheckedBox
-from nonsmooth.runtime.checker.stated.declared import StatedSystem
-from nonsmooth.runtime.checker.stated.parameters import values_of
-from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
-from tests.certified import content_of, place_in, signed
+from tests.certified import place_in
 
 STICK = "dry-friction/global-stick"
 BOX = {"V": ("0.95", "1.05"), "us2": ("0.7", "0.8")}
@@ -42,15 +31,9 @@ def stick(**values: object) -> Orbit:
 
 
 @cache
-def found() -> BoxCertificate:
+def found() -> Any:
     """A curve on which three conditions change."""
     return ns.certify.box(ns.solve(STICK, {"us1": 1, "us2": "0.76"}), BOX)
-
-
-@cache
-def content() -> str:
-    """What its file holds."""
-    return json.dumps(content_of(found()))
 
 
 def borders(v: str) -> float:
@@ -98,78 +81,3 @@ def test_points_of_the_plane_are_as_it_tells() -> None:
         assert tile.enclosures["trace"].lower <= point.trace <= tile.enclosures["trace"].upper
         seen.add(verdict)
     assert seen == {"proved", "not admissible"}
-
-
-@pytest.mark.parametrize("name", [STICK, "dry-friction/symmetric"])
-def test_derivatives_that_are_passed_over_are_zero(name: str, tmp_path: Path) -> None:
-    given = {"us1": 1, "us2": 1} if name == STICK else {}
-    path = tmp_path / "certificate.json"
-    ns.certify(ns.solve(name, given)).save(path)
-    judged = JudgedOrbit(json.loads(path.read_text("utf-8")))
-    assert judged.existence.claim == "proved"
-    with flint_precision(64):
-        orbit, passed = judged.orbit, 0
-        for place, phase in enumerate(orbit.declared.phases([])):
-            field = orbit.chain.fields[place]
-            for watched in phase.watched:
-                if watched.begins is None:
-                    continue
-                values, moved = [], orbit.now.starts[place]
-                for _ in range(watched.follows + 1):
-                    values.append(orbit.value(watched.row, moved.entries()))
-                    moved = field * moved
-                assert watched.follows > watched.order
-                for value in values[watched.order + 1 : watched.follows]:
-                    assert abs(value) < 1e-9
-                    passed += 1
-        assert passed or name != STICK
-
-
-def test_what_breaks_at_its_limit_bends_before_it_moves() -> None:
-    told = json.loads(content())
-    with ctx.workprec(64):
-        values, stated, _ = values_of(told["parameters"], [*told["box"]], [])
-        phases = StatedSystem(told, values, stated).phases([])
-    (follows,) = (w.follows for w in phases[1].watched if w.name == BREAKS)
-    assert follows == 2
-
-
-EDITS: dict[str, tuple[Callable[[dict[str, Any]], object], str]] = {
-    "a condition is left out": (lambda e: e["also"].pop(), "admissibility"),
-    "an entry is left out": (lambda e: e["also"].pop(0), "admissibility"),
-    "of another phase": (lambda e: e["also"][0].__setitem__(1, 4), "event|boundary|admissib"),
-    "another condition": (lambda e: e["also"][1].__setitem__(2, "1.1"), "band|event|condition"),
-    "no such condition": (lambda e: e["also"][1].__setitem__(2, "9.1"), "condition|admissib"),
-    "another curve": (lambda e: e["centre"].__setitem__(0, e["centre"][0] + 1e-3), "its band"),
-    "other sides": (
-        lambda e: e.update(below=e["above"], above=e["below"]), "verdicts|admissibility"
-    ),
-}  # fmt: skip
-
-
-DEAR = {"an entry is left out", "of another phase", "another condition"}
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=pytest.mark.slow) if name in DEAR else name for name in EDITS]
-)
-def test_false_files_are_refused(name: str) -> None:
-    change, told = EDITS[name]
-    edited = json.loads(content())
-    change(next(tile["event"] for tile in edited["tiles"] if tile["event"]))
-    with pytest.raises((Failure, Malformed), match=told):
-        check_tiles(signed(edited))
-
-
-def test_the_checker_tells_which_inequalities_it_leaves_open() -> None:
-    told = json.loads(content())
-    (tile,) = told["tiles"]
-    judged, _ = CheckedBox(told).judged(tile["place"], tile["guess"], 6)
-    verdict = judged.verdicts["admissibility"]
-    assert (verdict.claim, [*verdict.found]) == ("undecided", TOGETHER)
-
-
-@pytest.mark.slow
-def test_the_true_file_passes() -> None:
-    check_tiles(json.loads(content()))

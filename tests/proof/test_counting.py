@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import json
 import math
-import sys
 from dataclasses import replace
+from functools import cache
 from itertools import product
 from pathlib import Path
 from typing import Any
@@ -15,34 +15,31 @@ import pytest
 import sympy as sp
 from flint import arb, arb_mat
 from mpmath import MPContext
-from typer.testing import CliRunner
 
 import nonsmooth as ns
-from nonsmooth import InputError, Interrupted
+from nonsmooth import InputError
 from nonsmooth.derive import SecondOrder, System, Transition
-from nonsmooth.runtime.checker.counting.census import Counting
 from nonsmooth.runtime.checker.counting.contraction import Linear, balls_of, contract, middles_of
 from nonsmooth.runtime.checker.counting.covering import CoveringBox, Root, Walk
-from nonsmooth.runtime.checker.counting.dwell_equations import DwellEquations
 from nonsmooth.runtime.cli.display import show_result
-from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.completion import complete
 from nonsmooth.runtime.model.kernels import load_orbit
-from nonsmooth.runtime.proof.counting.census import Census
 from nonsmooth.runtime.shooting.kernel_newton import solve_reduced
 from nonsmooth.runtime.shooting.newton import CONVERGED
-from tests.certified import LOOP, between_springs, kicked
+from tests.certified import LOOP, between_springs, interrupted, kicked
+from tests.cli.test_cli import run
 from tests.friction_sets import DATA
 from tests.places import GALLERY
 
 STICK = "dry-friction/global-stick"
 BELT = f"{GALLERY / 'mass_on_belt.py'}:stick-slip"
 IMPACT = f"{GALLERY / 'impact_oscillator.py'}:one-period"
+COUNT = "certify", "all"
 TWO = [("slip-slip", "second-reaches-belt"), ("slip-stick", "second-breaks-forward")]
 
 
-def times(census: Census) -> np.ndarray:
+def times(census: Any) -> np.ndarray:
     """Certified dwell times, an orbit in each row."""
     certificates = [orbit.certificate for orbit in census.orbits]
     assert all(c is not None for c in certificates)
@@ -168,25 +165,6 @@ def test_its_four_dwell_times_give_the_same_orbit() -> None:
     orbit = ns.solve(STICK)
     assert np.allclose(times(census), [orbit.dwell_times.tolist()], atol=1e-10)
     assert census.admissible == 1
-
-
-@pytest.mark.slow
-def test_orbits_in_dwell_times_are_those_that_newton_finds() -> None:
-    census = ns.certify.all("dry-friction", DATA, {"tau1": (3, 7), "tau2": 6}, itinerary=TWO)
-    assert census.decided
-    found = times(census)
-    random = np.random.default_rng(3)
-    starts = random.uniform((3, 0.01), (7, 6), size=(400, 2))
-    values = {name: float(text) for name, text in DATA.items()}
-    orbits = ns.solve(
-        "dry-friction", values | {"V": np.full(400, values["V"])}, starts, itinerary=TWO
-    )
-    reached = orbits.dwell_times[orbits.converged]
-    inside = (reached[:, 0] >= 3) & (reached <= (7, 6)).all(axis=1) & (reached > 1e-6).all(axis=1)
-    small = np.abs(orbits.starts[orbits.converged][:, 0]).max(axis=-1) < 90
-    distances = np.abs(reached[inside & small][:, None] - found).max(axis=-1)
-    assert distances.min(axis=1).max() < 1e-6
-    assert distances.min(axis=0).max() < 1e-6
 
 
 def test_a_kicked_mass_has_an_orbit_for_each_pair_of_half_turns() -> None:
@@ -364,59 +342,6 @@ def test_conservative_orbits_are_counted_at_their_period() -> None:
     assert ns.certify.all("rigid-stop/one-impact", box={"T": 6}).count == 0
 
 
-def equations_of(census: Census, folder: Path) -> DwellEquations:
-    """The equations that the file of a census states."""
-    census.save(folder / "census.json")
-    content = json.loads((folder / "census.json").read_text())
-    (found,) = Counting(content).within(content["box"]).equations
-    return found
-
-
-def test_equations_over_boxes_enclose_those_at_points(tmp_path: Path) -> None:
-    """By slopes from the middle, and between any two points; and the states at all starts."""
-    random = np.random.default_rng(7)
-    two = ns.certify.all("dry-friction", DATA, {"tau1": 9, "tau2": 9}, itinerary=TWO, limit=1)
-    stick = ns.certify.all(STICK, box={"tau": 9, "tau1": 9}, limit=1)
-    strikes = ns.certify.all(IMPACT, {"sigma": 0}, {"T": (2, 3)}, limit=1)
-    problems = [equations_of(census, tmp_path) for census in (two, stick, strikes)]
-    assert problems[0].setting.zeros == [1, 0]
-    assert problems[1].names == ["tau", "tau1", "tau2"]
-    assert problems[2].names == ["forcing time"]  # its dwell time is the period
-    with flint_precision(64):
-        for problem, _ in product(problems, range(30)):
-            count = len(problem.names)
-            # over a box that is not short a condition is not divided by its time
-            most = 1.0 if problem is problems[0] else 8.0
-            low = random.uniform(0, most, count) * random.integers(0, 2, count)
-            high = low + 10.0 ** random.uniform(-6, 0.5, count)
-            sides = tuple(zip(low.tolist(), np.minimum(high, low + most).tolist(), strict=True))
-            whole, between = (problem.linear(sides, between=each) for each in (False, True))
-            coordinates = random.uniform(-3, 3, len(problem.setting.places)).tolist()
-            starts = problem.starts(sides, coordinates)
-            assert whole is not None
-            assert between is not None
-            ends = [random.uniform(*np.transpose(sides)) for _ in range(4)]
-            points = [problem.linear(tuple((float(u), float(u)) for u in end)) for end in ends]
-            middles = [float(m) for m in middles_of(sides)]
-            for end, at, before, other in zip(ends, points, points[1:], ends[1:], strict=False):
-                assert at is not None
-                assert before is not None
-                assert touch(whole.over, at.centre)
-                pairs = (whole, middles, whole.centre), (between, other, before.centre)
-                for linear, first, value in pairs:
-                    for slope, u, m in zip(linear.slopes, end, first, strict=True):
-                        value = value + slope * (arb(u) - arb(m))
-                    assert touch(value, at.centre)
-                point = tuple((float(u), float(u)) for u in end)
-                for k, state in problem.starts(point, coordinates).items():
-                    assert touch(starts[k], state)
-
-
-def touch(wide: Any, narrow: Any) -> bool:
-    """Whether the balls of two matrices overlap."""
-    return all(x.overlaps(y) for x, y in zip(wide.entries(), narrow.entries(), strict=True))
-
-
 def test_too_few_boxes_leave_the_rest_undecided() -> None:
     census = ns.certify.all(STICK, box={"tau": 12, "tau1": 20}, limit=500)
     assert census.looked == 500
@@ -433,26 +358,6 @@ def test_an_orbit_without_a_certificate_is_told(capsys: pytest.CaptureFixture[st
     assert "0 admissible, 0 not admissible, 1 undecided" in bare.statement
     show_result(bare)
     assert "no certificate: no reason" in " ".join(capsys.readouterr().out.split())
-
-
-def test_a_census_is_kept_in_a_file(tmp_path: Path) -> None:
-    census = ns.certify.all(BELT, box={"ts": (0, 10), "tau": 8})
-    path = tmp_path / "census.json"
-    census.save(path)
-    again = ns.load(path)
-    # in a file a system is called by its content
-    system, kept = (each.orbit.rpartition(":")[0] for each in (census, again))
-    told = json.dumps(census.to_json()).replace(system, kept)
-    told = told.replace("mass_on_belt/", "mass-on-belt/")  # in the statement
-    assert json.loads(told) == again.to_json()
-    assert (again.trees, again.declaration) == (census.trees, census.declaration)
-    assert json.loads(path.read_text())["count"] == 1
-    path.write_text(path.read_text().replace('"count": 1', '"count": 2'))
-    with pytest.raises(InputError, match="the checksum differs"):
-        ns.load(path)
-    path.write_text("{}")
-    with pytest.raises(InputError, match=r"census\.json: not a saved result"):
-        ns.load(path)
 
 
 @pytest.mark.parametrize(
@@ -479,26 +384,18 @@ def test_wrong_input_is_refused_by_name(arguments: Any, options: Any, culprit: s
         ns.certify.all(*arguments, **options)
 
 
-def run(*arguments: str) -> tuple[int, str, str]:
-    """Exit code, stdout and stderr of `nonsmooth certify all`."""
-    result = CliRunner().invoke(app, ["certify", "all", *arguments])
-    if result.exception is not None and not isinstance(result.exception, SystemExit):
-        raise result.exception
-    return result.exit_code, result.stdout, result.stderr
-
-
 def test_the_command_counts_and_tells(tmp_path: Path) -> None:
     path = tmp_path / "census.json"
-    code, out, err = run(STICK, "tau=:3", "tau1=0:3", "--json", "--save", str(path))
+    code, out, err = run(*COUNT, STICK, "tau=:3", "tau1=0:3", "--json", "--save", str(path))
     assert (code, err) == (0, "")
     told = json.loads(out)
     assert (told["count"], told["decided"]) == (1, True)
     assert ns.load(path).box[1] == "1e-6 <= tau <= 3"
-    code, out, _ = run(BELT, "ts=0:10", "tau=:8")
+    code, out, _ = run(*COUNT, BELT, "ts=0:10", "tau=:8")
     assert code == 1
     assert "at least 1 orbit" in " ".join(out.split())
     assert "1.200000000" in out
-    code, _, err = run(BELT, "ts=0:10", "tau=:8", "--require", "proved")
+    code, _, err = run(*COUNT, BELT, "ts=0:10", "tau=:8", "--require", "proved")
     assert code == 3
     assert "undecided" in err
 
@@ -514,48 +411,31 @@ def test_the_command_counts_and_tells(tmp_path: Path) -> None:
     ],
 )
 def test_the_command_refuses_wrong_bounds(arguments: tuple[str, ...], culprit: str) -> None:
-    code, _, err = run(STICK, *arguments)
+    code, _, err = run(*COUNT, STICK, *arguments)
     assert code == 2
     assert culprit in err
 
 
-SEARCHING = {"follow", "_advice", "_letter", "_inner", "_add", "_polished", "judged", "_certified"}
+def searched() -> Any:
+    return ns.certify.all(STICK, box={"tau": ("1.5", 3), "tau1": (1, 3), "tau2": (3, 4)})
+
+
+SEARCHING = ("certify_all.py", "covering.py", "census.py"), {"follow", "judged", "_accepted"}
+
+
+@cache
+def whole() -> tuple[int, Any]:
+    return interrupted(searched, *SEARCHING)
 
 
 @pytest.mark.parametrize("share", [0.0, 0.01, 0.3, 0.9, 0.98, 0.99, 0.995, 0.999])
 def test_an_interrupted_census_loses_no_orbit(share: float) -> None:
-    asked: Any = {"orbit": STICK, "box": {"tau": ("1.5", 3), "tau1": (1, 3), "tau2": (3, 4)}}
-    lines = 0
-
-    def traced(last: float) -> Any:
-        nonlocal lines
-        lines, before = 0, sys.gettrace()
-
-        def trace(frame: Any, event: str, argument: Any) -> Any:
-            nonlocal lines
-            code = frame.f_code
-            if not code.co_filename.endswith(("certify_all.py", "covering.py", "census.py")):
-                return None
-            lines += event == "line" and code.co_name in SEARCHING
-            if lines > last:
-                sys.settrace(before)
-                raise KeyboardInterrupt
-            return trace
-
-        sys.settrace(trace)
-        try:
-            return ns.certify.all(**asked)
-        finally:
-            sys.settrace(before)
-
-    whole = traced(math.inf)
-    with pytest.raises(Interrupted) as stopped:
-        traced(share * lines)
-    partial: Any = stopped.value.partial
-    assert whole.decided
-    assert whole.count == 1
+    lines, found = whole()
+    _, partial = interrupted(searched, *SEARCHING, share * lines)
+    assert found.decided
+    assert found.count == 1
     boxes = [orbit.unique for orbit in partial.orbits] + [part.bounds for part in partial.undecided]
-    for certificate in (orbit.certificate for orbit in whole.orbits):
+    for certificate in (orbit.certificate for orbit in found.orbits):
         assert certificate is not None
         assert any(
             all(

@@ -22,11 +22,8 @@ from nonsmooth.runtime.core.taylor_models import (
     space_of,
 )
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.branch.certified_doubling import CertifiedDoubling
-from nonsmooth.runtime.proof.branch.tube_proposal import flip_with_direction
-from nonsmooth.runtime.proof.certificate import file_json
-from nonsmooth.runtime.proof.refusals import as_read
-from tests.certified import accepted
+from nonsmooth.runtime.proof.branch.certify_doubling import flip_with_direction
+from tests.certified import accepted, content_of
 from tests.explore import test_continuation_forced as impacts
 
 pytestmark = pytest.mark.compiled  # much slower without it
@@ -38,12 +35,12 @@ def branch() -> Any:
 
 
 @pytest.fixture(scope="module")
-def found(branch: Any) -> CertifiedDoubling:
+def found(branch: Any) -> Any:
     return ns.certify.doubling(branch, tiles=3)
 
 
 @pytest.mark.slow
-def test_the_papers_flip_is_subcritical(found: CertifiedDoubling) -> None:
+def test_the_papers_flip_is_subcritical(found: Any) -> None:
     doubling = found.doubled
     assert doubling is not None
     assert found.claims == {"doubling": "proved"}
@@ -56,9 +53,7 @@ def test_the_papers_flip_is_subcritical(found: CertifiedDoubling) -> None:
 
 
 @pytest.mark.slow
-def test_doubled_orbits_by_newton_are_where_the_rate_says(
-    branch: Any, found: CertifiedDoubling
-) -> None:
+def test_doubled_orbits_by_newton_are_where_the_rate_says(branch: Any, found: Any) -> None:
     """In floating point: V - V0 over a^2 tends to the rate, and the multiplier passes 1."""
     doubling = found.doubled
     event = next(event for event in branch.events if event.kind == "flip")
@@ -80,7 +75,7 @@ def test_doubled_orbits_by_newton_are_where_the_rate_says(
 
 
 def test_motions_leave_the_unstable_doubled_orbit_and_settle_on_the_stable_one(
-    found: CertifiedDoubling,
+    found: Any,
 ) -> None:
     """Just above the flip the orbit is stable; inside the doubled ones motions return to it."""
     orbit = ns.solve("dry-friction/symmetric", {"V": "1.083"})
@@ -96,9 +91,9 @@ def test_motions_leave_the_unstable_doubled_orbit_and_settle_on_the_stable_one(
 
 
 @pytest.fixture(scope="module")
-def flip(found: CertifiedDoubling) -> tuple[Any, int, list[Any]]:
+def flip(found: Any) -> tuple[Any, int, list[Any]]:
     """The equations of the orbit, the entry that is 1, and the flip with its direction."""
-    curve = curve_of(as_read(file_json(found.branch)))
+    curve = curve_of(content_of(found.branch))
     point = [x.ball for x in found.flip.enclosures.values()]
     return curve, *flip_with_direction(curve, point)
 
@@ -151,27 +146,6 @@ def test_averages_are_those_of_polynomials_and_hold_what_is_cut_off() -> None:
 
 
 @pytest.mark.slow
-def test_a_proof_can_be_interrupted_and_resumed(branch: Any, found: Any, tmp_path: Path) -> None:
-    found.save(tmp_path / "part.json")
-    part = ns.load(tmp_path / "part.json")
-    again = ns.certify.doubling(branch, tiles=6, resume=part)  # of the doubled branch
-    assert again.doubled is not None
-    assert again.doubled.side == found.doubled.side
-    assert len(again.doubled.branch.tiles) == 6
-    assert again.ended == "complete"
-
-    def stop(share: float, tiles: int) -> None:
-        raise KeyboardInterrupt
-
-    with pytest.raises(Interrupted) as stopped:
-        ns.certify.doubling(branch, tiles=3, progress=stop)
-    first: Any = stopped.value.partial
-    assert first.doubled is None
-    with pytest.raises(InputError):
-        ns.certify.doubling(branch, interval=("1", "1.1"), resume=part)
-
-
-@pytest.mark.slow
 def test_time_and_an_interruption_along_the_doubled_branch_keep_what_is_proved(
     branch: Any, found: Any, tmp_path: Path
 ) -> None:
@@ -209,7 +183,7 @@ def test_an_interval_that_does_not_reach_the_flip_has_none(branch: Any) -> None:
     assert (found.flip, found.kind, found.claims) == (None, "", {"doubling": "undecided"})
 
 
-def test_it_is_drawn_with_the_branch_and_beside_the_flip(found: CertifiedDoubling) -> None:
+def test_it_is_drawn_with_the_branch_and_beside_the_flip(found: Any) -> None:
     pytest.importorskip("matplotlib")
     (axes,) = found.plot().axes
     assert axes.get_title(loc="left") == "dry-friction/symmetric"
@@ -228,9 +202,11 @@ def test_it_is_drawn_with_the_branch_and_beside_the_flip(found: CertifiedDoublin
         {"seconds": 0},
         {"interval": ("1.2", "1")},
         {"resume": 3},
+        {"resume": "found", "interval": ("1", "1.1")},
     ],
 )
-def test_wrong_questions_are_refused(branch: Any, words: dict[str, Any]) -> None:
+def test_wrong_questions_are_refused(branch: Any, found: Any, words: dict[str, Any]) -> None:
+    words = {name: found if value == "found" else value for name, value in words.items()}
     with pytest.raises(InputError):
         ns.certify.doubling(branch, **words)
     with pytest.raises(InputError):

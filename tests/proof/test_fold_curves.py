@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import copy
-import json
 import math
 import random
-from collections.abc import Callable
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
@@ -15,16 +12,11 @@ from typing import Any
 import mpmath
 import pytest
 import sympy as sp
-from flint import ctx, fmpq
 
 import nonsmooth as ns
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
-from nonsmooth.runtime.checker import Failure, Malformed, check_tiles
-from nonsmooth.runtime.checker.ranges.folded import beyond_folds, neighbours
-from nonsmooth.runtime.checker.ranges.tiles import CheckedBox
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
-from tests.certified import accepted, content_of, place_in, signed
+from tests.certified import accepted, content_of, place_in, refused
 
 BEYOND = "beyond a fold"
 IMPACT = (("free", "wall-reaches-stop"),)
@@ -67,7 +59,7 @@ def orbit(stable: bool) -> Orbit:
 
 
 @cache
-def folded() -> BoxCertificate:
+def folded() -> Any:
     """The stable orbit's map."""
     return ns.certify.box(orbit(True), BOX)
 
@@ -111,7 +103,7 @@ def number(x: Fraction) -> Any:
     return mpmath.mpf(x.numerator) / x.denominator
 
 
-def folds(found: BoxCertificate) -> list[Any]:
+def folds(found: Any) -> list[Any]:
     return [tile for tile in found.tiles if tile.event is not None and tile.event.fold is not None]
 
 
@@ -149,46 +141,25 @@ def test_the_curve_is_that_of_the_closed_form_to_forty_digits() -> None:
     assert count > 8
 
 
-@pytest.mark.slow
 def test_random_points_have_two_orbits_with_their_verdicts_or_none() -> None:
     found, drawn, seen = folded(), random.Random(3), set()
-    told = json.loads(content(small=False))
-    for tile, entry in zip(found.tiles, told["tiles"], strict=True):
+    for tile in folds(found):
         event = tile.event
-        if event is None:
-            continue
-        assert event.fold is not None
-        tube = CheckedBox(told).proved(entry).fold
-        assert tube is not None
-        unknowns = tube.declared.unknowns
         for _ in range(6):
             point = {
                 n: low + Fraction(drawn.random()) * (high - low)
                 for n, (low, high) in found.where(tile).items()
             }
-            at = place_in(found, tile, point)
-            side = event.band.side_of(at)
-            speeds = velocities(*(number(point[n]) for n in ("sigma", "r")))
+            side = event.band.side_of(place_in(found, tile, point))
             if side is None:
                 continue
-            assert bool(speeds) == (getattr(event, side) != BEYOND)
-            seen.add(bool(speeds))
-            values = [fmpq(x.numerator, x.denominator) for x in at]
-            for sheet in ("below", "above"):
-                tube.sheets = tube.sheets._replace(sheet=sheet)
-                if not speeds:
-                    with ctx.workprec(64), pytest.raises(Failure):
-                        tube.at(values)
-                    continue
-                with ctx.workprec(64):
-                    its = tube.at(values)
-                # v0 is -r U behind the impact
-                speed = -float(its[unknowns.index("v0")]) / float(point["r"])
-                (near,) = [u for u in speeds if abs(float(u) - speed) < 1e-9]
-                stated = getattr(event, side) if sheet == event.fold.sheet else event.fold.other
-                stable = is_stable(near, *(number(point[n]) for n in ("sigma", "r")))
-                assert stated == ("proved" if stable else "unstable")
-    assert seen == {True, False}
+            at = [number(point[n]) for n in ("sigma", "r")]
+            stable = sorted(is_stable(speed, *at) for speed in velocities(*at))
+            stated = getattr(event, side)
+            seen.add(stated)
+            assert stable == ([] if stated == BEYOND else [False, True])
+            assert (stated, event.fold.other) in {(BEYOND, "unstable"), ("proved", "unstable")}
+    assert seen == {BEYOND, "proved"}
 
 
 @pytest.mark.slow
@@ -205,28 +176,6 @@ def test_the_other_orbit_has_the_same_curve_and_the_other_verdict() -> None:
         assert sigma == pytest.approx(float(fold_at(r)), abs=1e-6)
 
 
-def test_only_what_folds_alone_border_is_beyond_them() -> None:
-    found = folded()
-    assert BEYOND in found.verdicts
-    tiles = json.loads(content(small=False))["tiles"]
-    beside = neighbours([tile["place"] for tile in tiles])
-
-    def beyond() -> set[int]:
-        told = beyond_folds(tiles, [tile.verdict for tile in found.tiles], beside)
-        return {k for k, own in enumerate(told) if own}
-
-    assert beyond() == {k for k, verdict in enumerate(found.verdicts) if verdict == BEYOND}
-    # one whose orbits are on the other side leaves what is behind it open
-    for tile in tiles:
-        if tile["event"]:
-            exchanged(tile["event"])
-    assert beyond() == set()
-    # and so does a fold that is not known
-    for tile in tiles:
-        tile["event"] = None
-    assert beyond() == set()
-
-
 def test_a_map_with_a_fold_is_drawn() -> None:
     pytest.importorskip("matplotlib")
     (axes,) = folded().plot().axes
@@ -236,18 +185,9 @@ def test_a_map_with_a_fold_is_drawn() -> None:
 
 
 @cache
-def content(*, small: bool = True) -> str:
-    return json.dumps(content_of(ns.certify.box(orbit(True), SMALL) if small else folded()))
-
-
-@pytest.mark.slow
-def test_true_maps_pass_and_a_wider_band_is_true() -> None:
-    check_tiles(json.loads(content(small=False)))
-    found = json.loads(content())
-    check_tiles(found)
-    wider = copy.deepcopy(found)
-    event_in(wider)["radius"] *= 2
-    check_tiles(signed(wider))
+def small() -> Any:
+    """A part of that map, so that checks are fast."""
+    return ns.certify.box(orbit(True), SMALL)
 
 
 @pytest.mark.slow
@@ -264,95 +204,14 @@ def test_what_is_stated_beside_folds_is_accepted(seed: int, tmp_path: Path) -> N
     accepted(found, tmp_path)
 
 
-def event_in(found: dict[str, Any]) -> dict[str, Any]:
-    """The event of the first tile that a fold divides."""
-    for tile in found["tiles"]:
-        event = tile["event"]
-        if event and event["kind"] == "fold" and abs(event["centre"][0]) < 0.9:
-            return event
-    raise AssertionError
-
-
-def exchanged(event: dict[str, Any]) -> None:
-    event["below"], event["above"] = event["above"], event["below"]
-
-
-def own(event: dict[str, Any], verdict: str) -> None:
-    side = "below" if event["above"] == BEYOND else "above"
-    event[side] = verdict
-
-
-def moved(event: dict[str, Any]) -> None:
-    event["centre"][0] += 1e-3
-
-
-def other_sheet(event: dict[str, Any]) -> None:
-    sheet = event["fold"]["sheet"]
-    event["fold"]["sheet"] = "below" if sheet == "above" else "above"
-
-
-def both_exchanged(event: dict[str, Any]) -> None:
-    """The verdicts are those of the orbits, but the map's own orbit is another one."""
-    other_sheet(event)
-    own(event, "unstable")
-    event["fold"]["other"] = "proved"
-
-
-CHANGES: dict[str, tuple[Callable[[dict[str, Any]], object], str]] = {
-    "other sides": (exchanged, "a verdict on the side of no orbits"),
-    "a curve that is moved": (moved, "beside the band"),
-    "too narrow": (lambda e: e.update(radius=1e-13), "beside the band"),
-    "too wide": (lambda e: e.update(radius=1e-3), "too wide"),
-    "another verdict": (lambda e: own(e, "unstable"), "beside the fold"),
-    "not admissible": (lambda e: own(e, "not admissible"), "beside the fold"),
-    "none on both sides": (lambda e: own(e, BEYOND), "no verdict on the side"),
-    "another verdict of the other orbit": (
-        lambda e: e["fold"].update(other="proved"), "beside the fold"),
-    "the other sheet": (other_sheet, "beside the fold"),
-    "no sheets": (lambda e: e.update(fold=None), "without its orbits"),
-    "another unknown": (lambda e: e["fold"].update(coordinate="tau1"), "singular|Kraw|near|bent"),
-    "no unknown": (lambda e: e["fold"].update(coordinate="U"), "no such unknown"),
-    "a tube that ends in the tile": (
-        lambda e: e["fold"].update(half=e["fold"]["half"] / 2), "ends in the tile"),
-    "a tube without width": (lambda e: e["fold"].update(half=0.0), "without width"),
-    "a tube beside the fold": (
-        lambda e: e["fold"]["centre"].__setitem__(0, e["fold"]["centre"][0] + e["fold"]["half"]),
-        "meet|band|ends|near|Krawczyk"),
-    "another parameter across": (
-        lambda e: e.update(axis=3 - e["axis"]),
-        "band|ends|near|wide|parts|Kraw"),
-    "a phase": (lambda e: e.update(phase=1), "a phase"),
-    "a flip": (lambda e: e.update(kind="flip"), "fold"),
-}  # fmt: skip
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", CHANGES)
-def test_false_folds_are_refused(name: str) -> None:
-    change, told = CHANGES[name]
-    found = json.loads(content())
-    change(event_in(found))
-    with pytest.raises((Failure, Malformed), match=told):
-        check_tiles(signed(found))
-
-
-@pytest.mark.slow
-def test_the_other_orbit_is_not_that_of_the_tiles_beside_it() -> None:
-    found = json.loads(content(small=False))
-    both_exchanged(event_in(found))
-    with pytest.raises(Failure, match="not that of a tile beside it"):
-        check_tiles(signed(found))
-
-
 def test_a_region_beyond_is_not_stated_wider() -> None:
     """Without a fold on its border what is behind it is undecided, and may not count as known."""
-    found = json.loads(content(small=False))
+    found = content_of(folded())
     tile = next(t for t in found["tiles"] if t["event"])
     share = 0.5 ** sum(level for _, level in tile["place"])
     tile |= {"event": None, "guess": []}
-    with pytest.raises(Failure, match="shares"):
-        check_tiles(signed(found))
-    found["shares"]["divided"] -= share
-    found["shares"]["undecided"] += share
-    with pytest.raises(Failure, match="shares"):
-        check_tiles(signed(found))
+    refused(found, "shares")
+    for before, after in (("divided", "undecided"), ("undecided", BEYOND)):
+        found["shares"][before] -= share
+        found["shares"][after] += share
+        refused(found, "shares")

@@ -6,12 +6,11 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth import InputError, Interrupted
+from nonsmooth import InputError
 from nonsmooth.runtime.checker.state_sets.many_sets import Arrivals
 from nonsmooth.runtime.core.box_grid import BoxGrid, DividedGrid
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.proof.sets.box_graphs import BoxGraph
-from tests.certified import kicked
 from tests.friction_sets import DATA, arrival
 from tests.horseshoes import FRICTION_DATA
 from tests.places import GALLERY
@@ -225,7 +224,13 @@ def test_boxes_are_divided_where_it_helps():
     asked = {"region": {"x2": (2, 14)}, "boxes": 64}
     start = [5, 4, 0.5, 0.25]
     coarse = ns.certify.region("dry-friction", DATA, start, **asked)
-    fine = ns.certify.region("dry-friction", DATA, start, levels=2, **asked)
+    told = []
+    fine = ns.certify.region(
+        "dry-friction", DATA, start, levels=2, progress=lambda *now: told.append(now), **asked
+    )
+    begun = [k for k, (done, _) in enumerate(told) if not done]
+    assert len(begun) == 3  # each level tells its boxes before the first
+    assert all(told[k - 1][0] == told[k - 1][1] for k in begun[1:])
     again = ns.certify.region("dry-friction", DATA, start, levels=2, resume=coarse, **asked)
     assert again.to_json() == fine.to_json()
     assert len(coarse.graph.grid) < len(fine.graph.grid) < 2 * len(coarse.graph.grid)
@@ -242,26 +247,6 @@ def test_boxes_are_divided_where_it_helps():
         assert ((low[found, 0] <= there + 1e-9) & (there - 1e-9 <= high[found, 0])).any()
     with pytest.raises(InputError, match="another"):
         ns.certify.region("dry-friction", {**DATA, "ur1": "4.02"}, start, resume=coarse, **asked)
-
-
-@pytest.mark.slow
-def test_an_interrupted_graph_goes_on():
-    data, counts = {"k": 1, "r": "1/2", "a": 10}, []
-
-    def stopping(done, count):
-        counts.append(count)
-        assert (done == 0) == (len(counts) % 2 == 1)  # each level tells its boxes before the first
-        if len(counts) == 3:
-            raise KeyboardInterrupt
-
-    asked = {"region": {"v": (0.5, 4)}, "boxes": 16, "levels": 2}
-    with pytest.raises(Interrupted) as stopped:
-        ns.certify.region(kicked(), data, [0, 1.5], progress=stopping, **asked)
-    known = stopped.value.partial
-    assert 0 < known.graph.unknown.sum() < len(known.graph.grid)
-    whole = ns.certify.region(kicked(), data, [0, 1.5], **asked)
-    again = ns.certify.region(kicked(), data, [0, 1.5], resume=known, **asked)
-    assert again.to_json() == whole.to_json()
 
 
 def test_images_that_do_not_change_are_not_lost_when_others_are_divided():

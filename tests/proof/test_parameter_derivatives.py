@@ -23,7 +23,6 @@ from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.proof.certificate import Certificate
 from tests.certified import LOOP, accepted, between_springs, loop, rooted, struck_together
 from tests.places import GALLERY
 
@@ -39,7 +38,7 @@ def about(enclosure: Any, number: Any) -> bool:
         return bool(abs(enclosure.ball - exact_ball(number)).lower() <= error)
 
 
-def agrees(found: Certificate, orbit: Orbit) -> None:
+def agrees(found: Any, orbit: Orbit) -> None:
     """Every derivative that is enclosed is that of the orbit in many digits."""
     sharp = ns.refine(orbit, DIGITS).derivatives(tuple(found.directions))
     rates = {"period": sharp.period, "trace": sharp.trace}

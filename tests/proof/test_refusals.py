@@ -20,9 +20,8 @@ from nonsmooth.runtime.checker.state_sets.chaos import StretchedSets
 from nonsmooth.runtime.checker.state_sets.cones import Derivatives
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.proof.boxes import tile as of_tiles
+from nonsmooth.runtime.proof.boxes import certify_box as of_tiles
 from nonsmooth.runtime.proof.branch import certify_branch as of_branches
-from nonsmooth.runtime.proof.refusals import refusal
 from tests.certified import accepted
 from tests.horseshoes import folded_horseshoe
 
@@ -195,10 +194,11 @@ def test_an_orbit_that_is_counted(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
 
 @pytest.mark.parametrize("error", [KeyboardInterrupt, KeyError, TypeError, AttributeError])
 def test_an_interruption_and_an_error_of_the_program_are_no_refusals(
-    error: type[BaseException],
+    error: type[BaseException], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def stopped() -> None:
+    def stopped(*told: Any) -> None:
         raise error
 
-    with pytest.raises(error):
-        refusal(stopped)
+    monkeypatch.setattr(CheckedBox, "judged", stopped)
+    with pytest.raises(ns.Interrupted if error is KeyboardInterrupt else error):
+        ns.certify.box(orbit(), {"V": ("0.999", "1.001")})

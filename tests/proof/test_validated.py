@@ -18,7 +18,6 @@ from nonsmooth.derive import (
     FirstOrder,
     Harmonic,
     RigidStop,
-    SecondOrder,
     SoftStop,
     System,
     Transition,
@@ -29,10 +28,8 @@ from nonsmooth.runtime.checker.state_sets.one_motion import OneMotion
 from nonsmooth.runtime.checker.state_sets.sets import TooWide
 from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.certificate import Stated
 from nonsmooth.runtime.proof.exact_tables import exact_system
-from nonsmooth.runtime.proof.motion.motion_proof import Proof
-from nonsmooth.runtime.proof.sets.visited_declaration import whole_system
+from nonsmooth.runtime.proof.sets.sections import whole_system
 from tests.counting import calls_of
 from tests.declared_motion import DeclaredMotion, mp
 
@@ -93,7 +90,7 @@ def test_more_bits_where_the_first_do_not_do() -> None:
     assert stopped.sets == many.sets[: stopped.transitions]
 
 
-def at_multiple_of_pi(proof: Proof, factor: Fraction, narrow: float) -> bool:
+def at_multiple_of_pi(proof: Any, factor: Fraction, narrow: float) -> bool:
     """Whether the undecided instant is that multiple of pi, and the enclosure is narrow."""
     assert proof.instant is not None
     with flint_precision(2 * proof.bits):
@@ -206,19 +203,6 @@ def test_a_start_on_a_boundary() -> None:
     assert pushed.times[1].ball.is_zero()
 
 
-def test_boundaries_that_are_multiples_are_reached_together() -> None:
-    """No digits tell that x - 1 and 2 x - 2 vanish at one instant, their rows do."""
-    x, v = sp.symbols("x v", real=True)
-    both = Boundary("one", x - 1), Boundary("twice", 2 * x - 2)
-    system = System(
-        "bouncing", "", (x, v), (), (Configuration("free", SecondOrder([[1]], [[1]]), both),),
-        (Transition("free", {"one", "twice"}, "free", (), {v: -v}),),
-    )  # fmt: skip
-    proof = certify.motion(system, {}, ["0", "2"], "free", 3)
-    assert proof.sets == (("one", "twice"),) * 3
-    assert proof.times[1].contains(mp.asin(mp.mpf(1) / 2))
-
-
 @pytest.mark.parametrize("short", ["0", "1e-38", "1e-100"])
 def test_a_stop_that_is_barely_reached_is_not_passed_by(short: str) -> None:
     stop = RigidStop("x", at=1 - sp.Rational(short), restitution="1/2")
@@ -283,12 +267,6 @@ def test_decimals_enclose() -> None:
             exact = int(mantissa) * Fraction(2) ** int(exponent)
             assert abs(exact - middle) <= radius
         assert enclosure.lower < float(enclosure) < enclosure.upper
-
-
-@pytest.mark.parametrize("text", ["nan", "0 +/- inf", "+inf"])
-def test_a_ball_that_is_not_finite_has_no_decimals(text: str) -> None:
-    with pytest.raises(ValueError, match="is not finite"):
-        Stated.around(arb(text), 64)
 
 
 START = ["5", "4", "0.5", "0.25"]

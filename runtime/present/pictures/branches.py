@@ -18,8 +18,8 @@ from nonsmooth.runtime.present.pictures.drawing import (
     LINES,
     drawn_alone,
     finish,
-    widen,
     line_style,
+    widen,
 )
 
 if TYPE_CHECKING:

@@ -8,6 +8,8 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Annotated, Any
 
+from flint import arb
+
 from nonsmooth.runtime.checker.ranges.folded import BEYOND, beyond_folds, neighbours
 from nonsmooth.runtime.checker.stated.exact import exact
 from nonsmooth.runtime.core.errors import InputError, one_line
@@ -309,8 +311,6 @@ def _many(count: int, what: str) -> str:
 
 def _hull(found: Sequence[Stated]) -> Stated:
     """The least ball that contains all balls, rounded outward once and not with each ball."""
-    from flint import arb
-
     ends = [(exact(x.texts[0]), exact(x.texts[1])) for x in found]
     low, high = min(mid - rad for mid, rad in ends), max(mid + rad for mid, rad in ends)
     with flint_precision(2 * BITS):

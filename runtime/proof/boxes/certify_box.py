@@ -5,15 +5,19 @@ from __future__ import annotations
 import heapq
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import count
-from typing import TYPE_CHECKING
+from operator import itemgetter
+from typing import NamedTuple
+
+from flint import arb, fmpq
 
 from nonsmooth.runtime.checker.ranges.folded import BEYOND, neighbours
-from nonsmooth.runtime.checker.ranges.tiles import SHARES, MapTile
+from nonsmooth.runtime.checker.ranges.tiles import SHARES, CheckedBox, MapTile, check_whole
 from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.core.errors import check_integer
+from nonsmooth.runtime.core.json_codec import encode
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.box_certificate import BITS, DIGITS, BoxCertificate, Tile
@@ -24,28 +28,157 @@ from nonsmooth.runtime.proof.boxes.orbit_over_box import (
     stated_orbits,
     with_open_ones,
 )
-from nonsmooth.runtime.proof.boxes.tile import (
-    Anchor,
-    BoxRefusals,
-    TileProof,
-    is_same,
-    prove,
-    unproved,
-    whole_map,
-)
-from nonsmooth.runtime.proof.boxes.tile_event import Fold, TileEvent
+from nonsmooth.runtime.proof.boxes.tile_event import Fold, TileEvent, event_on
 from nonsmooth.runtime.proof.boxes.tile_fold import FoldSearch
-from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
-from nonsmooth.runtime.proof.certificate import CLAIMS, Stated, check_same_orbits
+from nonsmooth.runtime.proof.boxes.tile_places import Place
+from nonsmooth.runtime.proof.certificate import CLAIMS, Stated, check_same_orbits, file_json
 from nonsmooth.runtime.proof.exact_tables import rational_of
 from nonsmooth.runtime.proof.kept_state import KeptState
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
-from nonsmooth.runtime.proof.refusals import asking
+from nonsmooth.runtime.proof.refusals import as_read, asking, refusal
 
-if TYPE_CHECKING:
-    from flint import arb
+__all__ = [
+    "MOST_TILES",
+    "certify_box",
+]
 
-__all__ = ["MOST_TILES", "certify_box"]
+
+class BoxRefusals:
+    """The reasons why the checker does not prove what is stated of tiles; "" where it does.
+
+    `NotCovered` if it does not know their declaration.
+    """
+
+    def __init__(self, empty: BoxCertificate) -> None:
+        with asking():
+            self.box = CheckedBox(as_read(file_json(empty)))
+        self._checked: dict[Place, tuple[Tile, MapTile]] = {}
+
+    def take(self, tile: Tile, found: MapTile) -> None:
+        """Keep a tile of which nothing is stated but what the checker found of it."""
+        self._checked[tile.place] = tile, found
+
+    def has_proved(self, tile: Tile) -> bool:
+        """Whether the checker was asked about a tile and proved what is stated of it."""
+        return tile.place in self._checked and self._checked[tile.place][0] is tile
+
+    def of_tile(self, tile: Tile) -> str:
+        """Why a tile by itself is refused; "" if it is proved."""
+        return refusal(lambda: self.proved(tile))
+
+    def of_joint(self, tile: Tile, other: Tile) -> str:
+        """Why the common edge of two tiles over two parameters is refused; "" if it is proved."""
+        return refusal(lambda: self.box.check_joint(self.proved(tile), self.proved(other)))
+
+    def proved(self, tile: Tile) -> MapTile:
+        """A tile as far as the checker proves what is stated of it; it raises why it does not."""
+        if not self.has_proved(tile):
+            told = as_read(encode(tile))
+            found = self.box.proved(told)
+            self._checked[tile.place] = tile, found
+        return self._checked[tile.place][1]
+
+
+def whole_map(found: BoxCertificate) -> BoxCertificate:
+    """A map of proved tiles, if everything stated about the whole follows from them.
+
+    Otherwise it becomes one undecided tile with the checker's reason.
+    """
+    reason = refusal(lambda: check_whole(as_read(file_json(found))))
+    if not reason:
+        return found
+    whole = Place(((0, 0),) * len(found.box))
+    return replace(found, tiles=(unproved(whole, reason, looked_at=True),))
+
+
+def unproved(place: Place, reason: str, *, looked_at: bool) -> Tile:
+    """A tile of which nothing is proved."""
+    return Tile(
+        place=place,
+        claims=dict.fromkeys(CLAIMS, "undecided"),
+        reasons={"existence": reason},
+        enclosures={},
+        guess=(),
+        looked_at=looked_at,
+        event=None,
+    )
+
+
+_LOWEST, _SHARP = 2, 6
+
+
+class Anchor(NamedTuple):
+    """A point of the box and the approximate orbit there, which the proof on a tile has to meet."""
+
+    point: tuple[Fraction, ...]
+    numbers: Sequence[arb]
+
+
+@dataclass(frozen=True, eq=False)
+class TileProof:
+    """What is proved on a tile."""
+
+    reason: str = ""  # why no orbit is proved to exist there
+    found: MapTile | None = None  # verdicts and enclosures, None unless existence is proved
+    event: TileEvent | None = None  # a curve on the two sides of which verdicts are proved
+    rough: bool = False  # whether that was in an order that a file is not checked in
+
+    @property
+    def decided(self) -> bool:
+        """Whether one verdict is proved for the whole tile."""
+        if self.found is None:
+            return False
+        admissible, stable = (
+            self.found.verdicts[name].claim for name in ("admissibility", "stability")
+        )
+        return admissible == "refuted" or (admissible == "proved" and stable != "undecided")
+
+
+def prove(
+    judge: BoxRefusals,
+    region: Region,
+    place: Place,
+    anchor: Anchor,
+    *,
+    rough: bool = False,
+    sharp: bool = False,
+) -> TileProof:
+    """Prove what can be proved on a tile; the result names the reasons for the rest.
+
+    The anchor has to be in the tile. `rough` takes a low order, enough where only admissibility
+    is left to be decided. `sharp` takes a high order and looks for the curve of one event; it
+    needs two parameters.
+    """
+    order = _LOWEST if rough else _SHARP if sharp else 0
+    with flint_precision(BITS):
+        middle = _exactly(place.middle(region.box))
+        try:
+            with asking():
+                point = judge.box.near(middle, anchor.numbers)
+                found, orbit = judge.box.judged(place.steps, [float(x) for x in point], order)
+        except NotCovered as reason:
+            return TileProof(str(reason))
+        if not is_same(judge, found, anchor):
+            return TileProof("another orbit may have been found")
+        proof = TileProof("", found, rough=rough)
+        if sharp and not proof.decided:
+            return replace(proof, event=event_on(judge, found, orbit))
+        return proof
+
+
+def is_same(judge: BoxRefusals, found: MapTile, anchor: Anchor) -> bool:
+    """Whether a tile has the orbit that is known at a point of it, about.
+
+    `NotCovered` if Newton's method finds no orbit there.
+    """
+    point = _exactly(anchor.point)
+    with asking():
+        return found.holds(found.inside(point), judge.box.near(point, anchor.numbers))
+
+
+def _exactly(point: Sequence[Fraction]) -> list[fmpq]:
+    return [rational_of(x) for x in point]
+
 
 MOST_TILES = 4000
 _PLANE = 2  # parameters of a box in which events are curves
@@ -109,7 +242,12 @@ def certify_box(
     whole = Place(((0, 0),) * len(ends))
 
     def record(region: Region | None, tiles: Sequence[Tile]) -> BoxCertificate:
-        return _record(orbit, ends, chosen, region, tiles)
+        return BoxCertificate(
+            **stated_orbits(orbit, ends, chosen, region),
+            box=ends,
+            stability="stable" if region is None else region.closing.stability,
+            tiles=tuple(tiles),
+        )
 
     chosen: tuple[str, ...] = ()
     try:
@@ -167,7 +305,7 @@ class _Work:
     def tiles(self) -> list[Tile]:
         """Tiles that fill the box, also while a tile is being looked at."""
         done, waiting, stranded = self._settled
-        return [*done, *(tile for *_, tile in sorted(waiting, key=_by_order)), *stranded]
+        return [*done, *(tile for *_, tile in sorted(waiting, key=itemgetter(0, 1))), *stranded]
 
     def stated(self, whole: bool = False) -> list[Tile]:
         """The tiles that fill the box, each with the claims that the checker proves.
@@ -302,7 +440,7 @@ class _Work:
         """A point of a tile with the approximate orbit there; None if no orbit has reached it."""
         region, place = self.region, tile.place
         if tile.guess:
-            return Anchor(place.middle(region.box), _balls(tile.guess))
+            return Anchor(place.middle(region.box), [*map(arb, tile.guess)])
         if place.holds(region.at, region.box):
             return Anchor(region.at, region.guess)
         beside = [other for other in self.reached if other.touches(place)]
@@ -378,10 +516,6 @@ def _levels(tile: Tile) -> list[int]:
     return [level for _, level in tile.place.steps]
 
 
-def _by_order(entry: tuple[Fraction, int, Tile]) -> tuple[Fraction, int]:
-    return entry[:2]
-
-
 def _tile_with(found: MapTile, place: Place) -> Tile:
     """What is stated of a tile with a fold: two orbits meet in it or near it."""
     fold = found.fold
@@ -404,28 +538,5 @@ def _tile_with(found: MapTile, place: Place) -> Tile:
 
 def _wider(ball: arb) -> arb:
     """A ball a little wider: another version of the arithmetic may round otherwise."""
-    from flint import arb
-
     found: arb = ball + arb(0, (1 + abs(ball)) * arb(2) ** -_SEEN)
     return found
-
-
-def _balls(guess: Sequence[float]) -> list[arb]:
-    from flint import arb
-
-    return [arb(x) for x in guess]
-
-
-def _record(
-    orbit: Orbit,
-    box: Mapping[str, Interval],
-    chosen: tuple[str, ...],
-    region: Region | None,
-    tiles: Sequence[Tile],
-) -> BoxCertificate:
-    return BoxCertificate(
-        **stated_orbits(orbit, box, chosen, region),
-        box=dict(box),
-        stability="stable" if region is None else region.closing.stability,
-        tiles=tuple(tiles),
-    )

@@ -6,7 +6,9 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import product
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from flint import arb
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.values import Value, as_value, axes
@@ -14,27 +16,22 @@ from nonsmooth.runtime.orbits.kernel_problem import chosen_parameters
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
 from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.proof.boxes.tile_places import Interval
-from nonsmooth.runtime.proof.exact_closure import ClosureConditions, closing_of
 from nonsmooth.runtime.proof.exact_tables import (
     NotRational,
     Tables,
     exact_tables,
-    irrational_texts,
     rational_of,
+    tables_over,
 )
 from nonsmooth.runtime.proof.orbit_to_prove import (
+    ClosureConditions,
     NotCovered,
     Subject,
+    closing_of,
     guess_of,
     subject_near,
-    system_of,
 )
-from nonsmooth.runtime.proof.parametric_declaration import orbit_declaration, tables_of_orbit
-from nonsmooth.runtime.proof.statement import closing_json
-from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
-
-if TYPE_CHECKING:
-    from flint import arb
+from nonsmooth.runtime.proof.statement import closing_json, declaration_json
 
 __all__ = [
     "Region",
@@ -59,11 +56,6 @@ class Region:
     at: tuple[Fraction, ...]  # the subject's point in the box
     guess: Sequence[arb]  # approximate unknowns of the equations there
 
-    @property
-    def cycle(self) -> ItineraryShape:
-        """The orbit's cycle."""
-        return self.subject.cycle
-
     def statement(self, orbit: Orbit) -> tuple[dict[str, Any], dict[str, Any]]:
         """Declaration and closing of an orbit as a file states them, each ready for JSON.
 
@@ -71,19 +63,15 @@ class Region:
         """
         subject, given = self.subject, given_of(orbit)
         names = (*self.names, *(name for name in given if name not in self.names))
-        declared = orbit_declaration(
-            subject.kernels,
-            orbit.problem.kernels,
-            self.cycle,
-            names,
-            subject.start_names,
-            subject.dwell_names,
-            irrational_texts(subject.kernels, given.values() if self.closing.form else ()),
+        beside, orbit_kernels = given.values() if self.closing.form else (), orbit.problem.kernels
+        tables = tables_over(subject.kernels, names, beside=beside, orbit=orbit_kernels)
+        declared = declaration_json(
+            tables, subject.cycle, names, subject.start_names, subject.dwell_names
         )
         variables = [*self.names, *(value.text for value in self.tables.constants)]
         period = orbit.problem.period_name or ""
         over = [*names, *declared.get("constants", ())]
-        return declared, closing_json(self.closing, self.cycle, over, variables, period)
+        return declared, closing_json(self.closing, subject.cycle, over, variables, period)
 
 
 def given_of(orbit: Orbit) -> dict[str, Value]:
@@ -101,10 +89,10 @@ def stated_orbits(
     declaration, closing = ({}, {}) if region is None else region.statement(orbit)
     return {
         "orbit": orbit.name,
-        "system": system_of(orbit),
+        "system": orbit.system.name,
         "parameters": {n: value for n, value in given_of(orbit).items() if n not in names},
         "chosen": chosen,
-        "itinerary": () if region is None else region.cycle.itinerary,
+        "itinerary": () if region is None else region.subject.cycle.itinerary,
         "declaration": declaration,
         "closing": closing,
     }
@@ -178,13 +166,8 @@ def region_of(orbit: Orbit, box: Mapping[str, Interval]) -> Region:
     if None in at:
         raise NotCovered("the orbit's own point of the box is irrational")
     try:
-        tables = tables_of_orbit(
-            subject.kernels,
-            orbit.problem.kernels,
-            box,
-            irrational_texts(subject.kernels, given.values()),
-            {name: value for name, value in given.items() if name not in box},
-        )
+        fixed = {name: value for name, value in given.items() if name not in box}
+        tables = tables_over(subject.kernels, box, fixed, orbit=orbit.problem.kernels)
     except NotRational:
         raise NotCovered("the declaration takes a root or a sine of its parameters") from None
     except ArithmeticError as problem:
@@ -198,15 +181,13 @@ def region_at(subject: Subject, bits: int) -> Region:
     `bits` is the precision of the tables where the declaration takes a root or a sine.
     `NotCovered` as from `closing_of`.
     """
-    tables = exact_tables(subject.kernels, tuple(subject.values.values()), bits)
+    tables = exact_tables(subject.kernels, subject.values, bits)
     return _region(subject, {}, tables, ())
 
 
 def _region(
     subject: Subject, box: Mapping[str, Interval], tables: Tables, at: Sequence[Fraction]
 ) -> Region:
-    from flint import arb
-
     point = [arb(rational_of(x)) for x in at]
     closing, guess = closing_of(subject, tables, point), guess_of(subject, tables, point)
     return Region(subject, tuple(box), tuple(box.values()), tables, closing, tuple(at), guess)

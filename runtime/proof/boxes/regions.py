@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Collection, Hashable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import combinations, pairwise, product
 from typing import TYPE_CHECKING, Annotated, NamedTuple, TypeVar
@@ -18,8 +18,8 @@ import numpy as np
 
 from nonsmooth.runtime.checker.ranges.divided import Band
 from nonsmooth.runtime.checker.ranges.folded import neighbours
-from nonsmooth.runtime.core.json_codec import FromOne, Several, by
-from nonsmooth.runtime.proof.boxes.tile_event import BEYOND, Fold, TileEvent
+from nonsmooth.runtime.core.json_codec import Several, by
+from nonsmooth.runtime.proof.boxes.tile_event import BEYOND, Fold, TileEvent, WhatHappens
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place, Point
 
 if TYPE_CHECKING:
@@ -45,25 +45,11 @@ class ProvedRegion:
 
 
 @dataclass(frozen=True, kw_only=True)
-class CurveEntries:
-    """Entries that say what happens along a curve."""
-
-    kind: str
-    phase: FromOne
-    configuration: str
-    boundary: str
-    instant: str
-
-
-def _curve_entries(event: TileEvent) -> CurveEntries:
-    return CurveEntries(**{own.name: getattr(event, own.name) for own in fields(CurveEntries)})
-
-
-@dataclass(frozen=True, kw_only=True)
 class EventCurve:
     """A curve of one event, as a chain of tiles."""
 
-    event: Annotated[TileEvent, Several(CurveEntries, _curve_entries, vars)]  # of its first tile
+    # of its first tile
+    event: Annotated[TileEvent, Several(WhatHappens, WhatHappens.of, vars)]
     tiles: tuple[int, ...]  # their numbers, in the order of the curve
     width: float  # of its widest band, as a share of the box
     # "border" of the box, "open" at undecided tiles or "corner"; none if closed

@@ -6,7 +6,8 @@ of the parameters. The checker proves that there is one event, in a band, and wh
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
 from fractions import Fraction
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -20,6 +21,7 @@ from nonsmooth.runtime.checker.ranges.divided import Band, DividingCurve
 from nonsmooth.runtime.checker.ranges.folded import BEYOND
 from nonsmooth.runtime.checker.stated.exact import Failure, demand
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.float_sets import Floats
 from nonsmooth.runtime.core.json_codec import FromOne, Ordinal, Several, one_of
 from nonsmooth.runtime.core.taylor_models import TaylorModel, middle_of, range_of
 from nonsmooth.runtime.proof.exact_tables import rational_of
@@ -28,7 +30,7 @@ from nonsmooth.runtime.proof.refusals import asking
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.checker.ranges.tiles import MapTile
-    from nonsmooth.runtime.proof.boxes.tile import BoxRefusals
+    from nonsmooth.runtime.proof.boxes.certify_box import BoxRefusals
 
 __all__ = [
     "BEYOND",
@@ -37,8 +39,12 @@ __all__ = [
     "Instant",
     "Side",
     "TileEvent",
+    "WhatHappens",
+    "chebyshev_nodes",
     "event_on",
+    "through_nodes",
     "touching_window",
+    "window_balls",
 ]
 
 _PLANE = 2  # parameters of a box with curves, and the fewest coefficients of one
@@ -88,13 +94,9 @@ class Fold:
     other: Annotated[str, one_of(_OTHERS)]  # verdict on the other sheet
 
 
-@dataclass(frozen=True)
-class TileEvent:
-    """A curve of one event that divides a tile.
-
-    Verdicts are "proved", "unstable", "not admissible" or "beyond a fold". They hold for all
-    parameters below the band and above it, along its axis.
-    """
+@dataclass(frozen=True, eq=False)
+class WhatHappens:
+    """An event of an orbit, and where in its cycle it happens."""
 
     # "flip", "neimark-sacker", "fold", or a border: "grazing", "tangent", "entry", "simultaneous",
     # "vanishing-phase"
@@ -103,6 +105,21 @@ class TileEvent:
     configuration: str
     boundary: str
     instant: Instant
+
+    @staticmethod
+    def of(event: WhatHappens) -> WhatHappens:
+        """Only that, of an event of which more is known."""
+        return WhatHappens(**{own.name: getattr(event, own.name) for own in fields(WhatHappens)})
+
+
+@dataclass(frozen=True)
+class TileEvent(WhatHappens):
+    """A curve of one event that divides a tile.
+
+    Verdicts are "proved", "unstable", "not admissible" or "beyond a fold". They hold for all
+    parameters below the band and above it, along its axis.
+    """
+
     # times in the phase of a grazing (perhaps in `also`) between which the boundary function is
     # concave
     window: tuple[Fraction, ...]
@@ -174,7 +191,7 @@ def _proposed(
             if border.kind == "grazing":
                 window = touching_window(orbit, border)
         kind = borders[0].kind
-        times = tuple(arb(rational_of(x)) for x in window) or None
+        times = window_balls(window)
         time = time_of_touch(orbit, borders[0], times) if kind == "grazing" else None
         number = borders[0].number(orbit, time)
     else:
@@ -227,6 +244,11 @@ def touching_window(orbit: CheckedOrbit, border: Border) -> tuple[Fraction, Frac
     return begin, end
 
 
+def window_balls(window: Sequence[Fraction]) -> Any:
+    """Return the window of a grazing as balls, None without one."""
+    return tuple(arb(rational_of(time)) for time in window) or None
+
+
 def _coefficient(number: TaylorModel, axis: int) -> float:
     place = number.space.exponents.index(tuple(int(k == axis) for k in range(2)))
     part = number.parts[place]
@@ -241,7 +263,7 @@ def _curve(number: TaylorModel, axis: int) -> tuple[float, ...] | None:
         if part is not None:
             table[exponents[axis], exponents[1 - axis]] = float(part.mid())
     slopes = np.arange(1, order + 1)[:, None] * table[1:]
-    nodes = np.cos(np.pi * (np.arange(order + 1) + 0.5) / (order + 1))
+    nodes = chebyshev_nodes(order + 1)
     found = np.zeros_like(nodes)
     for _ in range(_STEPS):
         with np.errstate(all="ignore"):
@@ -249,5 +271,15 @@ def _curve(number: TaylorModel, axis: int) -> tuple[float, ...] | None:
             found = found - value / np.polynomial.polynomial.polyval2d(found, nodes, slopes)
         if not (np.isfinite(found).all() and abs(found).max() < _FARTHEST):
             return None
-    powers = np.vander(nodes, order + 1, increasing=True)
-    return tuple(float(x) for x in np.linalg.solve(powers, found))
+    return through_nodes(found)
+
+
+def chebyshev_nodes(count: int) -> Floats:
+    """Return so many Chebyshev nodes between -1 and 1."""
+    return np.cos(np.pi * (np.arange(count) + 0.5) / count)
+
+
+def through_nodes(values: Sequence[float] | Floats) -> tuple[float, ...]:
+    """Return coefficients of the polynomial through values at as many Chebyshev nodes."""
+    powers = np.vander(chebyshev_nodes(len(values)), increasing=True)
+    return tuple(np.linalg.solve(powers, values).tolist())

@@ -11,7 +11,6 @@ import math
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-import numpy as np
 from flint import arb, fmpq
 
 from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve, with_entry, without_entry
@@ -21,6 +20,7 @@ from nonsmooth.runtime.checker.ranges.tiles import CheckedBox
 from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import matrix, range_of
+from nonsmooth.runtime.proof.boxes.tile_event import chebyshev_nodes, through_nodes
 
 __all__ = ["FoldSearch"]
 
@@ -65,7 +65,7 @@ class FoldSearch:
                 raise Failure("orbits meet in opposite directions")
             places.append((2 * at - low - high) / (high - low))
             widths.append(math.sqrt(max(2 * (high - at if turned else at - low) / abs(bend), 0.0)))
-        middle = _fitted([float(meeting.point[coordinate]) for meeting in meetings])
+        middle = through_nodes([float(meeting.point[coordinate]) for meeting in meetings])
         along, (left, right) = self.point[1 - axis], self.where[1 - axis]
         away = self.numbers[coordinate] - curve_at(
             middle, arb((2 * along - left - right) / (right - left))
@@ -73,7 +73,7 @@ class FoldSearch:
         guess = without_entry(coordinate, [float(x) for x in meetings[_NODES // 2].point])
         half, sheet = _WIDER * max(widths), "below" if away < 0 else "above"
         name = self.box.declared.unknowns[coordinate]
-        return Sheets(axis, _fitted(places), name, middle, half, sheet, guess)
+        return Sheets(axis, through_nodes(places), name, middle, half, sheet, guess)
 
     def _curve(self, axis: int, other: fmpq) -> CheckedCurve:
         """Return the orbits along one parameter, at a value of the other one."""
@@ -114,7 +114,7 @@ class FoldSearch:
     def _meetings(self, axis: int, coordinate: int, first: _FoldPoint) -> list[_FoldPoint]:
         """Return points where orbits meet, at the other parameter's Chebyshev nodes."""
         low, high = self.where[1 - axis]
-        nodes = [fmpq(*x.as_integer_ratio()) for x in _nodes()]
+        nodes = [fmpq(*x.as_integer_ratio()) for x in chebyshev_nodes(_NODES)]
         middle = _NODES // 2
         found: dict[int, _FoldPoint] = {}
         for order in (range(middle, -1, -1), range(middle + 1, _NODES)):
@@ -160,14 +160,3 @@ class FoldSearch:
 def _derivative(jet: Any, order: int) -> Any:
     """Return about a derivative that a jet holds, divided by the factorial of its order."""
     return range_of(part_of(jet, order)).mid()
-
-
-def _nodes() -> list[float]:
-    """Return Chebyshev nodes between -1 and 1."""
-    return [float(x) for x in np.cos(np.pi * (np.arange(_NODES) + 0.5) / _NODES)]
-
-
-def _fitted(values: Sequence[float]) -> tuple[float, ...]:
-    """Return coefficients of the polynomial through values at the Chebyshev nodes."""
-    powers = np.vander(_nodes(), _NODES, increasing=True)
-    return tuple(float(x) for x in np.linalg.solve(powers, values))

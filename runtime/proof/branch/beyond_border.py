@@ -16,11 +16,11 @@ from functools import partial
 from typing import Any
 
 import numpy as np
+from flint import arb
 
 from nonsmooth.runtime.checker.ranges.beyond import found_beyond
 from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve, without_entry
 from nonsmooth.runtime.checker.ranges.branch_tile import BITS, CheckedTile
-from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.checker.stated.parameters import independent
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import flint_precision
@@ -42,7 +42,7 @@ from nonsmooth.runtime.proof.branch.tiles import (
     stated_branch,
 )
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
-from nonsmooth.runtime.proof.refusals import REFUSED
+from nonsmooth.runtime.proof.refusals import REFUSED, holds
 
 __all__ = ["BordersOfBranch"]
 
@@ -92,8 +92,6 @@ class BordersOfBranch:
 
     def _proved(self, orbit: Orbit, met: CheckedTile, value: float) -> OrbitBeyond | None:
         """Return orbits of another itinerary that begin at a border; None if that is not proved."""
-        from flint import arb
-
         lower, upper = (Fraction(str(end)) for end in self.curve.interval)
         box = {self.branch.parameter: (lower, upper)}
         try:
@@ -150,8 +148,11 @@ def _tried(
     (box,), first = region.box, curve.last - len(curve.declared.dwell)
     away = max(abs(float(region.at[0]) - value), _WIDE * float(box[1] - box[0]))
     times = [float(x.mid()) for x in region.guess[first:]]
-    short = [place for place, time in enumerate(times)
-             if time < _SHORT * sum(times) and _divides(curve, place)]  # fmt: skip
+    short = [
+        place
+        for place, time in enumerate(times)
+        if time < _SHORT * sum(times) and holds(partial(curve.divided, place + 1))
+    ]
     for step in range(_TRIES):
         share = _SMALLER**-step
         half = Fraction(f"{away * _LARGER * share / 2:.2g}")
@@ -160,15 +161,6 @@ def _tried(
         for place in short:
             upper = Fraction(f"{times[place] * share / 2:.2g}")
             yield place, first + place, -upper / _BACK, upper
-
-
-def _divides(curve: CheckedCurve, place: int) -> bool:
-    """Return whether a phase may vanish where the equations are divided by its dwell time."""
-    try:
-        curve.divided(place + 1)
-    except Failure:
-        return False
-    return True
 
 
 def _decimal(value: float, unit: Fraction) -> Fraction:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Annotated, Any, ClassVar
 
 from nonsmooth.runtime.core.json_codec import Follows, FromOne, Told, named_as, one_of
 from nonsmooth.runtime.core.registry import Certified, registered
-from nonsmooth.runtime.proof.boxes.tile_event import Events, Instant, Side
+from nonsmooth.runtime.proof.boxes.tile_event import Events, Side, WhatHappens
 from nonsmooth.runtime.proof.certificate import (
     Decided,
     Stability,
@@ -85,7 +85,7 @@ class OrbitBeyond:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class BranchEvent:
+class BranchEvent(WhatHappens):
     """A point of a branch where its verdict changes, or where it turns.
 
     Attributes
@@ -111,11 +111,6 @@ class BranchEvent:
         At a border: other itineraries that begin there, as far as they were asked for and proved.
     """
 
-    kind: str
-    phase: FromOne
-    configuration: str
-    boundary: str
-    instant: Instant
     lower: Fraction
     upper: Fraction
     window: tuple[Fraction, ...]
@@ -165,7 +160,7 @@ class BranchTile:
     divided: FromOne
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
+@dataclass(frozen=True, eq=False)
 class BranchInterval:
     """A part of a branch with one verdict.
 
@@ -276,28 +271,18 @@ class CertifiedBranch(DrawnOverParameter, StatedOrbits):
     @Told
     def intervals(self) -> tuple[BranchInterval, ...]:
         """Parts with one verdict: an event is between any two that are decided."""
-        runs: list[list[Any]] = []  # verdict, begin, end, tiles, reason
+        parts: list[BranchInterval] = []
         for tile in self.tiles:
             begin, end = self.parameter_at(tile)
-            if tile.event is None:
-                if runs and runs[-1][0] == tile.before and not runs[-1][5]:
-                    runs[-1][2] = end
-                    runs[-1][3] += 1
-                else:
-                    runs.append([tile.before, begin, end, 1, tile.reason, False])
-                continue
-            at = float(tile.event.enclosures[self.parameter])
-            if runs and runs[-1][0] == tile.before and not runs[-1][5]:
-                runs[-1][2] = at
-                runs[-1][3] += 1
+            at = end if tile.event is None else float(tile.event.enclosures[self.parameter])
+            if parts and parts[-1].verdict == tile.before:
+                parts[-1] = replace(parts[-1], end=at, tiles=parts[-1].tiles + 1)
             else:
-                runs.append([tile.before, begin, at, 1, "", False])
-            runs[-1][5] = True
-            runs.append([tile.after, at, end, 1, "", False])
-        return tuple(
-            BranchInterval(verdict=v, begin=b, end=e, tiles=n, reason=r)
-            for v, b, e, n, r, _ in runs
-        )
+                reason = tile.reason if tile.event is None else ""
+                parts.append(BranchInterval(tile.before, begin, at, 1, reason))
+            if tile.event is not None:
+                parts.append(BranchInterval(tile.after, at, end, 1))
+        return tuple(parts)
 
     def parameter_at(self, tile: BranchTile) -> tuple[float, float]:
         """The parameter where a tile begins and ends, about.

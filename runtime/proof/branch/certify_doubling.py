@@ -4,23 +4,33 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any, cast
+
+import numpy as np
+from flint import arb
 
 from nonsmooth.runtime.checker.ranges.branch import curve_of
 from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve
 from nonsmooth.runtime.checker.ranges.branch_tile import CheckedTile
-from nonsmooth.runtime.checker.ranges.doubling import JudgedDoubling, twofold
+from nonsmooth.runtime.checker.ranges.doubling import (
+    ORDER,
+    DoubledEquations,
+    JudgedDoubling,
+    twofold,
+)
 from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.core.errors import InputError, Interrupted, check_integer
+from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
 from nonsmooth.runtime.core.values import as_value, flint_precision
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit
 from nonsmooth.runtime.explore.continuation.orbit_family import composed_family
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
+from nonsmooth.runtime.proof.boxes.box_certificate import BITS
 from nonsmooth.runtime.proof.boxes.tile_places import Interval
 from nonsmooth.runtime.proof.branch.certified_branch import STATED, UNDECIDED, CertifiedBranch
 from nonsmooth.runtime.proof.branch.certified_doubling import (
@@ -28,20 +38,104 @@ from nonsmooth.runtime.proof.branch.certified_doubling import (
     DoubledOrbits,
     Ended,
 )
-from nonsmooth.runtime.proof.branch.certify_branch import MOST_TILES, certify_branch
-from nonsmooth.runtime.proof.branch.tube_proposal import (
-    begin_of_branch,
-    doubled_guess,
-    flip_with_direction,
-    start_of,
-    tubes,
-)
+from nonsmooth.runtime.proof.branch.certify_branch import MOST_TILES, asked_interval, certify_branch
 from nonsmooth.runtime.proof.certificate import file_json
 from nonsmooth.runtime.proof.certify_orbit import stated
+from nonsmooth.runtime.proof.exact_tables import rational_of
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 from nonsmooth.runtime.proof.refusals import as_read, refusal
 
-__all__ = ["certify_doubling"]
+__all__ = [
+    "certify_doubling",
+    "flip_with_direction",
+]
+
+_FLIP_BITS = 192  # bits of the numbers at the flip
+_NEWTON_STEPS = 3  # of Newton's method: each doubles the powers of the amplitude that are right
+_WIDER = (2, 8, 32)  # times what is missed: radii that are tried
+_LEAST_RADIUS = 2.0**-50  # of a radius
+_SHARE = 0.75  # of the largest amplitude: where the doubled branch begins
+
+
+def flip_with_direction(curve: CheckedCurve, point: Sequence[arb]) -> tuple[int, list[arb]]:
+    """Return the number of the entry of the direction that is 1, and a flip with its direction.
+
+    `point` is about the cycle's unknowns and the parameter at the flip. The second result is the
+    solution of the doubled equations at the amplitude zero. `Failure` if there is none.
+    """
+    with flint_precision(_FLIP_BITS):
+        middles = [x.mid() for x in point]
+        _, rows = curve.slopes(middles)
+        slopes = matrix([row[:-1] for row in rows])
+        turned = (slopes + 2 * DoubledEquations(curve, 0).start_rows()).mid()
+        away = np.linalg.svd(np.array(turned.tolist(), dtype=float))[2][-1]
+        scaled = int(np.argmax(abs(away)))
+        others = [arb(float(x / away[scaled])) for k, x in enumerate(away) if k != scaled]
+        guess = [*middles[:-1], *others, middles[-1]]
+        return scaled, DoubledEquations(curve, scaled).flip_near(guess)
+
+
+def tubes(
+    curve: CheckedCurve, scaled: int, amplitude: Fraction, flip: Sequence[arb]
+) -> Iterator[dict[str, Any]]:
+    """Yield tubes of doubled orbits up to an amplitude, narrow ones first, as a file states them.
+
+    There is none where Newton's method fails.
+    """
+    equations, space = DoubledEquations(curve, scaled), space_of(1, ORDER)
+    with flint_precision(BITS):
+        a = space.variable(0, arb(0), arb(rational_of(amplitude)))
+        centre = [space.constant(x.mid()) for x in flip]
+        for step in range(_NEWTON_STEPS + 1):
+            values, slopes = equations.at(a, centre)
+            try:
+                missed = (slopes.mid().inv().mid() * values).entries()
+            except ZeroDivisionError:
+                return
+            if not all(range_of(d).is_finite() for d in missed):
+                return
+            if step < _NEWTON_STEPS:
+                rows = [_coefficients(x - d) for x, d in zip(centre, missed, strict=True)]
+                centre = [TaylorModel(space, tuple(map(arb, row))) for row in rows]
+        sizes = [float(abs(range_of(d)).upper()) for d in missed]
+    for factor in _WIDER:
+        yield {
+            "scaled": curve.declared.unknowns[scaled],
+            "amplitude": str(amplitude),
+            "centre": rows,
+            "radii": [factor * size + _LEAST_RADIUS for size in sizes],
+        }
+
+
+def _coefficients(model: TaylorModel) -> list[float]:
+    return [0.0 if part is None else float(part.mid()) for part in model.parts]
+
+
+def begin_of_branch(found: JudgedDoubling) -> Fraction:
+    """Return a short decimal: the parameter, inside a tube, at which the doubled branch begins."""
+    value, rate = float(found.centre[-1].parts[0]), float(found.rate.mid())
+    away = rate * (_SHARE * float(found.amplitude)) ** 2
+    digits = max(0, 2 - math.floor(math.log10(abs(away))))
+    return Fraction(round(Fraction(value + away) * 10**digits), 10**digits)
+
+
+def doubled_guess(found: JudgedDoubling, value: Fraction) -> list[float]:
+    """Return the unknowns of the doubled orbit, about, at a value of the parameter in a tube."""
+    square = (float(value) - float(found.centre[-1].parts[0])) / float(found.rate.mid())
+    amplitude = arb(math.sqrt(max(square, 0.0)))
+    with flint_precision(BITS):
+        point = [x.at([amplitude / found.amplitude]) for x in found.centre]
+        first, second = found.equations.halves(amplitude, point)
+        dwell = second[found.equations.size - len(found.curve.declared.dwell) :]
+        return [float(x) for x in (*first, *dwell)]
+
+
+def start_of(twice: CheckedCurve, near: Sequence[float], value: Fraction) -> list[float]:
+    """Return the state at which a doubled orbit begins, about, from about its unknowns."""
+    with flint_precision(BITS):
+        orbit = twice.orbit([*map(arb, near), arb(rational_of(value))])
+        return [float(x.mid()) for x in orbit.now.starts[0].entries()[:-1]]
+
 
 _LARGEST, _LEAST = 1 / 8, 2.0**-24  # amplitudes, in the size of the orbit
 _BEHIND = Fraction(1, 4)  # of the distance to the next flip: how far a branch goes behind it
@@ -110,8 +204,7 @@ def certify_doubling(
     """
     for name, count in (("flip", flip), ("tiles", tiles)):
         check_integer(name, count, 1)
-    if not seconds > 0:
-        raise InputError(f"seconds = {seconds!r} is not a positive number")
+    ends = asked_interval(branch, interval, seconds)
     flips = [event for event in branch.events if event.kind == "flip"]
     if len(flips) < flip:
         told = f"{len(flips) or 'no'} {'flip' if len(flips) == 1 else 'flips'}"
@@ -120,10 +213,7 @@ def certify_doubling(
     base, _ = composed_family(branch, round(event.place), None)
     if branch.parameter not in base.parameters:
         raise InputError(f"{branch.parameter} is no parameter of {base.system.name}")
-    if interval is None:
-        values = branch.parameter_values
-        interval = as_value(float(values.min())), as_value(float(values.max()))
-    lower, upper = (as_value(end).exact for end in interval)
+    lower, upper = (as_value(end).exact for end in ends)
     if lower is None or upper is None or not lower < upper:
         raise InputError("the interval has no two rational ends, the lower one first")
     # by the tables an orbit has no name of its own; phases that take no time are left out
@@ -135,7 +225,7 @@ def certify_doubling(
         (lower, upper),
         event.value,
         tiles=tiles,
-        seconds=seconds,
+        until=time.monotonic() + seconds,
         progress=progress,
         keep=keep,
     )
@@ -161,26 +251,20 @@ class _Stopped(Exception):
         self.ended = ended
 
 
+@dataclass
 class _DoublingWork:
     """The work on a doubling: to the flip, to the tube beside it, and along the doubled branch."""
 
-    def __init__(
-        self,
-        name: str,
-        base: Orbit,
-        parameter: str,
-        interval: Interval,
-        value: float,
-        *,
-        tiles: int,
-        seconds: float,
-        progress: Callable[[float, int], object],
-        keep: Callable[[CertifiedDoubling], object] | None,
-    ) -> None:
-        self.name, self.base, self.parameter, self.interval = name, base, parameter, interval
-        self.value, self.tiles, self.progress, self.keep = value, tiles, progress, keep
-        self.until = time.monotonic() + seconds
-        self.stopped = False  # by Ctrl-C, along a branch
+    name: str
+    base: Orbit
+    parameter: str
+    interval: Interval
+    value: float
+    tiles: int
+    until: float
+    progress: Callable[[float, int], object]
+    keep: Callable[[CertifiedDoubling], object] | None
+    stopped: bool = False  # by Ctrl-C, along a branch
 
     @property
     def over(self) -> bool:
@@ -361,6 +445,7 @@ class _DoublingWork:
         return found
 
 
+@dataclass(eq=False)
 class _Beside:
     """Proved orbits beside a flip, whose branch is to be found.
 
@@ -368,27 +453,21 @@ class _Beside:
     of the parameter the branch begins with about the `orbit`.
     """
 
-    def __init__(
-        self,
-        tile: int,
-        tube: dict[str, Any],
-        found: JudgedDoubling,
-        undecided: str,
-        value: Fraction,
-        orbit: Orbit,
-    ) -> None:
-        self.tile, self.tube, self.found, self.undecided = tile, tube, found, undecided
-        self.value, self.orbit = value, orbit
-        self._verdict: tuple[str, str] | None = None
+    tile: int
+    tube: dict[str, Any]
+    found: JudgedDoubling
+    undecided: str
+    value: Fraction
+    orbit: Orbit
+    judged: tuple[str, str] | None = None  # verdict and reason, which the first tile tells
 
     def with_branch(self, branch: CertifiedBranch) -> DoubledOrbits:
         """Return what is stated of them, if they go on with this branch.
 
         `_Stopped` if the branch is not proved to begin with one of them.
         """
-        if self._verdict is None:  # it is the first tile of the branch that matters
-            self._verdict = self._judged(branch)
-        verdict, reason = self._verdict
+        self.judged = self.judged or self._judged(branch)
+        verdict, reason = self.judged
         with flint_precision(STATED):
             rate = stated(self.found.rate, STATED)
         tube, found = self.tube, self.found

@@ -9,7 +9,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import asdict, replace
 from fractions import Fraction
 from itertools import zip_longest
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from flint import arb
 
 from nonsmooth.runtime.checker.orbits.events import JudgedEvent
 from nonsmooth.runtime.checker.stated.exact import Failure
@@ -24,15 +26,11 @@ from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, region_of, stated_orbits
 from nonsmooth.runtime.proof.branch.event_certificate import EventCertificate
 from nonsmooth.runtime.proof.certificate import GUARD, Unknown, file_json
-from nonsmooth.runtime.proof.certify_orbit import FEWEST_BITS, MOST_BITS, stated
+from nonsmooth.runtime.proof.certify_orbit import FEWEST_BITS, MOST_BITS, refined, stated
 from nonsmooth.runtime.proof.kept_state import KeptState
-from nonsmooth.runtime.proof.orbit_proposal import refined
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, guess_of
 from nonsmooth.runtime.proof.refusals import REFUSED, as_read
 from nonsmooth.runtime.proof.statement import decimals
-
-if TYPE_CHECKING:
-    from flint import arb
 
 __all__ = ["certify_event", "certify_events"]
 
@@ -176,8 +174,6 @@ def _region(orbit: Orbit, event: Event) -> Region:
 
 def _guess(region: Region, event: Event) -> list[arb]:
     """Return about the unknowns of the event's equations."""
-    from flint import arb
-
     subject, known = region.subject, event.unknowns
     if known.keys() >= {*subject.start_names, *subject.dwell_names}:
         subject = replace(
@@ -209,8 +205,6 @@ def _enclosed(
     about: EventCertificate, guess: Sequence[arb]
 ) -> tuple[tuple[Unknown, ...], dict[str, arb]]:
     """Return a box that the checker proves to hold the event, and enclosures of all unknowns."""
-    from flint import arb
-
     judge, bits = JudgedEvent(as_read(file_json(about))), about.bits
     sizes = [abs(x).mid() if abs(x) > 2.0**-10 else arb(1) for x in guess]
     point = refined(judge.near, guess, bits + GUARD)

@@ -12,7 +12,10 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, NamedTuple
+from functools import partial
+from typing import Any, NamedTuple
+
+from flint import arb
 
 from nonsmooth.runtime.checker.orbits.motion import Border, admissibility
 from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, followed
@@ -26,7 +29,7 @@ from nonsmooth.runtime.core.taylor_models import TaylorModel, range_of, space_of
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, stated_orbits
-from nonsmooth.runtime.proof.boxes.tile_event import touching_window
+from nonsmooth.runtime.proof.boxes.tile_event import touching_window, window_balls
 from nonsmooth.runtime.proof.boxes.tile_places import Interval
 from nonsmooth.runtime.proof.branch.certified_branch import (
     STATED,
@@ -37,17 +40,14 @@ from nonsmooth.runtime.proof.branch.certified_branch import (
 )
 from nonsmooth.runtime.proof.certificate import Stated, file_json
 from nonsmooth.runtime.proof.exact_tables import rational_of
-from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
-from nonsmooth.runtime.proof.refusals import REFUSED, as_read, refusal
-
-if TYPE_CHECKING:
-    from flint import arb
+from nonsmooth.runtime.proof.refusals import REFUSED, as_read, asking, holds
 
 __all__ = [
     "JudgedTile",
     "checked_curve",
     "checked_tile",
     "judged_tile",
+    "middle_fraction",
     "precision_of",
     "proposed_tile",
     "stated_branch",
@@ -122,8 +122,6 @@ def _tube(
     curve: CheckedCurve, place: int, ends: tuple[Fraction, Fraction], guess: Sequence[arb]
 ) -> tuple[tuple[tuple[float, ...], ...], tuple[float, ...]]:
     """Return coefficients of the polynomials of a tube, and radii for them."""
-    from flint import arb
-
     lower, upper = ends
     middle, half = (arb(rational_of(x)) for x in ((lower + upper) / 2, (upper - lower) / 2))
     value = space_of(1, ORDER).variable(0, middle, half)
@@ -177,8 +175,6 @@ def _claimed(
 
 def _stated(event: BranchEvent, enclosures: dict[str, arb]) -> BranchEvent:
     """Return an event with stated enclosures, somewhat wider than those that are found."""
-    from flint import arb
-
     with flint_precision(SHARP):
         least = arb(2) ** -STATED
         told = {name: Stated.around(x + arb(0, x.rad() + least), STATED)
@@ -190,29 +186,13 @@ def _proposed_event(tile: CheckedTile) -> BranchEvent:
     """Return an event that may be the one of a tile; `Failure` says why there is none."""
     orbit = tile.curve.orbit(tile.point)
     told = admissibility(orbit)
-    turns = _may_turn(tile)
+    turns = not holds(lambda: tile.goes_on(tile.point))
     if told.claim == "undecided":
         return _border(tile, orbit, told, turns=turns)
-    kinds = ["fold"] if turns else [k for k in ("flip", "neimark-sacker") if _alone(orbit, k)]
+    alone = [k for k in ("flip", "neimark-sacker") if holds(partial(demand_alone, orbit, k))]
+    kinds = ["fold"] if turns else alone
     demand(len(kinds) == 1, "multipliers may pass the unit circle in several ways")
     return _event(tile, kinds[0])
-
-
-def _may_turn(tile: CheckedTile) -> bool:
-    """Return whether the parameter is not proved to change all along a tile."""
-    try:
-        tile.goes_on(tile.point)
-    except REFUSED:
-        return True
-    return False
-
-
-def _alone(orbit: CheckedOrbit, kind: str) -> bool:
-    try:
-        demand_alone(orbit, kind)
-    except REFUSED:
-        return False
-    return True
 
 
 def _border(tile: CheckedTile, orbit: CheckedOrbit, told: Verdict, *, turns: bool) -> BranchEvent:
@@ -230,7 +210,7 @@ def _border(tile: CheckedTile, orbit: CheckedOrbit, told: Verdict, *, turns: boo
         grazing = [border for border in opened if border.kind == "grazing"]
         demand(len(grazing) <= 1, "several maxima touch a boundary at once")
         window = touching_window(orbit, grazing[0]) if grazing else ()
-        told = admissibility(orbit, opened, _balls(window))
+        told = admissibility(orbit, opened, window_balls(window))
     demand(told.claim == "proved", told.reason)
     # a phase that vanishes ends where the one before it does; of a boundary that is reached
     # without speed all else follows
@@ -246,13 +226,6 @@ def _border(tile: CheckedTile, orbit: CheckedOrbit, told: Verdict, *, turns: boo
 _SLOW = ("tangent", "end")
 
 
-def _balls(window: Sequence[Fraction]) -> Any:
-    """Return the window of a grazing as balls, None without one."""
-    from flint import arb
-
-    return tuple(arb(rational_of(time)) for time in window) or None
-
-
 def _event(
     tile: CheckedTile,
     which: Border | str,
@@ -260,7 +233,7 @@ def _event(
     window: tuple[Fraction, ...] = (),
 ) -> BranchEvent:
     """Return an event of a tile without enclosures, between two decimals near its zero."""
-    lower, upper = _bounds(tile, which, _balls(window))
+    lower, upper = _bounds(tile, which, window_balls(window))
     kind, phase, boundary, instant = (which, None, "", "") if isinstance(which, str) else which
     return BranchEvent(
         kind=kind,
@@ -278,8 +251,6 @@ def _event(
 
 def _bounds(tile: CheckedTile, which: Border | str, window: Any) -> tuple[Fraction, Fraction]:
     """Return two decimals near each other, between which an event's number is zero."""
-    from flint import arb
-
     with flint_precision(SHARP):
         low, high = arb(tile.low), arb(tile.high)
 
@@ -292,15 +263,13 @@ def _bounds(tile: CheckedTile, which: Border | str, window: Any) -> tuple[Fracti
         width, digits = float(tile.high - tile.low), _DIGITS
         while width * 10.0 ** (digits - _DIGITS) < 1:
             digits += 1
-        middle = Fraction(round(_fraction(zero) * 10**digits), 10**digits)
+        middle = Fraction(round(middle_fraction(zero) * 10**digits), 10**digits)
     half = Fraction(1, 10 ** (digits - 1))
     return middle - half, middle + half
 
 
 def _zero(at: Callable[[arb], Any], low: arb, high: arb) -> Any:
     """Return a point near a zero of a function between two points, by the secant method."""
-    from flint import arb
-
     places: list[Any] = [low, high]
     values = [at(low), at(high)]
     demand(not values[0] * values[1] > 0, "no event is found")
@@ -317,9 +286,10 @@ def _zero(at: Callable[[arb], Any], low: arb, high: arb) -> Any:
     raise Failure("no event is found")
 
 
-def _fraction(number: arb) -> Fraction:
-    mantissa, exponent = (int(x) for x in number.mid().man_exp())
-    return Fraction(mantissa) * Fraction(2) ** exponent
+def middle_fraction(ball: arb) -> Fraction:
+    """Return the middle of a ball, exactly."""
+    middle = ball.mid().fmpq()
+    return Fraction(int(middle.p), int(middle.q))
 
 
 def stated_branch(
@@ -349,10 +319,8 @@ def checked_curve(branch: CertifiedBranch) -> tuple[dict[str, Any], CheckedCurve
     `NotCovered` if the checker refuses them.
     """
     content = as_read(file_json(replace(branch, tiles=())))
-    found: list[CheckedCurve] = []
-    if reason := refusal(lambda: found.append(curve_of(content))):
-        raise NotCovered(reason)
-    return content, found[0]
+    with asking():
+        return content, curve_of(content)
 
 
 def checked_tile(curve: CheckedCurve, tile: BranchTile) -> CheckedTile:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import chain
 from typing import Any
 
 from nonsmooth.runtime.checker.state_sets.chaos import StretchedSets, check_entropy
@@ -11,7 +12,6 @@ from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.core.errors import InputError, Interrupted, check_integer
 from nonsmooth.runtime.core.json_codec import encode
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.model.boundary_sets import members_of
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
@@ -19,13 +19,16 @@ from nonsmooth.runtime.proof.chaos.cone_conditions import cone_condition
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
 from nonsmooth.runtime.proof.chaos.h_sets import HSet, growth, logarithm_below, outline
 from nonsmooth.runtime.proof.chaos.search import Horseshoe, candidates, orbits_on
-from nonsmooth.runtime.proof.chaos.section_choice import sampled_sections
 from nonsmooth.runtime.proof.exact_tables import ExactSystem, exact_system
 from nonsmooth.runtime.proof.refusals import REFUSED
-from nonsmooth.runtime.proof.sets.section_record import named_way, section_entries, stated_section
-from nonsmooth.runtime.proof.sets.sections import MapSection
-from nonsmooth.runtime.proof.sets.visited_declaration import (
-    PassedTransition,
+from nonsmooth.runtime.proof.sets.section_choice import sampled_sections
+from nonsmooth.runtime.proof.sets.sections import (
+    MapSection,
+    Way,
+    named_way,
+    reached_text,
+    section_entries,
+    stated_section,
     visited_declaration,
 )
 from nonsmooth.runtime.simulation.simulate import simulate_one
@@ -157,7 +160,8 @@ class _ChaosQuestion:
         visited = False
         for section, points, ranges in sampled_sections(self.system, motion):
             visited = True
-            name, floats = _told(self.system, section), self._floats(section)
+            name = _told(self.system, section)
+            floats = FloatSection(self.kernels, self.system, section)
             orbits = orbits_on(floats, points, ranges)
             if orbits is None:
                 self.tried.append(f"{name}: the motion is one point, or does not stay")
@@ -185,15 +189,10 @@ class _ChaosQuestion:
             self.tried.append(f"{told}: {failure}")
             return None
 
-    def _floats(self, section: MapSection) -> FloatSection:
-        """The section's map in double precision."""
-        values = {name: float(value) for name, value in self.system.values.items()}
-        period = float(section.period(self.system)) if section.phase is not None else 0.0
-        return FloatSection(self.kernels, values, section, period)
-
     def _proved(self, section: MapSection, candidate: Horseshoe) -> ChaosCertificate:
         """The certificate of a candidate; `Failure` if the proof fails."""
-        floats, names = self._floats(section), [own.name for own in candidate.h_sets]
+        floats = FloatSection(self.kernels, self.system, section)
+        names = [own.name for own in candidate.h_sets]
         ways = [floats.way(own.near[0], candidate.iterates) for own in candidate.h_sets]
         asked = self._certificate(section, candidate.iterates, candidate.h_sets, ways)
         if not asked.declaration:
@@ -250,17 +249,12 @@ class _ChaosQuestion:
         section: MapSection,
         iterates: int,
         sets: Sequence[HSet],
-        ways: Sequence[Sequence[tuple[int, int, int]]],
+        ways: Sequence[Sequence[Way]],
     ) -> ChaosCertificate:
         """The certificate of sets and ways of which nothing is proved."""
-        passages = [
-            PassedTransition(source, tuple(members_of(mask)), target)
-            for way in ways
-            for source, mask, target in way
-        ]
+        passages = [*chain(*ways)]
         if section.phase is None:
-            reached = tuple(sorted(section.boundaries))
-            passages.append(PassedTransition(section.source, reached, section.configuration))
+            passages.append((section.source, section.boundaries, section.configuration))
         return replace(
             self.undecided(),
             reason="",
@@ -306,16 +300,11 @@ def _entries(found: ChaosCertificate) -> dict[str, Any]:
     return {**told, "h_sets": [encode(own) for own in found.h_sets]}
 
 
-def _joined(system: ExactSystem, source: int, boundaries: Sequence[int]) -> str:
-    shapes = system.structure.boundaries[source]
-    return "+".join(sorted(shapes[b].name for b in boundaries))
-
-
 def _told(system: ExactSystem, section: MapSection) -> str:
     """A section in words."""
     names = system.structure.configurations
     here = names[section.configuration]
     if section.phase is not None:
         return f"{here} at the forcing's phase ({section.phase[0]}, {section.phase[1]})"
-    by = _joined(system, section.source, tuple(section.boundaries))
+    by = reached_text(system, section.source, section.boundaries)
     return f"behind {names[section.source]} by {by} for {here}"

@@ -14,7 +14,7 @@ from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.proof.certificate import Decided
 from nonsmooth.runtime.proof.chaos.cone_conditions import ConeCondition
 from nonsmooth.runtime.proof.chaos.h_sets import HSet
-from nonsmooth.runtime.proof.sets.section_record import SectionRecord
+from nonsmooth.runtime.proof.sets.sections import SectionRecord
 
 __all__ = ["ChaosCertificate"]
 

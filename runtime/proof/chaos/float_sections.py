@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,7 +11,8 @@ from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import tables_at
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.proof.sets.sections import MapSection
+from nonsmooth.runtime.proof.exact_tables import ExactSystem
+from nonsmooth.runtime.proof.sets.sections import MapSection, Way, ways_of
 from nonsmooth.runtime.simulation.engines import Trajectories
 from nonsmooth.runtime.simulation.simulate import simulate_many
 
@@ -34,19 +34,13 @@ class Mapped(NamedTuple):
 class FloatSection:
     """The map from a section to itself, in double precision.
 
-    `parameters` are all of the system, in their order. `period` is that of the forcing, and not
-    used for a section at a transition.
+    `system` is that of the kernels at one parameter point.
     """
 
-    def __init__(
-        self,
-        kernels: SystemKernels,
-        parameters: Mapping[str, float],
-        section: MapSection,
-        period: float,
-    ) -> None:
-        self._kernels, self._parameters, self.section = kernels, dict(parameters), section
-        self._period = period
+    def __init__(self, kernels: SystemKernels, system: ExactSystem, section: MapSection) -> None:
+        self._kernels, self.section = kernels, section
+        self._parameters = {name: float(value) for name, value in system.values.items()}
+        self._period = 0.0 if section.phase is None else float(section.period(system))
         lift = np.array([[int(x.p) / int(x.q) for x in row] for row in section.lift])
         self._lift, self._shift = lift[:, :-1], lift[:, -1]
         (rows,) = tables_at(kernels, np.array([[*self._parameters.values()]]))[1]
@@ -89,11 +83,8 @@ class FloatSection:
         ways[sound[good]] = _ways(ends, place)[good]
         return Mapped(images, ways)
 
-    def way(self, point: np.ndarray, iterates: int) -> list[tuple[int, int, int]]:
-        """The transitions from a point (d,) to its image under a power of the map.
-
-        They are given by source, mask of boundaries and target; none where there is no image.
-        """
+    def way(self, point: np.ndarray, iterates: int) -> list[Way]:
+        """The transitions from a point (d,) to its image under a power of the map, if any."""
         section, starts = self.section, self.states(point[None])
         most = _MOST * iterates
         ends: dict[str, Any] = {"transitions": most, "keep": most + 1}
@@ -102,14 +93,10 @@ class FloatSection:
         found = self._follow(starts, **ends)
         places, sets = found.last_configurations[0], found.last_sets[0]
         known = np.flatnonzero(places >= 0)
-        ways = [
-            (int(places[k]), int(sets[k + 1]), int(places[k + 1]))
-            for k in known[:-1].tolist()
-            if sets[k + 1]
-        ]
+        ways = [way for way in ways_of(places[known], sets[known]) if way[1]]
         if section.phase is not None:
             return ways
-        back = section.source, mask_of(section.boundaries), section.configuration
+        back = section.source, section.boundaries, section.configuration
         passed = [k for k, way in enumerate(ways, 1) if way == back][:iterates]
         return ways[: passed[-1]] if len(passed) == iterates else []
 

@@ -16,13 +16,12 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
+from flint import arb, fmpq
 
 from nonsmooth.runtime.checker.state_sets.chaos import radius_above
 from nonsmooth.runtime.core.json_codec import Exact
 
 if TYPE_CHECKING:
-    from flint import arb
-
     from nonsmooth.runtime.checker.state_sets.sets import StateSet
 
 __all__ = ["HSet", "decimal_set", "grid_in_cube", "growth", "logarithm_below", "outline"]
@@ -59,8 +58,6 @@ def growth(size: int, edges: Iterable[tuple[int, int]]) -> tuple[Fraction, tuple
 
 def logarithm_below(bound: Fraction, iterates: int) -> str:
     """The logarithm of a growth above 1, for each iterate, rounded down, as a decimal text."""
-    from flint import arb, fmpq
-
     exact: arb = arb(fmpq(bound.numerator, bound.denominator)).log() / iterates
     below = Decimal(exact.lower().str(30, radius=False)) * (1 - Decimal(10) ** -20)
     return str(below.quantize(Decimal(10) ** (below.adjusted() + 1 - _DIGITS), ROUND_DOWN))

@@ -26,7 +26,7 @@ from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.structure import Structure
 from nonsmooth.runtime.proof.exact_tables import ExactSystem, exact_system
 from nonsmooth.runtime.proof.motion.motion_proof import Enclosure, Proof, exactly
-from nonsmooth.runtime.proof.sets.visited_declaration import whole_system
+from nonsmooth.runtime.proof.sets.sections import whole_system
 from nonsmooth.runtime.simulation.starting import forcing_start
 
 if TYPE_CHECKING:

@@ -18,6 +18,7 @@ from nonsmooth.runtime.core.float_sets import Floats
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
 from nonsmooth.runtime.proof.chaos.h_sets import HSet, decimal_set, grid_in_cube
 from nonsmooth.runtime.proof.refusals import REFUSED
+from nonsmooth.runtime.proof.sets.sections import Way
 
 __all__ = ["AttractingCore", "Undecided", "attracting_core"]
 
@@ -35,7 +36,7 @@ class AttractingCore(NamedTuple):
 
     h_set: HSet
     iterates: int  # the power of the map
-    way: tuple[tuple[int, int, int], ...]  # source, mask of boundaries and target on the way
+    way: tuple[Way, ...]
     contraction: Fraction  # factor of the contraction, below 1
 
 

@@ -17,7 +17,7 @@ from nonsmooth.runtime.model.saved_system import KeptOrbitName
 from nonsmooth.runtime.proof.certificate import Decided
 from nonsmooth.runtime.proof.chaos.h_sets import HSet
 from nonsmooth.runtime.proof.sets.runs import Flags, Numbers
-from nonsmooth.runtime.proof.sets.section_record import SectionRecord
+from nonsmooth.runtime.proof.sets.sections import SectionRecord
 
 __all__ = ["BasinCertificate"]
 

@@ -15,26 +15,73 @@ from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.errors import InputError, check_integer
 from nonsmooth.runtime.core.float_sets import Floats
 from nonsmooth.runtime.core.parallel import check_workers, in_processes
-from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.explore.finding.find import start_box
-from nonsmooth.runtime.model.kernels import known_system
-from nonsmooth.runtime.model.saved_system import check_same_system
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
 from nonsmooth.runtime.proof.exact_tables import ExactSystem, exact_system
 from nonsmooth.runtime.proof.kept_state import KeptState
 from nonsmooth.runtime.proof.sets.attracting_core import AttractingCore, Undecided, attracting_core
 from nonsmooth.runtime.proof.sets.basin_certificate import BasinCertificate
-from nonsmooth.runtime.proof.sets.basin_section import MetSection, section_of
-from nonsmooth.runtime.proof.sets.section_record import named_way, section_entries, stated_section
-from nonsmooth.runtime.proof.sets.starting_tiles import next_tiles
-from nonsmooth.runtime.proof.sets.visited_declaration import (
+from nonsmooth.runtime.proof.sets.section_choice import MetSection, section_of
+from nonsmooth.runtime.proof.sets.sections import (
+    check_same_section,
     listed_declaration,
+    named_way,
     refused_as_input,
+    section_entries,
+    stated_section,
 )
 
-__all__ = ["certify_basin"]
+__all__ = [
+    "certify_basin",
+    "next_tiles",
+]
+
+_SEED = 20
+_SAMPLED = 64  # of so many tiles one is looked at, wherever it is, before the best are
+_BLOCK = 4  # tiles along each coordinate
+_AT_ONCE = 4  # of so many tiles of a block one is taken at most, until the share is known anew
+_OF_NEIGHBOURS = 4.0  # tiles: what the blocks around one count in its share
+
+
+def next_tiles(
+    tiles: BoxGrid, looked: NDArray[np.bool_], attracted: NDArray[np.bool_], count: int
+) -> NDArray[np.int_]:
+    """Numbers of at most `count` tiles to look at next.
+
+    First they are a random sample, then tiles where most have been attracted so far. Of blocks of
+    tiles the share that is attracted is estimated from those of the block and of the blocks
+    around it. The order decides how soon much is proved, and nothing else. `looked` and
+    `attracted` have a bool for each tile.
+    """
+    from scipy.ndimage import uniform_filter
+
+    left = np.flatnonzero(~looked)
+    random = np.random.default_rng([_SEED, len(left)])
+    sampled = len(tiles) // _SAMPLED - int(looked.sum())
+    if sampled > 0:
+        return random.permutation(left)[: min(count, sampled)]
+    blocks = tuple(-(-n // _BLOCK) for n in tiles.counts)
+    places = np.stack(np.unravel_index(np.arange(len(tiles)), tiles.counts)) // _BLOCK
+    block = np.ravel_multi_index(tuple(places), blocks)
+    size = int(np.prod(blocks))
+    seen, good = (
+        np.bincount(block, weights=flags, minlength=size).reshape(blocks)
+        for flags in (looked, attracted)
+    )
+    wide_seen, wide_good = (uniform_filter(x, 3, mode="constant") for x in (seen, good))
+    around = wide_good / np.maximum(wide_seen, 1e-9)
+    share = ((good + _OF_NEIGHBOURS * around) / (seen + _OF_NEIGHBOURS)).reshape(-1)
+    own = block[left]
+    order = np.lexsort((random.random(len(left)), own, -share[own]))
+    ranked = own[order]
+    begins = np.flatnonzero(np.r_[True, ranked[1:] != ranked[:-1]])
+    place = np.arange(len(ranked)) - np.repeat(begins, np.diff(np.r_[begins, len(ranked)]))
+    taken = order[place < max(1, _BLOCK ** len(blocks) // _AT_ONCE)]
+    chosen: NDArray[np.int_] = left[taken[:count]]
+    return chosen
+
 
 _BATCH = 8192  # tiles, or boxes of the section, at once
 _ALONG, _OF_LENGTH = 8192, 128  # boxes along a section, and in the core
@@ -212,9 +259,8 @@ class _BasinQuestion:
 
     def core(self, met: MetSection, scale: float) -> AttractingCore:
         """A set around the orbit's point that is contracted; `Undecided` if none is proved."""
-        kernels, values = self.orbit.system, {n: float(x) for n, x in self.system.values.items()}
-        period = 0.0 if met.section.phase is None else float(met.section.period(self.system))
-        floats = FloatSection(kernels, values, met.section, period)
+        kernels = self.orbit.system
+        floats = FloatSection(kernels, self.system, met.section)
         empty = self.undecided(met, "")
         empty = replace(empty, declaration=listed_declaration(kernels, self.system))
 
@@ -325,18 +371,15 @@ class _BasinQuestion:
 
     def check_same(self, known: BasinCertificate, met: MetSection) -> None:
         """Refuse a state of another question."""
-        wanted, own = self.undecided(met, ""), {}
+        wanted = self.undecided(met, "")
+        told: dict[str, tuple[object, object]] = {}
         if known.tiles is not None:
-            own = {"box": self._box, "tiles": self.tiles}
-        names = ["orbit", "parameters", "configuration", "phase", "source", "boundary", *own]
-        names += [] if known.phase else ["widest"]
+            told = {"box": (self._box, known.box), "tiles": (self.tiles, known.tiles)}
+        if not known.phase:
+            told["widest"] = self.widest, known.widest
         # a file calls the system by its data, and holds it
-        check_same_system("basin", self.orbit.system, known_system(known.system))
-        asked, found = (
-            {**vars(each), "orbit": each.orbit.removeprefix(each.system)}
-            for each in (wanted, known)
-        )
-        check_same_question("basin", {name: {**asked, **own}[name] for name in names}, found)
+        own, other = (each.orbit.removeprefix(each.system) for each in (wanted, known))
+        check_same_section(self.orbit.system, wanted, known, "basin", orbit=(own, other), **told)
 
 
 def _entries(found: BasinCertificate) -> dict[str, Any]:

@@ -16,20 +16,20 @@ from nonsmooth.runtime.core.box_grid import BoxGrid, DividedGrid
 from nonsmooth.runtime.core.errors import InputError, check_integer
 from nonsmooth.runtime.core.float_sets import Floats, ManySets
 from nonsmooth.runtime.core.parallel import check_workers, in_processes
-from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.core.values import by_name, flint_precision
-from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of, known_system
+from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
-from nonsmooth.runtime.model.saved_system import check_same_system
-from nonsmooth.runtime.proof.chaos.section_choice import Sampled, sampled_sections
 from nonsmooth.runtime.proof.exact_tables import ExactSystem, exact_system
 from nonsmooth.runtime.proof.kept_state import KeptState
 from nonsmooth.runtime.proof.sets.box_graphs import BoxGraph
 from nonsmooth.runtime.proof.sets.graph_certificate import RegionCertificate
-from nonsmooth.runtime.proof.sets.section_record import section_entries, stated_section
-from nonsmooth.runtime.proof.sets.visited_declaration import (
+from nonsmooth.runtime.proof.sets.section_choice import Sampled, sampled_sections
+from nonsmooth.runtime.proof.sets.sections import (
+    check_same_section,
     listed_declaration,
     refused_as_input,
+    section_entries,
+    stated_section,
 )
 from nonsmooth.runtime.simulation.simulate import follow, simulate_one
 from nonsmooth.runtime.simulation.trajectory import Trajectory
@@ -167,8 +167,9 @@ def certify_graph(
         empty = _certificate(kernels, exact, sampled, grid, widest, bits)
         known = replace(empty, most=parts, longest=transitions)
         if resume is not None:
-            check_same_system("graph", kernels, known_system(resume.system))
-            _check_same(known, resume)
+            boxes_of = known.graph.grid.grid, resume.graph.grid.grid
+            regions = known.region, resume.region
+            check_same_section(kernels, known, resume, "graph", region=regions, boxes=boxes_of)
             known = replace(
                 known,
                 graph=resume.graph,
@@ -284,14 +285,4 @@ def _certificate(
         longest=0,
         bits=bits,
         declaration=listed_declaration(kernels, system),
-    )
-
-
-def _check_same(asked: RegionCertificate, known: RegionCertificate) -> None:
-    """Refuse a state of another question."""
-    names = ("parameters", "configuration", "phase", "source", "boundary", "region")
-    check_same_question(
-        "graph",
-        {name: getattr(asked, name) for name in names} | {"boxes": asked.graph.grid.grid},
-        {name: getattr(known, name) for name in names} | {"boxes": known.graph.grid.grid},
     )

@@ -16,7 +16,7 @@ from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.proof.certificate import Decided
 from nonsmooth.runtime.proof.sets.box_graphs import BoxGraph
 from nonsmooth.runtime.proof.sets.runs import Flags, Numbers, check_size
-from nonsmooth.runtime.proof.sets.section_record import SectionRecord
+from nonsmooth.runtime.proof.sets.sections import SectionRecord
 
 __all__ = [
     "Component",
@@ -311,21 +311,6 @@ class RegionCertificate(SectionRecord):
         """
         found: NDArray[np.int_] = self.graph.targets[self.graph.sources == box]
         return found
-
-    def closure(self, boxes: NDArray[np.int_]) -> NDArray[np.int_]:
-        """Boxes to which walks from some lead, with these.
-
-        It is a trapping region if it contains no box that is `outside` or `unknown`.
-
-        Parameters
-        ----------
-        boxes : array of int
-
-        Returns
-        -------
-        array of int
-        """
-        return np.flatnonzero(self.graph.ahead(boxes))
 
     def to_json(self) -> dict[str, Any]:
         """Give what is proved as JSON, without the edges.

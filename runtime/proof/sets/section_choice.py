@@ -1,4 +1,4 @@
-"""Sections of a motion: where to look for chaos, the most promising ones first."""
+"""Sections of a motion: where to look for chaos, and one that suits a proof of a basin."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.float_sets import Floats
 from nonsmooth.runtime.model.engine_run import Run
 from nonsmooth.runtime.proof.exact_tables import ExactSystem
 from nonsmooth.runtime.proof.sets.sections import (
@@ -21,7 +23,61 @@ from nonsmooth.runtime.proof.sets.sections import (
 from nonsmooth.runtime.simulation.simulate import follow
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["Sampled", "sampled_sections"]
+__all__ = [
+    "MetSection",
+    "Sampled",
+    "sampled_sections",
+    "section_of",
+]
+
+
+class MetSection(NamedTuple):
+    """A section, coordinates (d,) of a point of the orbit on it, and returns in one period."""
+
+    section: MapSection
+    point: Floats
+    iterates: int
+
+
+def section_of(system: ExactSystem, motion: Trajectory, period: float) -> MetSection:
+    """The section with the fewest coordinates, or the forcing's phase far from boundaries.
+
+    The motion is of the orbit, over one period at least.
+    """
+    if system.structure.forcing:
+        return _met_at_a_phase(system, motion, period)
+    found = [*_met_behind(system, motion)]
+    if not found:
+        raise InputError("the orbit passes no listed transition behind which a state is free")
+    return min(found, key=lambda met: (len(met.point), met.iterates))
+
+
+def _met_at_a_phase(system: ExactSystem, motion: Trajectory, period: float) -> MetSection:
+    (c, s), structure = system.structure.forcing[0], system.structure
+    speed = float(motion.system.fields[0, s, c])
+    turn = 2 * np.pi / abs(speed)
+    first = np.arctan2(motion.states[0, s], motion.states[0, c])
+    found = []
+    for phase in phases(_PHASES):
+        # by rounding a turn may be longer than the motion
+        time = np.array([min(((angle_of(phase) - first) / speed) % turn, motion.end)])
+        state, name = motion(time)[0], str(motion.configuration(time)[0])
+        configuration = structure.configuration(name)
+        rows = motion.system.rows[[b.row for b in structure.boundaries[configuration]]]
+        near = (rows[:, :-1] @ state + rows[:, -1]).max(initial=-np.inf)
+        found.append((near, phase, configuration, state))
+    _, phase, configuration, state = min(found, key=lambda entry: entry[0])
+    section = forcing_section(system, configuration, phase)
+    return MetSection(section, state[list(section.free)], max(1, round(period / turn)))
+
+
+def _met_behind(system: ExactSystem, motion: Trajectory) -> Iterator[MetSection]:
+    ways = ways_of(motion.run.configurations, motion.run.sets)
+    sections = sections_behind(system, ways)
+    for k, way in enumerate(ways):
+        if section := sections.get(way):
+            yield MetSection(section, motion.states[k + 1][list(section.free)], ways.count(way))
+
 
 _PHASES = 16
 _PERIODS, _TRANSIENT = 7000, 150
@@ -87,7 +143,7 @@ def _passed(system: ExactSystem, motion: Trajectory) -> Iterator[Sampled]:
     start, first = motion.states[0], int(motion.run.configurations[0])
     run = follow(motion.system, start, first, transitions=_TRANSITIONS)
     half = len(run.times) // 2
-    ways = ways_of(run, half)
+    ways = ways_of(run.configurations[half - 1 :], run.sets[half - 1 :])
     counts = {way: count for way, count in Counter(ways).items() if count >= _FEWEST}
     sections = sections_behind(system, [*counts])
     found = sorted(

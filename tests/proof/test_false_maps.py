@@ -1,0 +1,176 @@
+"""Files of maps of two parameters whose curves are not true: they are refused, with the reason."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+import pytest
+
+from nonsmooth.runtime.checker import check_tiles
+from tests.certified import content_of, refused, signed
+from tests.proof import test_common_curves, test_fold_curves, test_regions, test_torus_curves
+
+BEYOND = test_fold_curves.BEYOND
+MAPS: dict[str, Callable[[], Any]] = {
+    "flip": lambda: test_regions.small("flip"),
+    "grazing": lambda: test_regions.small("grazing"),
+    "fold": test_fold_curves.small,
+    "common": test_common_curves.found,
+    "torus": test_torus_curves.closed,
+}
+
+
+def event_in(content: dict[str, Any]) -> dict[str, Any]:
+    """The event of the largest tile that a curve passes near its middle."""
+    tiles = [t for t in content["tiles"] if t["event"] and abs(t["event"]["centre"][0]) < 0.9]
+    found: dict[str, Any] = min(tiles, key=lambda t: sum(level for _, level in t["place"]))["event"]
+    return found
+
+
+def exchanged(event: dict[str, Any]) -> None:
+    event["below"], event["above"] = event["above"], event["below"]
+
+
+def moved(event: dict[str, Any], away: float = 1e-3) -> None:
+    event["centre"][0] += away
+
+
+def wide(event: dict[str, Any]) -> None:
+    """All that is stated of both sides is true, but regions would end at the wrong curve."""
+    moved(event, 0.01)
+    event["radius"] = 0.02
+
+
+def own(event: dict[str, Any], verdict: str) -> None:
+    side = "below" if event["above"] == BEYOND else "above"
+    event[side] = verdict
+
+
+def other_sheet(event: dict[str, Any]) -> None:
+    sheet = event["fold"]["sheet"]
+    event["fold"]["sheet"] = "below" if sheet == "above" else "above"
+
+
+def both_exchanged(event: dict[str, Any]) -> None:
+    """The verdicts are those of the orbits, but the map's own orbit is another one."""
+    other_sheet(event)
+    own(event, "unstable")
+    event["fold"]["other"] = "proved"
+
+
+SOON = ("flip", "grazing")  # proved in a blink
+# of divided tiles by the kind of curve
+DIVIDED: dict[str, tuple[str, Callable[[dict[str, Any]], object], str]] = {
+    "other sides of a flip": ("flip", exchanged, "other verdicts beside the event"),
+    "other sides of a grazing": ("grazing", exchanged, "other verdicts|admissibility"),
+    "another curve": ("grazing", partial(moved, away=0.01), "beside its band"),
+    "a curve that is moved": ("flip", partial(moved, away=0.01), "beside its band"),
+    "too narrow": ("grazing", lambda e: e.update(radius=1e-19), "beside its band"),
+    "no width": ("grazing", lambda e: e.update(radius=0.0), "without width"),
+    "negative width": ("grazing", lambda e: e.update(radius=-1e-3), "without width"),
+    "too wide": ("flip", lambda e: e.update(radius=1e-3), "too wide"),
+    "wide enough for a curve that is moved": ("flip", wide, "too wide"),
+    "without bounds": ("flip", lambda e: e.update(radius=float("inf")), "wrong type"),
+    "another kind": ("flip", lambda e: e.update(kind="neimark-sacker"), "happen twice|beside the"),
+    "a fold": ("flip", lambda e: e.update(kind="fold"), "fold"),
+    "another boundary": ("grazing", lambda e: e.update(boundary="falls"), "event|boundary"),
+    "another phase": ("grazing", lambda e: e.update(phase=2), "boundary|configuration"),
+    "no phase": ("grazing", lambda e: e.update(phase=None), "no phase"),
+    "no such phase": ("grazing", lambda e: e.update(phase=9), "no such phase"),
+    "no window": ("grazing", lambda e: e.update(window=[]), "window"),
+    "another window": (
+        "grazing", lambda e: e.update(window=["0", "1/100"]), "time of a grazing|outside|admissib"
+    ),
+    "another axis": ("flip", lambda e: e.update(axis=2), "happen twice|known|band"),
+    "no parameter": ("flip", lambda e: e.update(axis=3), "no plane"),
+    "several parts": ("flip", lambda e: e.update(centre=[0.9, 0.0, 0.5]), "several parts"),
+    "a border twice": (
+        "grazing", lambda e: e.update(also=[["grazing", 1, "wall", "inside"]]), "border twice"
+    ),
+}  # fmt: skip
+FOLDED: dict[str, tuple[Callable[[dict[str, Any]], object], str]] = {
+    "other sides": (exchanged, "a verdict on the side of no orbits"),
+    "a curve that is moved": (moved, "beside the band"),
+    "too narrow": (lambda e: e.update(radius=1e-13), "beside the band"),
+    "too wide": (lambda e: e.update(radius=1e-3), "too wide"),
+    "another verdict": (lambda e: own(e, "unstable"), "beside the fold"),
+    "not admissible": (lambda e: own(e, "not admissible"), "beside the fold"),
+    "none on both sides": (lambda e: own(e, BEYOND), "no verdict on the side"),
+    "another verdict of the other orbit": (
+        lambda e: e["fold"].update(other="proved"), "beside the fold"),
+    "the other sheet": (other_sheet, "beside the fold"),
+    "no sheets": (lambda e: e.update(fold=None), "without its orbits"),
+    "another unknown": (lambda e: e["fold"].update(coordinate="tau1"), "singular|Kraw|near|bent"),
+    "no unknown": (lambda e: e["fold"].update(coordinate="U"), "no such unknown"),
+    "a tube that ends in the tile": (
+        lambda e: e["fold"].update(half=e["fold"]["half"] / 2), "ends in the tile"),
+    "a tube without width": (lambda e: e["fold"].update(half=0.0), "without width"),
+    "a tube beside the fold": (
+        lambda e: e["fold"]["centre"].__setitem__(0, e["fold"]["centre"][0] + e["fold"]["half"]),
+        "meet|band|ends|near|Krawczyk"),
+    "another parameter across": (
+        lambda e: e.update(axis=3 - e["axis"]),
+        "band|ends|near|wide|parts|Kraw"),
+    "a phase": (lambda e: e.update(phase=1), "a phase"),
+    "a flip": (lambda e: e.update(kind="flip"), "fold"),
+}  # fmt: skip
+TOGETHER: dict[str, tuple[Callable[[dict[str, Any]], object], str]] = {
+    "a condition is left out": (lambda e: e["also"].pop(), "admissibility"),
+    "an entry is left out": (lambda e: e["also"].pop(0), "admissibility"),
+    "of another phase": (lambda e: e["also"][0].__setitem__(1, 4), "event|boundary|admissib"),
+    "another condition": (lambda e: e["also"][1].__setitem__(2, "1.1"), "band|event|condition"),
+    "no such condition": (lambda e: e["also"][1].__setitem__(2, "9.1"), "condition|admissib"),
+    "another curve": (lambda e: e["centre"].__setitem__(0, e["centre"][0] + 1e-3), "its band"),
+    "other sides": (
+        lambda e: e.update(below=e["above"], above=e["below"]), "verdicts|admissibility"
+    ),
+}  # fmt: skip
+CASES = [
+    *((name, *case) for name, case in DIVIDED.items()),
+    *((name, "fold", *case) for name, case in FOLDED.items()),
+    *((name, "common", *case) for name, case in TOGETHER.items()),
+    (
+        "another kind of torus",
+        "torus",
+        lambda e: e.update(kind="flip"),
+        "there may be another event",
+    ),
+    ("other sides of a torus", "torus", exchanged, "other verdicts|beside"),
+    ("another torus", "torus", moved, "beside its band"),
+]
+
+
+@pytest.mark.parametrize(
+    ("kind", "change", "told"),
+    [
+        pytest.param(
+            *case, id=f"{name}, {case[0]}", marks=[pytest.mark.slow] * (case[0] not in SOON)
+        )
+        for name, *case in CASES
+    ],
+)
+def test_false_curves_are_refused(
+    kind: str, change: Callable[[dict[str, Any]], object], told: str
+) -> None:
+    content = content_of(MAPS[kind]())
+    change(event_in(content))
+    refused(content, told)
+
+
+@pytest.mark.parametrize(
+    "kind", [pytest.param(k, marks=[pytest.mark.slow] * (k not in SOON)) for k in MAPS]
+)
+def test_true_curves_pass_and_a_wider_band_is_true(kind: str) -> None:
+    content = content_of(MAPS[kind]())
+    check_tiles(content)
+    event_in(content)["radius"] *= 2
+    check_tiles(signed(content))
+
+
+@pytest.mark.slow
+def test_the_other_orbit_is_not_that_of_the_tiles_beside_it() -> None:
+    content = content_of(test_fold_curves.folded())
+    both_exchanged(event_in(content))
+    refused(content, "not that of a tile beside it")
