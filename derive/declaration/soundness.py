@@ -237,7 +237,8 @@ def fault_of_mass(mass: sp.ImmutableMatrix, parameters: tuple[Parameter, ...]) -
     for size in range(1, mass.rows + 1):
         minor = sp.expand(mass[:size, :size].det())
         if minor == 0 or is_positive(-minor, parameters):
-            return f"is not positive definite: its leading minor of order {size} is {minor}"
+            told = sp.N(minor, 6) if minor.is_number and len(str(minor)) > 20 else minor
+            return f"is not positive definite: its leading minor of order {size} is {told}"
     return ""
 
 
