@@ -3,8 +3,9 @@
 A set is c + S e + b: a centre, sides S with e in [-1, 1]^m, and a box b around zero. An affine
 map moves it but for roundings, which the box takes up: the product of two matrices of doubles is
 off by at most n u |A| |B|, in whatever order it is summed (S. M. Rump, Verification methods:
-rigorous results using floating-point arithmetic, Acta Numerica 19, 2010). States end with 1, so
-that affine maps are matrices.
+rigorous results using floating-point arithmetic, Acta Numerica 19, 2010). It is summed in one
+order, so that each processor finds the same sets: libraries of linear algebra have an order for
+each. States end with 1, so that affine maps are matrices.
 """
 
 from __future__ import annotations
@@ -25,6 +26,7 @@ __all__ = [
     "ManySets",
     "Rounded",
     "joined_sets",
+    "product",
     "upward",
     "within",
 ]
@@ -46,6 +48,17 @@ def upward(sizes: Any) -> Any:
     `sizes` are the results in doubles.
     """
     return sizes * (1 + ROUNDING) + _UNDERFLOW
+
+
+def product(left: Floats, right: Floats) -> Floats:
+    """Products (..., k, m) of matrices (..., k, n) and (..., n, m), summed term by term."""
+    if not left.shape[-1]:
+        return left @ right  # zeros
+    found: Floats = left[..., :, 0, None] * right[..., 0, None, :]
+    each = np.empty_like(found)
+    for term in range(1, left.shape[-1]):
+        found += np.multiply(left[..., :, term, None], right[..., term, None, :], out=each)
+    return found
 
 
 class Rounded(NamedTuple):
@@ -70,8 +83,9 @@ class Rounded(NamedTuple):
 
     def __matmul__(self, other: Rounded) -> Rounded:
         size, further = np.abs(self.middle), np.abs(other.middle)
-        radius = size @ other.radius + self.radius @ (further + other.radius)
-        return Rounded(self.middle @ other.middle, upward(radius + ROUNDING * (size @ further)))
+        radius = product(size, other.radius) + product(self.radius, further + other.radius)
+        rounded = ROUNDING * product(size, further)
+        return Rounded(product(self.middle, other.middle), upward(radius + rounded))
 
     def rows(self, chosen: Any) -> Rounded:
         """The rows that an index chooses."""
@@ -125,7 +139,8 @@ class ManySets:
         unsure = matrix.radius + ROUNDING * size
         reach = np.abs(self.centre) + self.spread
         box = _times(size, self.box) + _times(unsure, reach)
-        return ManySets(_times(matrix.middle, self.centre), matrix.middle @ self.sides, upward(box))
+        centre, sides = _times(matrix.middle, self.centre), product(matrix.middle, self.sides)
+        return ManySets(centre, sides, upward(box))
 
     def shares(self, rows: Rounded) -> tuple[Floats, Floats, Floats]:
         """Linear functions of the states as a + w e + r: a, w and a bound of |r|.
@@ -136,7 +151,8 @@ class ManySets:
         unsure = rows.radius + ROUNDING * size
         reach = np.abs(self.centre) + self.spread
         loose = _times(size, self.box) + _times(unsure, reach)
-        return _times(rows.middle, self.centre), rows.middle @ self.sides, upward(loose)
+        weights = product(rows.middle, self.sides)
+        return _times(rows.middle, self.centre), weights, upward(loose)
 
     def ranges(self, rows: Rounded) -> tuple[Floats, Floats]:
         """Least and largest values (B, k) of linear functions, of rows (k, n) or (B, k, n)."""
@@ -183,7 +199,7 @@ class ManySets:
         middle = np.where(cut, (least + most) / 2, 0.0)
         half = np.where(cut, upward(np.maximum(most - middle, middle - least)), 1.0)
         touched: NDArray[np.bool_] = np.any(cut, axis=1, keepdims=True)
-        centre = self.centre + (self.sides @ middle[:, :, None])[:, :, 0]
+        centre = self.centre + _times(self.sides, middle)
         sides = self.sides * half[:, None, :]
         loose = ROUNDING * (np.abs(self.centre) + np.abs(self.sides).sum(axis=2))
         box = np.where(touched, upward(self.box + loose), self.box)
@@ -253,10 +269,10 @@ class ManySets:
             return ManySets(one, empty, np.zeros_like(one)).mapped(lift)
         own, boxed = self.sides[:, places, :], self.box[:, places]
         frame = _frame(own)
-        inward = np.linalg.inv(frame)
+        inward, volume = _inverse(frame)
         reach = upward(np.abs(own).sum(axis=2) + boxed)
         turned = np.abs(inward)
-        sizes = np.abs(inward @ own).sum(axis=2) + _times(turned, boxed)
+        sizes = np.abs(product(inward, own)).sum(axis=2) + _times(turned, boxed)
         sizes = upward(sizes + ROUNDING * _times(turned, reach))
         low, high = (x[:, places] for x in self.hull)
         if within is not None:
@@ -264,9 +280,10 @@ class ManySets:
             high = np.maximum(low, np.minimum(high, within[1][:, places]))
         middle = (low + high) / 2
         straight = upward(np.maximum(high - middle, middle - low))
-        direct = np.prod(straight, axis=1) <= np.prod(sizes, axis=1) * np.abs(np.linalg.det(frame))
+        direct = np.prod(straight, axis=1) <= np.prod(sizes, axis=1) * volume
         identity = np.eye(count)
-        wrong = np.abs(identity - frame @ inward) + ROUNDING * (np.abs(frame) @ turned)
+        wrong = np.abs(identity - product(frame, inward))
+        wrong = wrong + ROUNDING * product(np.abs(frame), turned)
         rest = upward(_times(wrong, reach) + ROUNDING * _times(np.abs(frame), sizes))
         sides = np.where(
             direct[:, None, None], identity * straight[:, None, :], frame * sizes[:, None, :]
@@ -332,8 +349,7 @@ def joined_sets(parts: list[ManySets]) -> ManySets:
 
 def _times(matrix: Floats, vectors: Floats) -> Floats:
     """Products (B, k) of one matrix, or of one for each set, and vectors (B, n)."""
-    found: Floats = (matrix @ vectors[:, :, None])[:, :, 0]
-    return found
+    return product(matrix, vectors[:, :, None])[:, :, 0]
 
 
 def _above(values: Floats) -> Floats:
@@ -342,6 +358,24 @@ def _above(values: Floats) -> Floats:
 
 def _below(values: Floats) -> Floats:
     return values - (ROUNDING * (1 + np.abs(values)))
+
+
+def _inverse(matrices: Floats) -> tuple[Floats, Floats]:
+    """Approximate inverses (B, d, d) of matrices, and the sizes (B,) of their determinants."""
+    count, size, _ = matrices.shape
+    each, volume = np.arange(count), np.ones(count)
+    axes = np.broadcast_to(np.eye(size), matrices.shape)
+    rows = np.concatenate([matrices, axes], axis=2)
+    for k in range(size):
+        largest = k + np.argmax(np.abs(rows[:, k:, k]), axis=1)
+        chosen = rows[each, largest]
+        rows[each, largest] = rows[:, k]
+        pivot = chosen[:, k]
+        volume = volume * np.abs(pivot)
+        chosen = chosen / pivot[:, None]
+        rows = rows - rows[:, :, k, None] * chosen[:, None, :]
+        rows[:, k] = chosen
+    return rows[:, :, size:], volume
 
 
 def _frame(sides: Floats) -> Floats:

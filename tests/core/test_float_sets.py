@@ -1,5 +1,9 @@
 """Sets in double precision: they contain what they should, by exact arithmetic and by points."""
 
+import os
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 from flint import arb, arb_mat, fmpq, fmpq_mat
@@ -9,6 +13,24 @@ from nonsmooth.runtime.core.float_sets import ManySets, Rounded, joined_sets
 from nonsmooth.runtime.core.values import flint_precision
 
 COUNT, SIZE, SIDES = 40, 4, 5
+DIGEST = """
+import hashlib
+import numpy as np
+from flint import arb_mat
+from nonsmooth.runtime.core.exponentials.float_flows import FloatFlow
+from nonsmooth.runtime.core.float_sets import Rounded
+from tests.core.test_float_sets import COUNT, drawn
+random, sets = drawn(3)
+flow = FloatFlow(arb_mat(np.vstack([random.normal(size=(3, 4)), np.zeros(4)]).tolist()), 2.0**-4)
+begin = random.uniform(0, 0.1, COUNT)
+found = [sets, *flow.between(sets, begin, begin + 0.01)]
+lift = np.vstack([np.eye(3, 4), [0.3, -0.2, 0.7, 0.1], [0, 0, 0, 1]])[[0, 1, 2, 4]]
+found += [x.fewer_sides([0, 1, 2], Rounded(lift, np.zeros_like(lift))) for x in found]
+row = random.normal(size=(1, 4))
+found += [x.cut(Rounded(row, np.zeros_like(row)), zero=True)[0] for x in found]
+arrays = [a for x in found for a in (x.centre, x.sides, x.box)]
+print(hashlib.sha256(b"".join(a.tobytes() for a in arrays)).hexdigest())
+"""
 
 
 def drawn(seed, sides=SIDES):
@@ -221,3 +243,21 @@ def test_no_sets_at_no_times_have_no_states():
     moved, way = flow.between(none, np.zeros(0), np.zeros(0))
     assert len(moved) == len(way) == 0
     assert way.sides.shape == (0, 2, 4)
+
+
+def test_each_processor_finds_the_same_sets():
+    """By whatever kernels of linear algebra and instructions it has: a verdict rests on them."""
+    instructions = np.show_config(mode="dicts")["SIMD Extensions"].get("found", [])
+    found = set()
+    for another in (
+        {},
+        {"OPENBLAS_CORETYPE": "Prescott"},
+        {"OPENBLAS_CORETYPE": "Haswell"},
+        {"NPY_DISABLE_CPU_FEATURES": " ".join(instructions)},
+    ):
+        done = subprocess.run(
+            [sys.executable, "-c", DIGEST], env=os.environ | another, capture_output=True, text=True
+        )
+        assert not done.returncode, done.stderr
+        found.add(done.stdout)
+    assert len(found) == 1

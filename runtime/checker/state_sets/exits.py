@@ -14,7 +14,7 @@ from flint import arb_mat
 from nonsmooth.runtime.checker.state_sets.sets import row_of
 from nonsmooth.runtime.checker.stated.exact import Elimination
 from nonsmooth.runtime.core.exponentials.float_flows import FloatFlow
-from nonsmooth.runtime.core.float_sets import Floats, ManySets, Rounded, joined_sets
+from nonsmooth.runtime.core.float_sets import Floats, ManySets, Rounded, joined_sets, product
 
 __all__ = ["Exit", "ExitFunction", "PhaseExits", "negative", "rounded"]
 
@@ -178,8 +178,8 @@ class PhaseExits:
         """Return times (B,) in which the states on the way spread little beyond the states."""
         spread = states.spread
         size = _SLACK * spread.max(axis=1, initial=0.0)
-        grows = (spread @ np.abs(self.flow.rate.middle).T).max(axis=1, initial=1e-300)
-        bends = np.abs(states.centre @ self.flow.curve.middle.T).max(axis=1, initial=1e-300)
+        grows = product(spread, np.abs(self.flow.rate.middle).T).max(axis=1, initial=1e-300)
+        bends = np.abs(product(states.centre, self.flow.curve.middle.T)).max(axis=1, initial=1e-300)
         longest = np.minimum(size / grows, np.sqrt(2 * size / bends))
         found: Floats = np.clip(longest, self.finest * self.flow.step, _PIECE * self.flow.step)
         return found

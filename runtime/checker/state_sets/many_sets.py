@@ -6,6 +6,7 @@ the boxes that are found, and the boxes may be wider. Where it is not stated wha
 is lost.
 """
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import chain
 from typing import Any, NamedTuple
@@ -369,10 +370,9 @@ class ManyMotions:
         """Return the flow of a configuration."""
         if configuration not in self._flows:
             matrix = matrix_of(self.system.fields[configuration], runs=True)
-            rates = [abs(complex(x)) for x in arb_mat(matrix.mid()).eig(algorithm="approx")]
-            fastest = max(*rates, 2.0**-6)
-            step = 2.0 ** np.floor(np.log2(_RADIANS / fastest))
-            self._flows[configuration] = FloatFlow(matrix, float(step))
+            rates = [float(abs(x)) for x in arb_mat(matrix.mid()).eig(algorithm="approx")]
+            _, exponent = math.frexp(_RADIANS / max(*rates, 2.0**-6))
+            self._flows[configuration] = FloatFlow(matrix, 2.0 ** (exponent - 1))
         return self._flows[configuration]
 
 

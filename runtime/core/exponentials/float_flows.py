@@ -7,7 +7,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from nonsmooth.runtime.core.float_sets import ROUNDING, Floats, ManySets, Rounded, upward
+from nonsmooth.runtime.core.float_sets import (
+    ROUNDING,
+    Floats,
+    ManySets,
+    Rounded,
+    product,
+    upward,
+)
 
 if TYPE_CHECKING:
     from flint import arb_mat
@@ -120,13 +127,15 @@ class FloatFlow:
         """Enclosures (B, n, n) of the flow at times (B,), which are not negative."""
         numbers = np.rint(times / self.step)
         left = times - numbers * self.step  # exact: the step is a power of 2
-        powers = left[:, None] ** np.arange(_TERMS)
+        powers = np.cumprod(
+            np.concatenate([np.ones((len(left), 1)), np.repeat(left[:, None], _TERMS - 1, 1)], 1), 1
+        )
         flat = [
             np.stack([x.reshape(-1) for x in parts]) for parts in zip(*self._terms, strict=True)
         ]
         size = np.abs(powers)
-        middle = powers @ flat[0]
-        radius = size @ (flat[1] + ROUNDING * np.abs(flat[0]))
+        middle = product(powers, flat[0])
+        radius = product(size, flat[1] + ROUNDING * np.abs(flat[0]))
         radius = upward(radius + (np.abs(self._rest.middle) + self._rest.radius).reshape(-1))
         shape = (len(times), self.size, self.size)
         steps, place = np.unique(numbers, return_inverse=True)
@@ -143,15 +152,15 @@ class FloatFlow:
         half = upward(np.maximum(end - middle, middle - begin))
         moved = states.mapped(self.at(middle))
         spread, centre = moved.spread, moved.centre
-        rate, rate_off = _product(self.rate, centre)
-        curve, curve_off = _product(self.curve, centre)
+        rate, rate_off = _bounded_product(self.rate, centre)
+        curve, curve_off = _bounded_product(self.curve, centre)
         first = _sizes(self.rate, spread)
         second = _sizes(self.curve, spread)
         exponents, place = np.unique(
             np.where(half > 0, np.frexp(half)[1], -60), return_inverse=True
         )
         bounds = np.stack([self._third(int(k)) for k in exponents] or [self._third(-60)])[place]
-        third = bounds @ upward(np.abs(centre) + spread)[:, :, None]
+        third = product(bounds, upward(np.abs(centre) + spread)[:, :, None])
         h = half[:, None]
         squared = h * h
         loose = h * (rate_off + first) + squared / 2 * (second + curve_off)
@@ -163,12 +172,12 @@ class FloatFlow:
         return moved, ManySets(centre + shift, sides, box)
 
 
-def _product(matrix: Rounded, vectors: Floats) -> tuple[Floats, Floats]:
+def _bounded_product(matrix: Rounded, vectors: Floats) -> tuple[Floats, Floats]:
     """Products of a matrix and vectors (B, n), and bounds of their errors."""
-    found = vectors @ matrix.middle.T
-    return found, upward(np.abs(vectors) @ (matrix.radius + ROUNDING * np.abs(matrix.middle)).T)
+    unsure = matrix.radius + ROUNDING * np.abs(matrix.middle)
+    return product(vectors, matrix.middle.T), upward(product(np.abs(vectors), unsure.T))
 
 
 def _sizes(matrix: Rounded, sizes: Floats) -> Floats:
-    found: Floats = upward(sizes @ (np.abs(matrix.middle) + matrix.radius).T)
+    found: Floats = upward(product(sizes, (np.abs(matrix.middle) + matrix.radius).T))
     return found
