@@ -461,7 +461,7 @@ def test_plot_of_wrong_files_is_2(saved: Path, tmp_path: Path) -> None:
         ((saved, "--out", saved), f"cannot write {saved}: it is the saved file"),
         ((saved, "--out", tmp_path / "a.gif"), "a.gif does not end in .png, .svg, .pdf"),
         ((saved, "--out", below), f"cannot write {below}: {cut} is not a folder"),
-        ((saved, "--periods", "0"), "periods = 0 is not a positive integer"),
+        ((saved, "--periods", "0"), "periods = 0 is not an integer from 1"),
     ):
         code, out, err = run("plot", *map(str, arguments))
         assert (code, out) == (2, "")
