@@ -3,6 +3,7 @@
 import copy
 import json
 from collections.abc import Callable
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -114,6 +115,19 @@ def test_an_edited_branch_is_refused(content: Content, attack: Callable[[Content
     refused(edited)
     with pytest.raises(Failure, match="checksum"):
         believed({**edited, "sha256": content["sha256"]})
+
+
+@pytest.mark.parametrize("kind", ["flip", "grazing"])
+def test_an_event_is_between_its_bounds(content: Content, kind: str) -> None:
+    """They are amid the longer rest of its tile, and all that is there is enclosed."""
+    edited = copy.deepcopy(content)
+    tile = tile_of(edited, kind)
+    low, high, at = (Fraction(x) for x in (tile["lower"], tile["upper"], tile["event"]["lower"]))
+    middle = (at + (low if at - low > high - at else high)) / 2
+    tile["event"].update(lower=str(middle), upper=str(middle + Fraction(1, 10**12)))
+    for ball in tile["event"]["enclosures"].values():
+        ball["rad"] = "1"
+    refused(edited, "there may be no event between its bounds")
 
 
 def test_other_parameters_are_another_branch(content: Content, tmp_path: Path) -> None:

@@ -13,7 +13,7 @@ from tests.user_systems import declare
 
 pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
 
-STICK = "dry-friction/global-stick"
+STICK, SYMMETRIC = "dry-friction/global-stick", "dry-friction/symmetric"
 
 
 def certify(*arguments: str) -> Ended:
@@ -31,14 +31,18 @@ def test_people_see_claims_reasons_and_margins() -> None:
 @pytest.mark.parametrize(
     ("arguments", "code", "told"),
     [
-        (["dry-friction/symmetric", "--require", "proved"], 3, "stability refuted"),
+        ([SYMMETRIC, "--require", "proved"], 3, "stability refuted"),
         (["dry-friction/solution-ii"], 1, ""),
         (["dry-friction/solution-ii", "--require", "proved"], 3, "existence undecided"),
         ([STICK, "--require", "proved"], 0, ""),
         (["box", STICK, "V=0.99:1.01", "--require", "proved"], 0, ""),
-        (["box", "dry-friction/symmetric", "V=0.7:0.71", "--require", "proved"], 3, "stability"),
+        (["box", SYMMETRIC, "V=0.7:0.71", "--require", "proved"], 3, "stability"),
         (["box", STICK, "V=30:50"], 1, "no "),
         (["event", "rigid-stop/one-impact", "T=5.5:7.5"], 1, ""),
+        # of a box more than one percent, and of a branch all that is left, is undecided
+        (["box", SYMMETRIC, "V=0.6:1.3", "--tiles", "5"], 1, ""),
+        (["branch", SYMMETRIC, "V=0.9:1.2", "--tiles", "1"], 1, ""),
+        (["branch", SYMMETRIC, "V=0.9:1.2", "--tiles", "1", "--require", "proved"], 3, "undecided"),
     ],
 )
 def test_exit_codes(arguments: list[str], code: int, told: str) -> None:

@@ -53,7 +53,7 @@ class Silent(Exception):
         (MemoryError(), 1, "the memory is not enough for this"),
         (RecursionError("deep"), 1, "internal error: RecursionError: deep"),
         (ns.InputError("it is \x1b[31mred"), 2, r"error: it is \x1b[31mred"),
-        (ns.NoConvergence("no orbit\nhere"), 1, "no orbit here"),
+        (ns.NoConvergence("no orbit\r\n\n\u2028here"), 1, "no orbit here"),
         (Silent(), 1, "internal error: Silent; run again"),
     ],
 )

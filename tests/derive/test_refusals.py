@@ -230,7 +230,7 @@ WRONG: list[tuple[Make, str]] = [
     (lambda: Parameter("k", "", 1, 1), "k: the domain is empty"),
     (lambda: Parameter("k", "", upper=-1), "k: the domain is empty"),
     (lambda: Parameter("k", "", math.nan), "k: the end nan .* not a real number"),
-    (lambda: Parameter("k", "", sp.I), "upper|lower of Parameter 'k': I is no real"),
+    (lambda: Parameter("k", "", sp.I), "lower of Parameter 'k': I is no real"),
     (lambda: Parameter("k", "", GS), "k: the end g .* not a real number"),
     (lambda: SecondOrder([[math.nan]], [[1]]), "mass holds nan, which is no finite"),
     (lambda: SecondOrder([[1]], [[math.inf]]), "stiffness holds oo"),

@@ -269,7 +269,32 @@ def test_the_first_impact_of_siconos_example() -> None:
 # --- switched damping ---------------------------------------------------------------------
 
 
+def test_the_page_of_switched_damping_tells_its_limit_cycle() -> None:
+    orbit = solved("switched_damping", "limit-cycle")
+    assert orbit.period == pytest.approx(6.367077, abs=5e-7)
+    assert orbit.multipliers[0] == pytest.approx(0.538924872, abs=5e-10)
+    # forces are continuous: areas shrink by the exponential of the damping
+    fast, slow = orbit.dwell_times
+    assert orbit.multipliers[0] == pytest.approx(math.exp(-0.6 * fast + 0.2 * slow), rel=1e-10)
+    times = np.linspace(fast, orbit.period * (1 - 1e-12), 20001)
+    amplitude = (orbit.trajectory()(times)[:, 0] + 0.2).max()
+    assert amplitude == pytest.approx(2.150651224, abs=2e-8)
+
+
 # --- the piecewise-linear oscillator ------------------------------------------------------
+
+
+def test_the_elastic_stop_doubles_its_period_where_its_page_says() -> None:
+    before, behind = (
+        solved("piecewise_stiffness", "one-contact", {"w": w}) for w in ("2.35", "2.352")
+    )
+    assert multipliers(behind)[0].real < -1 < multipliers(before)[0].real
+    for orbit in (before, behind):
+        area = np.prod(orbit.multipliers)
+        assert area == pytest.approx(math.exp(-0.1 * orbit.period), rel=1e-10)
+    doubled = solved("piecewise_stiffness", "doubled", {"w": "2.36"})
+    assert doubled.stability.verdict == "stable"
+    assert abs(doubled.dwell_times[:2] - doubled.dwell_times[2:]).max() > 1e-3
 
 
 # --- a beam of finite elements ------------------------------------------------------------

@@ -98,6 +98,25 @@ def test_markdown_tables_have_equal_rows(markdown: str) -> None:
     assert "| Quantity | Where | Printed | Ours | Difference | Verdict |" in headers
 
 
+def test_markdown_has_every_text(markdown: str, paper: Paper) -> None:
+    finding = paper.results["misprints"][0]
+    for part in (
+        "# Two models of nonsmooth dynamical systems, reproduced\n",
+        "\n## Rigid impact (Secs. 2.1, 2.3)\n",
+        "\n\\- This one is no list.\n",
+        "Plain & *stressed* text with $x_1'' \\le 1$ and \\<b>no tag\\</b>.",
+        "\n\n$$\n\\begin{aligned}",
+        "\\end{aligned}\n$$\n\nWhat $m$ is.\n",
+        "\n**The orbit *rigid-stop/one-impact* at the paper's data**\n",
+        "\n![Fig. 1. Coupled oscillators with a stop.](figure-01.svg)\n",
+        "\nFig. 1. Coupled oscillators with a stop.\n",
+        f"\n### {finding['title']}\n\n- **Printed:** ",
+        "\n- **Verdict:** misprint\n- **Corrected:** ",
+        "\n- **Evidence:** ",
+    ):
+        assert part in markdown
+
+
 # --- HTML
 
 

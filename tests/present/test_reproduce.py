@@ -9,6 +9,7 @@ from decimal import Decimal
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from mpmath import mp
 
@@ -47,6 +48,19 @@ def test_every_figure_of_the_paper_is_drawn(folder: Path) -> None:
     for name in ORBITS:
         for kind in ("strip", "multipliers"):
             assert (folder / f"{name.replace('/', '-')}-{kind}.svg").is_file()
+
+
+def test_figures_show_the_spans_of_the_paper(results: dict[str, Any], paper: Paper) -> None:
+    assert {f"figure-{number:02}" for number in range(1, 12)} <= set(paper.figures)
+    for number, name, mass, periods in (
+        *((2, ORBITS[0], "x_{1}", 2), (3, ORBITS[0], "x_{2}", 2)),
+        *((4, ORBITS[1], "x_{1}", 1), (5, ORBITS[1], "x_{2}", 1)),
+    ):
+        (axes,) = paper.figures[f"figure-{number:02}"].axes
+        period = float(results["orbits"][name]["period"])
+        np.testing.assert_allclose(axes.get_xlim(), (0, periods * period), rtol=1e-12)
+        assert mass in axes.get_ylabel()
+        assert axes.get_xlabel() == "time $t$"  # the paper has units there
 
 
 def test_every_printed_number_stands_beside_ours(results: dict[str, Any]) -> None:

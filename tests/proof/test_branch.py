@@ -164,6 +164,20 @@ def test_a_vanishing_phase_is_one_event() -> None:
     assert float(dwell.ball.rad()) < 1e-30
 
 
+def test_a_number_whose_rate_may_be_zero_is_not_passed_once(tile_near: Any) -> None:
+    """Its event may happen twice in the tile: the rate has one sign, or nothing is proved."""
+    tile = tile_near(fmpq(27, 25))
+    with flint_precision(64):
+        tile.locate()
+        for within, rises in ((fmpq(-1, 10), True), (fmpq(11, 10), False)):
+            zero = arb(tile.low + within * (tile.high - tile.low))
+            assert tile.rises(lambda point, at=zero: point[tile.place] - at, "") == rises
+        for within in (fmpq(1, 100), fmpq(1, 3), fmpq(99, 100)):
+            zero = arb(tile.low + within * (tile.high - tile.low))
+            with pytest.raises(Failure, match="twice"):
+                tile.rises(lambda point, at=zero: point[tile.place] - at, "twice")
+
+
 def test_another_orbit_is_not_taken_for_the_one_that_is_known(tile_near: Any) -> None:
     tile = tile_near(fmpq(27, 25))
     with flint_precision(192):

@@ -2,6 +2,7 @@
 
 import math
 from fractions import Fraction
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -70,6 +71,17 @@ def test_states_of_the_sets_go_where_their_images_are_said_to_be(chaos, returned
             image = returned(float(centre[0] + share * sides[0, 0]), chaos.iterates)
             parts = chaos.images[h_set.name]
             assert any(low - 1e-9 <= image <= high + 1e-9 for (low,), (high,) in parts)
+
+
+def test_words_are_the_periodic_points_once_for_each_motion(chaos):
+    assert [chaos.periodic_points(steps) for steps in range(1, 7)] == [1, 3, 4, 7, 11, 18]  # Lucas
+    for steps in range(1, 7):
+        words = [word for d in range(1, steps + 1) if steps % d == 0 for word in chaos.words(d)]
+        assert sum(map(len, words)) == chaos.periodic_points(steps)
+        walked = {step for word in words for step in pairwise((*word, word[0]))}
+        assert walked <= set(chaos.coverings)
+        turned = [word[k:] + word[:k] for word in words for k in range(len(word))]
+        assert len(set(turned)) == len(turned)
 
 
 def test_a_stable_motion_is_not_called_chaos():

@@ -19,15 +19,17 @@ from mpmath import MPContext
 import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.derive import SecondOrder, System, Transition
+from nonsmooth.runtime.checker.counting.census import Counting
 from nonsmooth.runtime.checker.counting.contraction import Linear, balls_of, contract, middles_of
 from nonsmooth.runtime.checker.counting.covering import CoveringBox, Root, Walk
+from nonsmooth.runtime.checker.counting.dwell_equations import DwellEquations
 from nonsmooth.runtime.cli.display import show_result
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.completion import complete
 from nonsmooth.runtime.model.kernels import load_orbit
 from nonsmooth.runtime.shooting.kernel_newton import solve_reduced
 from nonsmooth.runtime.shooting.newton import CONVERGED
-from tests.certified import LOOP, between_springs, interrupted, kicked
+from tests.certified import LOOP, between_springs, content_of, interrupted, kicked
 from tests.cli.test_cli import run
 from tests.friction_sets import DATA
 from tests.places import GALLERY
@@ -340,6 +342,58 @@ def test_conservative_orbits_are_counted_at_their_period() -> None:
     assert np.allclose(times(census), [list(map(float, orbit.dwell_times))], atol=1e-10)
     assert ns.certify.all("rigid-stop/one-impact", box={"T": 7}).admissible == 1
     assert ns.certify.all("rigid-stop/one-impact", box={"T": 6}).count == 0
+
+
+def equations_of(census: Any) -> DwellEquations:
+    """The equations that the file of a census states."""
+    content = content_of(census)
+    (found,) = Counting(content).within(content["box"]).equations
+    return found
+
+
+def test_equations_over_boxes_enclose_those_at_points() -> None:
+    """By slopes from the middle, and between any two points; and the states at all starts."""
+    random = np.random.default_rng(7)
+    two = ns.certify.all("dry-friction", DATA, {"tau1": 9, "tau2": 9}, itinerary=TWO, limit=1)
+    stick = ns.certify.all(STICK, box={"tau": 9, "tau1": 9}, limit=1)
+    strikes = ns.certify.all(IMPACT, {"sigma": 0}, {"T": (2, 3)}, limit=1)
+    problems = [equations_of(census) for census in (two, stick, strikes)]
+    assert problems[0].setting.zeros == [1, 0]
+    assert problems[1].names == ["tau", "tau1", "tau2"]
+    assert problems[2].names == ["forcing time"]  # its dwell time is the period
+    with flint_precision(64):
+        for problem, _ in product(problems, range(30)):
+            count = len(problem.names)
+            # over a box that is not short a condition is not divided by its time
+            most = 1.0 if problem is problems[0] else 8.0
+            low = random.uniform(0, most, count) * random.integers(0, 2, count)
+            high = low + 10.0 ** random.uniform(-6, 0.5, count)
+            sides = tuple(zip(low.tolist(), np.minimum(high, low + most).tolist(), strict=True))
+            whole, between = (problem.linear(sides, between=each) for each in (False, True))
+            coordinates = random.uniform(-3, 3, len(problem.setting.places)).tolist()
+            starts = problem.starts(sides, coordinates)
+            assert whole is not None
+            assert between is not None
+            ends = [random.uniform(*np.transpose(sides)) for _ in range(4)]
+            points = [problem.linear(tuple((float(u), float(u)) for u in end)) for end in ends]
+            middles = [float(m) for m in middles_of(sides)]
+            for end, at, before, other in zip(ends, points, points[1:], ends[1:], strict=False):
+                assert at is not None
+                assert before is not None
+                assert touch(whole.over, at.centre)
+                pairs = (whole, middles, whole.centre), (between, other, before.centre)
+                for linear, first, value in pairs:
+                    for slope, u, m in zip(linear.slopes, end, first, strict=True):
+                        value = value + slope * (arb(u) - arb(m))
+                    assert touch(value, at.centre)
+                point = tuple((float(u), float(u)) for u in end)
+                for k, state in problem.starts(point, coordinates).items():
+                    assert touch(starts[k], state)
+
+
+def touch(wide: Any, narrow: Any) -> bool:
+    """Whether the balls of two matrices overlap."""
+    return all(x.overlaps(y) for x, y in zip(wide.entries(), narrow.entries(), strict=True))
 
 
 def test_too_few_boxes_leave_the_rest_undecided() -> None:

@@ -290,6 +290,9 @@ def test_a_band_holds_all_zeros_of_its_number() -> None:
     steeper = number + p * p * p * arb("0.2")
     # at q = 1 the zeros of 2 (p - 0.8 - rho) + 0.2 p^3 are up to 0.052 away
     assert 0.052 < away_of(steeper, (0.3, 0.5)) < 0.08
+    # its zero is at 0.8086; the slope falls from 1 amid the tile to 1/10 at its ends
+    slower = p - p * p * p * arb("0.3") - arb("0.65")
+    assert 0.9 - 0.8087 < away_of(slower, (0.9, 0.0)) < 0.4
     for bad in (number * 0 + p * p, -number):
         with pytest.raises(Failure, match="beside its band"):
             away_of(bad, (0.3, 0.5))

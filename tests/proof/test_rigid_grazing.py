@@ -202,15 +202,17 @@ def test_where_a_motion_grazes_twice_the_branch_ends_and_nothing_is_said_beyond(
     accepted(found, tmp_path)
 
 
-def test_a_stable_orbit_is_not_called_unstable() -> None:
-    given = {"w": "2.4", "r": "0.8", "sigma": "0.1"}
-    judged = JudgedOrbit(
-        content_of(ns.certify(ns.solve(STRIKER, given, [2 * np.pi / 2.4], itinerary=[IMPACT])))
-    )
+@pytest.mark.parametrize(("sigma", "outside"), [("0.1", False), ("0.12", False), ("0.2", True)])
+def test_a_stable_orbit_is_not_called_unstable(sigma: str, outside: bool) -> None:
+    """Also where the trace is -1.2: two multipliers inside the circle add up to 2 at most."""
+    given = {"w": "2.4", "r": "0.8", "sigma": sigma}
+    orbit = ns.solve(STRIKER, given, [2 * np.pi / 2.4], itinerary=[IMPACT])
+    assert (np.abs(orbit.multipliers).max() > 1) == outside
+    judged = JudgedOrbit(content_of(ns.certify(orbit)))
     assert judged.existence.claim == "proved"
     with ctx.workprec(128):
         assert judged.orbit.speed(0) > 0
-        assert not outside_if_reached(judged.orbit, 0)
+        assert outside_if_reached(judged.orbit, 0) == outside
 
 
 def _stable(event: dict[str, Any], beyond: dict[str, Any]) -> None:
