@@ -6,6 +6,7 @@ import ast
 import math
 import operator
 import re
+import unicodedata
 from collections.abc import Callable
 from typing import Any
 
@@ -16,8 +17,10 @@ from nonsmooth.derive.errors import DeclarationError
 __all__ = ["formula"]
 
 _TOKEN = re.compile(r"\s*((?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[^\W\d]\w*|\*\*|[-+*/^(),])\s*")
+_NOT_ZERO = re.compile(r"[\d.]*[1-9][\d.]*[eE]-\d+|[0.]*\.\d*[1-9]\d*")  # as it is written
 _LARGEST_POWER = 200_000  # bits
-_CONSTANTS = {"pi": sp.pi, "E": sp.E, "I": sp.I, "oo": sp.oo, "zoo": sp.zoo, "nan": sp.nan}
+# E is no constant: it is the modulus of elasticity where it is declared, and refused elsewhere
+_CONSTANTS = {"pi": sp.pi, "I": sp.I, "oo": sp.oo, "zoo": sp.zoo, "nan": sp.nan}
 _X = sp.Dummy("x")
 
 
@@ -25,7 +28,10 @@ def _root(first: Any, *others: Any) -> Any:
     """The root of a number; of a polynomial with integer coefficients, as texts of values say."""
     if len(others) < 2:
         return sp.root(first, *others)
-    return sp.CRootOf(sp.Poly(others, _X), int(first))
+    try:
+        return sp.CRootOf(sp.Poly(others, _X), int(first))
+    except IndexError:
+        raise DeclarationError(f"root {first} of a polynomial is beyond its real ones") from None
 
 
 _FUNCTIONS: dict[str, Callable[..., Any]] = {
@@ -48,10 +54,15 @@ _FUNCTIONS: dict[str, Callable[..., Any]] = {
 def formula(text: str) -> sp.Expr:
     """The expression that a text says, in SymPy's words; a decimal is the double it stands for.
 
+    A name is a symbol, also where SymPy has a function or number of that name: E, S, N, gamma.
     DeclarationError says what is not known in it.
     """
     try:
-        return _value(ast.parse(_source(text), mode="eval").body)
+        tokens = _tokens(text)
+        names = {unicodedata.normalize("NFKC", token): token for token in tokens}
+        if len(names) < len({*tokens}):
+            raise DeclarationError("two of its names differ in the form of letters alone")
+        return _value(ast.parse(" ".join(tokens), mode="eval").body, names)
     except DeclarationError:
         raise
     except (RecursionError, MemoryError):
@@ -63,23 +74,28 @@ def formula(text: str) -> sp.Expr:
         raise DeclarationError(problem.msg.partition(";")[0].partition(". ")[0]) from None
 
 
-def _source(text: str) -> str:
-    """The tokens of a text, between blanks."""
+def _tokens(text: str) -> list[str]:
+    """The tokens of a text, with Python's sign of a power."""
     tokens, place = [], 0
     while place < len(text):
         token = _TOKEN.match(text, place)
         if token is None or "__" in token[1]:
             raise DeclarationError(f"{token[1] if token else text[place]!r} is not known in it")
+        if _NOT_ZERO.fullmatch(token[1]) and float(token[1]) == 0:
+            raise DeclarationError("it has a number beyond the range of doubles")
         tokens.append("**" if token[1] == "^" else token[1])
         place = token.end()
-    return " ".join(tokens)
+    return tokens
 
 
-def _value(node: ast.expr) -> Any:
-    """The value of a part of a formula; sums and products may have many terms."""
+def _value(node: ast.expr, names: dict[str, str]) -> Any:
+    """The value of a part of a formula; sums and products may have many terms.
+
+    Python reads a letter such as the sign of micro as another one: `names` gives what was written.
+    """
     steps = []
     while isinstance(node, ast.BinOp) and type(node.op) in _OPERATORS:
-        steps.append((_OPERATORS[type(node.op)], _value(node.right)))
+        steps.append((_OPERATORS[type(node.op)], _value(node.right, names)))
         node = node.left
     match node:
         case ast.Constant(value=bool()):
@@ -91,17 +107,17 @@ def _value(node: ast.expr) -> Any:
                 raise DeclarationError("it has a number beyond the range of doubles")
             value = sp.Rational(repr(number))
         case ast.UnaryOp(op=ast.USub(), operand=inner):
-            value = -_value(inner)
+            value = -_value(inner, names)
         case ast.UnaryOp(op=ast.UAdd(), operand=inner):
-            value = _value(inner)
-        case ast.Name(id=name) if name in _FUNCTIONS:
+            value = _value(inner, names)
+        case ast.Name(id=name) if name in _FUNCTIONS and name != "S":  # which may be a parameter
             raise DeclarationError(f"the function {name} stands without its argument")
         case ast.Name(id=name):
-            value = _CONSTANTS.get(name, sp.Symbol(name))
+            value = _CONSTANTS.get(name, sp.Symbol(names[name]))
         case ast.Call(func=ast.Name(id=name)) if name not in _FUNCTIONS:
             raise DeclarationError(f"the function {name} is not known in it")
         case ast.Call(func=ast.Name(id=name), args=arguments, keywords=[]):
-            value = _FUNCTIONS[name](*map(_value, arguments))
+            value = _FUNCTIONS[name](*[_value(each, names) for each in arguments])
         case _:
             raise DeclarationError(f"{ast.unparse(node)!r} is not allowed in it")
     for apply, right in reversed(steps):

@@ -46,7 +46,8 @@ def deep() -> sp.Expr:
 PROGRAMS = (
     RUN, "open(5)", "x.free_symbols", "x[0]", "exec(x)", "x := 2", "'x'", "(chr)(65)", "sqrt(2)(3)",
     "lambda: x", "x if x else 2", "__x__", "x or 2", "2j", "2 x", "sqrt(x, y)", "sqrt", "True",
-    "x(2)", "", "(1, 2)", "9**9**9", "1e400", "(" * 5000, "-" * 9000 + "1", "x" * 50_000 + "!",
+    "x(2)", "", "(1, 2)", "9**9**9", "1e400", "1e-400", "root(5, 1, 0, -2)", "µ + μ",
+    "(" * 5000, "-" * 9000 + "1", "x" * 50_000 + "!",
 )  # fmt: skip
 WRONG = (
     NEVER, None, True, 5, 2.5, "x y!", b"x", [], {}, (), [5], ["x", 5], [(sp.Symbol("z"),)],
@@ -144,7 +145,8 @@ def test_texts_of_formulas_are_no_programs(text: str) -> None:
         ("S(1)/3", sp.Rational(1, 3)), ("Max(x, 2) - Abs(a)", sp.Max(X, 2) - sp.Abs(A)),
         ("asinh(1)", sp.log(1 + sp.sqrt(2))), ("gamma*x", sp.Symbol("gamma") * X),
         ("root(1, 1, 0, -2)", sp.sqrt(2)), ("root(8, 3)", sp.Integer(2)),
-        ("+".join("x" * 900), 900 * X),
+        ("+".join("x" * 900), 900 * X), ("E*x - S", sp.Symbol("E") * X - sp.Symbol("S")),
+        ("µ - ϕ", sp.Symbol("µ") - sp.Symbol("ϕ")), ("0.0e-400 + x", X),
     ],
 )  # fmt: skip
 def test_texts_of_formulas_are_what_they_say(text: str, expression: sp.Expr) -> None:

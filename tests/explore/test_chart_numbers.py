@@ -319,6 +319,7 @@ def test_a_point_outside_a_domain_has_no_orbit() -> None:
         (STICK, {"V": [1.0, 1.0]}, "do not increase"),
         (STICK, {"V": [1.0, np.nan]}, "finite"),
         (STICK, {"V": ["a"]}, "no row of numbers"),
+        (STICK, {"V": np.ma.array([1.0, 2.0], mask=[False, True])}, "no row of finite numbers"),
         (STICK, {"W": [1.0, 2.0]}, "unknown parameter 'W'"),
         (STICK, {"V": [1.0, 2.0], "eta": -1}, "eta = -1 is outside its domain"),
         (STICK, {"V": [1.0, 2.0], "chunk": 0}, "chunk = 0"),

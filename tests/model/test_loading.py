@@ -314,6 +314,12 @@ def test_an_edited_file_is_read_again(tmp_path: Path, derivations: list[str]) ->
         ("a = {'b'}\n", 1), ("a = {'b', 'c'}\n", 2), ("a = {b for b in 'bc'}\n", 2),
         ("a = [*system.configurations[0].boundaries[0].function.free_symbols]\n", 2),
         ("from nonsmooth.derive import reduce_structure as a\n", 2),
+        ("a = [*({*'bc'})]\n", 2), ("a = [*({'b'} | {'c'})]\n", 2),
+        ("a = [*({'b': 1}.keys() - {})]\n", 2), ("a = {'b': 1}.items()\na |= {'c'}\n", 2),
+        ("a = [*map(str, {'b': 1}.keys())]\n", 2),
+        ("for a, b in {'b': 1}.items():\n    pass\na = dict(sorted({'b': 1}.items()))\n", 1),
+        ("def a(n):\n    try:\n        return a(n + 1)\n    except:\n        return n\n", 2),
+        ("from nonsmooth.derive.systems import import_module as a\na('os').name\n", 2),
     ],
 )  # fmt: skip
 def test_a_file_whose_text_says_all_is_not_executed_again(

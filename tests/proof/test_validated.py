@@ -16,6 +16,7 @@ from nonsmooth.derive import (
     Boundary,
     Configuration,
     FirstOrder,
+    Friction,
     Harmonic,
     RigidStop,
     SoftStop,
@@ -213,6 +214,18 @@ def test_a_stop_that_is_barely_reached_is_not_passed_by(short: str) -> None:
     assert time is not None
     early = mp.asin(1 - mp.mpf(short))
     assert abs(float(time.ball.mid()) - float(early)) < 1e-7
+
+
+def test_slip_begins_where_the_force_is_at_a_limit_without_a_drop() -> None:
+    """Its velocity relative to the belt and the slope of that are exactly zero at first."""
+    coulomb = Friction("x", kinetic="3/5", static="3/5", velocity=0)
+    forcing = [Harmonic("31/10", cosine=[2])]
+    system = oscillator("coulomb", ["x"], [[1]], [[3]], forcing=forcing, elements=[coulomb])
+    start = ["-1/5", "-2/5", "3/5", "4/5"]
+    proof = certify.motion(system, {}, start, "slip", 8)
+    assert proof.bits == 128
+    assert {("x-breaks-forward",), ("x-breaks-backward",)} & {*proof.sets}
+    DeclaredMotion(system, {}).agrees(proof, start, 1e-20)
 
 
 def test_what_creeps_to_a_boundary_is_told_where_digits_end() -> None:

@@ -36,8 +36,9 @@ def parameters(*names: str) -> tuple[Parameter, ...]:
     return tuple(Parameter(name, name, lower=-sp.oo) for name in names)
 
 
-def damped() -> System:
+def damped(*more: Boundary) -> System:
     """A mass with x'' + a x' + k x = g in front of a stop at x = 1."""
+    reached = REACHED | {boundary.name for boundary in more}
     one = sp.Matrix([[1]])
     free = SecondOrder(one, k * one, (g,), a * one)
     stuck = SecondOrder(one, k * one, (g,), a * one, {x: 0})
@@ -47,12 +48,12 @@ def damped() -> System:
         (x, v),
         parameters("a", "k", "g", "r"),
         (
-            Configuration("free", free, (Boundary("reaches-stop", x - 1),)),
+            Configuration("free", free, (Boundary("reaches-stop", x - 1), *more)),
             Configuration("rest", stuck, (Boundary("leaves-stop", k * x - g),), (x - 1,)),
         ),
         (
-            Transition("free", REACHED, "free", (Condition(v, "rest"),), {x: 1, v: -r * v}),
-            Transition("free", REACHED, "rest", (), {x: 1, v: 0}),
+            Transition("free", reached, "free", (Condition(v, "rest"),), {x: 1, v: -r * v}),
+            Transition("free", reached, "rest", (), {x: 1, v: 0}),
             Transition("rest", frozenset({"leaves-stop"}), "free"),
         ),
     )

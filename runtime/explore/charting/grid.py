@@ -33,7 +33,8 @@ def axis_of(name: str, values: Any) -> np.ndarray:
         found = np.array(values, dtype=float)
     except (TypeError, ValueError):
         raise InputError(f"the values of {name} are no row of numbers") from None
-    if found.ndim != 1 or not found.size or not np.isfinite(found).all():
+    row = found.ndim == 1 and found.size and np.isfinite(found).all()
+    if not row or np.ma.is_masked(values):
         raise InputError(f"the values of {name} are no row of finite numbers")
     if not (np.diff(found) > 0).all():
         raise InputError(f"the values of {name} do not increase strictly")

@@ -31,6 +31,13 @@ __all__ = [
 
 _DERIVATION = ("nonsmooth.derive", "nonsmooth.derive.systems")
 _SYMBOLIC = ("sympy", "math", "fractions", "itertools")
+# what of the derivation reads other files, or imports what is named to it
+_READING = frozenset([
+    "read_matrices", "reduce_structure", "import_module", "ModuleType", "register", "registered",
+    "*",
+])  # fmt: skip
+# a view of keys is a set of no order under an operator: it is only gone through, or listed
+_VIEWS, _LISTING = {"keys", "items"}, {"list", "tuple", "dict", "sorted", "enumerate", "zip", "len"}
 # what a file may take from these modules, or ask of what it has; all depends on arguments alone
 _PLAIN = frozenset([
     "symbols", "Symbol", "Rational", "Integer", "Float", "Matrix", "eye", "zeros", "ones", "diag",
@@ -124,10 +131,23 @@ def hash_of_text(path: Path) -> str | None:
     except (OSError, SyntaxError, ValueError, RecursionError, MemoryError):
         return None
     alone = {id(node.value) for node in nodes if isinstance(node, ast.Expr)}  # as docstrings are
+    listed = {id(part.func) for part in _gone_through(nodes) if isinstance(part, ast.Call)}
     for node in nodes:
+        if isinstance(node, ast.Attribute) and node.attr in _VIEWS and id(node) not in listed:
+            return None
         if not (_depends_on_text(node) or (isinstance(node, ast.Constant) and id(node) in alone)):
             return None
     return hashlib.sha256(_code() + content).hexdigest()
+
+
+def _gone_through(nodes: list[ast.AST]) -> Iterator[ast.expr]:
+    """The parts of a file of which the entries are taken one after the other."""
+    for node in nodes:
+        match node:
+            case ast.For(iter=entries) | ast.comprehension(iter=entries):
+                yield entries
+            case ast.Call(func=ast.Name(id=name), args=arguments) if name in _LISTING:
+                yield from arguments
 
 
 def _depends_on_text(node: ast.AST) -> bool:
@@ -138,7 +158,7 @@ def _depends_on_text(node: ast.AST) -> bool:
         case ast.ImportFrom(module=module, names=names, level=0):
             taken = {alias.name for alias in names}
             if module in _DERIVATION:
-                return not taken & {"read_matrices", "reduce_structure", "*"}
+                return not taken & _READING
             return module in _SYMBOLIC and taken <= _PLAIN
         case ast.Attribute(attr=name):
             return name in _PLAIN
@@ -146,8 +166,12 @@ def _depends_on_text(node: ast.AST) -> bool:
             return name in _BUILT_IN or not (hasattr(builtins, name) or name.startswith("__"))
         case ast.Constant(value=str(text)):
             return bool(_HARMLESS.fullmatch(text))
-        case ast.Set(elts=entries):
-            return len(entries) == 1  # of more the order differs from run to run
+        case ast.Set(elts=entries):  # of more the order differs from run to run
+            return len(entries) == 1 and not isinstance(entries[0], ast.Starred)
+        case ast.BitOr() | ast.BitAnd() | ast.BitXor():  # of sets
+            return False
+        case ast.Try() | ast.TryStar():  # which may catch what the depth of the stack decides
+            return False
         case ast.ImportFrom() | ast.Match() | ast.SetComp():
             return False
     return True

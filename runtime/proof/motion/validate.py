@@ -205,7 +205,10 @@ class _Motion:
         step = arb(_STEP / phase.fastest if phase.fastest else 2 * phase.step)
         flow, rates = phase.flow(step).mid(), (rows * phase.matrix).mid()
         state, since = motion.states.centre, arb(0)
-        slopes = (rates * state).entries()
+        slopes, orders = (rates * state).entries(), motion.entry.watched(motion.states)
+        for k, names in enumerate(sets):
+            if orders[min(names)] > 1:  # exactly zero at first, and negative behind
+                slopes[k] = arb(0)
         sizes = [sum(map(abs, row), arb(0)) * arb(2) ** -(ctx.prec // 2) for row in rows.tolist()]
         for number in count(1):
             ahead = (flow * state).mid()
