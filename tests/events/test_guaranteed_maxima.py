@@ -131,6 +131,14 @@ def test_a_skew_peak_does_not_mislead_newton(late):
     assert stays_below(function, 0.58, arb(value) + arb(tolerance))
 
 
+def test_a_bump_between_ends_that_slope_away_from_it_is_found():
+    """Only the bound on the error of a cell's interpolant tells of it."""
+    function = fitted(lambda s: (s * (1 - s) - 0.02) * (1 - 2 * s), 0.58)
+    found = maximum(function, 0.58)
+    assert found == (pytest.approx(function(0.29), rel=1e-12), pytest.approx(0.29, abs=1e-3))
+    assert function(0.29) > function(0.0) + 0.01
+
+
 @pytest.mark.parametrize("scale", [1e-60, 1e-3, 1e6, 1e60])
 def test_units_do_not_matter(scale):
     function = trigonometric(-0.3, 0.1, (1.0, 0.4), (0.2, 0.7), (1.0, 2.6))

@@ -12,7 +12,7 @@ import pytest
 import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth.derive import RigidStop, System, oscillator
+from nonsmooth.derive import Harmonic, RigidStop, System, oscillator
 from nonsmooth.runtime.events.transition_choice import Decider
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import TransitionShape
@@ -102,6 +102,23 @@ def test_every_arithmetic_makes_the_same_choice(name: str) -> None:
         if state is not None:
             seen.add(told_by_all(system, data, state, where)[0])
     assert seen >= {"TRANSITIONS", "later"}
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize("order", [1, 2, 3])
+def test_a_start_passes_at_once_what_its_leading_derivative_leads_beyond(
+    order: int, sign: int
+) -> None:
+    """At a stop: with a speed, under a load, or a force that begins to grow."""
+    system = oscillator(
+        "at-a-stop", ["x"], [[1]], [[0]], load=[2 * sign * (order == 2)],
+        forcing=[Harmonic(1, sine={"x": 1})], elements=[RigidStop("x", 0, "1/2", name="stop")],
+    )  # fmt: skip
+    start = [0, sign * (order == 1), sign if order == 3 else 1, 0]
+    for motion in with_both(ns.simulate, system, {}, start, "free", until=0.1):
+        assert (0 in motion.times[1:].tolist()) == (sign > 0)
+    if sign > 0:
+        assert ns.certify.motion(system, {}, start, "free", 1).sets == (("stop-reaches-stop",),)
 
 
 @pytest.mark.slow

@@ -294,6 +294,14 @@ def test_closed_forms_of_the_impact_oscillator() -> None:
     assert (stable[both] | (np.abs(np.stack(traces)).min(axis=0)[both] > 1 + r**2)).mean() > 0.95
 
 
+def test_neutral_where_the_map_keeps_the_area() -> None:
+    line = ns.chart(IMPACT, w=np.linspace(2.2, 2.8, 9), r=1)
+    inside = np.abs(line.trace.values) < 2
+    assert inside.any()
+    assert (line.margin.values[inside] == 0).all()
+    assert (line.margin.values[np.abs(line.trace.values) > 2.001] < 0).all()
+
+
 def test_margins_of_families() -> None:
     """One multiplier is 1; a reciprocal pair beside it is neutral on the circle."""
     angle = np.exp(0.7j)

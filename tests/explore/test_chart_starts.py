@@ -9,6 +9,28 @@ from nonsmooth.runtime.explore.charting.anchors import Solver, anchor_starts
 from nonsmooth.runtime.explore.charting.grid import Grid
 
 
+@pytest.mark.parametrize("count", [1, 2, 34, 400])
+def test_points_lie_between_their_anchors(count: int) -> None:
+    """Each is the mean of the two beside it, as its place in between says."""
+    grid = Grid({"p": np.geomspace(1, 2, count), "q": np.linspace(0, 1, 7)}, (13, 3))
+    for block in map(grid.block, range(grid.chunks)):
+        for axis, anchors, points, cell, fraction in zip(
+            grid.axes.values(),
+            grid.anchors,
+            block.points,
+            block.cells,
+            block.fractions,
+            strict=True,
+        ):
+            known = axis[anchors]
+            assert known[[0, -1]].tolist() == axis[[0, -1]].tolist()
+            following = known[np.minimum(cell + 1, len(known) - 1)]
+            np.testing.assert_allclose(
+                (1 - fraction) * known[cell] + fraction * following, points, rtol=1e-14
+            )
+            assert ((fraction >= 0) & (fraction <= 1)).all()
+
+
 @pytest.mark.parametrize("unit", [1.0, 1e-9, 1e9])
 def test_most_neighbours_decide_between_orbits_that_are_as_good_in_all_units(unit: float) -> None:
     def either(values: Any, start: np.ndarray | None) -> dict[str, np.ndarray]:

@@ -117,6 +117,8 @@ def test_each_orbit_is_a_motion_that_goes_around_once_and_is_listed_once(name):
         assert orbit.residual < 1e-11
         assert orbit.admissibility.verdict is True
         assert (orbit.dwell_times > 0).all()
+        turned = (entry.itinerary[k:] + entry.itinerary[:k] for k in range(count))
+        assert entry.itinerary == min(turned), "it is told from elsewhere, and may be listed twice"
         data = {n: str(v) for n, v in orbit.parameters.items()}
         motion = simulate(
             "dry-friction", data, orbit.states[0], entry.itinerary[0][0], transitions=count

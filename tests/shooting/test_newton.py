@@ -74,6 +74,18 @@ class Line:
         return {"tau": values["tau"] - self.ahead}
 
 
+def test_points_of_a_batch_end_as_each_alone() -> None:
+    """After steps of their own number, converged or not."""
+    kernels: Any = Line()
+    roots = np.array([[0.5], [40.0], [-20.0], [1e-3], [np.nan], [3.0], [-1e-6], [1e9]])
+    many = solve_reduced(kernels, roots, np.ones((8, 1)))
+    alone = [solve_reduced(kernels, root, np.array([1.0])) for root in roots]
+    assert many.status.tolist() == [one.status for one in alone]
+    assert many.iterations.tolist() == [one.iterations for one in alone]
+    assert len(set(many.iterations.tolist())) > 4
+    np.testing.assert_array_equal(many.unknowns, [one.unknowns for one in alone])
+
+
 @pytest.mark.parametrize("root", [3.0, 1e-3, 1e-8, -1e-12, -4e-10, -1e-6, -0.5, -20.0])
 def test_a_dwell_time_that_goes_below_zero_is_never_said_to_be_found(root: float) -> None:
     """Damping makes its steps small; only a whole small step is the last one."""

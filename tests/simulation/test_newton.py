@@ -71,7 +71,8 @@ CASES: dict[str, tuple[tuple[Any, ...], dict[str, Any], set[str]]] = {
     "coupled pads": (TWO, {"elements": [Friction(x, u, 1.3 * u, velocity=0.4)
                                         for x, u in (("x", 0.3), ("y", 0.5))]}, {"slip", "stick"}),
     "soft stops": (TWO, {"elements": [soft(), SoftStop("x", -0.3, 5, side="lower")],
-                         "forcing": WAVE}, {"contact"}),
+                         "forcing": [Harmonic("1.3", {"y": 2}, {"x": 0.5}, phase=0.7)]},
+                   {"contact"}),
     "slider": (TWO, {"elements": [Slider("x", 3, 0.2, name="jenkins")], "forcing": WAVE},
                {"forward", "backward"}),
     "belts and stops": (
