@@ -218,7 +218,7 @@ def widen(axes: Axes) -> None:
     """Widen the range of the upright axis if the values on it differ by rounding only."""
     low, high = axes.dataLim.intervaly
     size = max(abs(low), abs(high))
-    if high - low < _CONSTANT * size:
+    if 0 <= high - low < _CONSTANT * size:  # the range of no data is turned round
         left = axes.dataLim.intervalx[0]
         axes.update_datalim([(left, low - _AROUND * size), (left, high + _AROUND * size)])
         axes.autoscale_view()
