@@ -93,6 +93,7 @@ def told_by_all(system: Any, data: Any, state: Any, where: str | None) -> tuple[
     return (motion.status.name if motion.end == 0 else "later"), motion.configurations[-1]
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_every_arithmetic_makes_the_same_choice(name: str) -> None:
     system, data = SYSTEMS[name]
@@ -104,6 +105,7 @@ def test_every_arithmetic_makes_the_same_choice(name: str) -> None:
     assert seen >= {"TRANSITIONS", "later"}
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("sign", [1, -1])
 @pytest.mark.parametrize("order", [1, 2, 3])
 def test_a_start_passes_at_once_what_its_leading_derivative_leads_beyond(
@@ -121,6 +123,7 @@ def test_a_start_passes_at_once_what_its_leading_derivative_leads_beyond(
         assert ns.certify.motion(system, {}, start, "free", 1).sets == (("stop-reaches-stop",),)
 
 
+@pytest.mark.compiled
 @pytest.mark.slow
 def test_balls_say_of_a_law_what_doubles_say() -> None:
     system, data = declared(5, 2, [0, 1]), {"sign": "1"}
