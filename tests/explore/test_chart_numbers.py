@@ -257,7 +257,7 @@ def test_limits_without_compiled_kernels(
 ) -> None:
     compiled = ns.chart(orbit, **plane).limit.values
     monkeypatch.setenv("NONSMOOTH_BACKEND", "numpy")
-    assert (compiled >= 0).any()
+    assert len({*compiled.ravel()}) > 1
     np.testing.assert_array_equal(compiled, ns.chart(orbit, **plane).limit.values)
 
 
