@@ -210,5 +210,6 @@ def shared(what: str) -> Iterator[Callable[[float, int], None]]:
 
 def _progress(*columns: ProgressColumn, **options: Any) -> Progress:
     """Progress on stderr, of which nothing is shown unless that is a terminal."""
-    shown = sys.stderr.isatty()
-    return Progress(*columns, console=Console(stderr=True), disable=not shown, **options)
+    idle = not sys.stderr.isatty()
+    console = Console(stderr=True, quiet=idle)  # Rich before 14 ends what is disabled by a line
+    return Progress(*columns, console=console, disable=idle, **options)

@@ -399,7 +399,10 @@ def test_equal_declarations_have_one_fingerprint(tmp_path: Path) -> None:
         ("open('/no/such/file')\n", "line 1: FileNotFoundError: .*'/no/such/file'"),
         ("raise SystemExit(3)\n", "line 1: SystemExit: 3"),
         ("raise ValueError('two\\nlines')\n", "line 1: ValueError: two lines"),
-        ("x = " + "+".join("1" * 9000) + "\n", r"mine\.py: (RecursionError|MemoryError)"),
+        (  # Python reads such sums from 3.13 on
+            "x = " + "+".join("1" * 9000) + "\n",
+            r"mine\.py(: (RecursionError|MemoryError)| declares no system)",
+        ),
         ("x = 1\n", r"declares no system: call one `system`"),
         ("system = {}\n", "`system` is of type dict, not a System"),
         (
