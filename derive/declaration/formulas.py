@@ -67,6 +67,7 @@ def formula(text: str) -> sp.Expr:
         raise
     except (RecursionError, MemoryError):
         raise DeclarationError("it is nested too deeply") from None
+    # SymPy's functions have no one exception for what they do not take
     except (TypeError, ValueError, NotImplementedError, sp.PolynomialError) as problem:
         reason = " ".join(str(problem).split())
         raise DeclarationError(f"a function does not take what it is given: {reason}") from None
