@@ -1,4 +1,4 @@
-"""The equations of an orbit at many points near it: by its kernels, or by tables.
+"""The equations of an orbit and of those near it over parameters: by its kernels, or by tables.
 
 By tables, unknowns are the dwell times and the state at the start; the equations are the
 switching conditions and closure. Flows are exponentials of the fields at a parameter with a tiny
@@ -9,7 +9,8 @@ subtracted (Al-Mohy and Higham, Numer. Algorithms 53, 2010).
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -19,7 +20,7 @@ import numpy as np
 from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts, stepped
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.exponentials.matrices import eigenvalues
-from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves
 from nonsmooth.runtime.events.leading_derivative import derivatives, leading
 from nonsmooth.runtime.model.factored_flows import FactoredFlows
@@ -60,77 +61,210 @@ __all__ = ["KernelEquations", "OrbitEquations", "equations_of", "phase_waves"]
 
 _SMALLEST = 0.05  # size of an unknown in units of what changes an equation by itself, at least
 _ZERO = 1e-9  # relative size below which a derivative counts as zero
+_LEAP = 1e-6  # of the difference of two parts before a step: what is left of it behind a leap
+_EVEN = 1e-15  # what rounding leaves of such a difference
 
 
-class KernelEquations:
-    """The equations of an orbit with kernels, near it.
+class OrbitEquations(ABC):
+    """Orbits of one itinerary as the zeros z = (unknowns, parameters) of its equations.
 
-    A point x (v,) holds all unknowns and what may be given in their place, by `names`; an
-    unknown may have been given, and a parameter solved for in its place. Arrays of points are
-    (k, v). Numbers are nondimensional, or in the units of the declaration.
+    Arrays of many points are (k, n + q), nondimensional or in the units of the declaration. The
+    q `parameters` are numbers that were given for `orbit`; `lengths`, those of their intervals,
+    are their units of measure. An unknown may have been given, and a parameter solved for in its
+    place.
 
-    `values` (v,) are the orbit's, `unknowns` the names (n,) of what it was solved for.
+    `unknowns` are the names (n,) of what the orbit was solved for, and `first` (n + q,) its point.
     `dwell_names` and `phases`, pairs of configuration and boundary, are those of the p phases
     that take time, of the part that a symmetry closes; `order` such parts make up one period.
     Orbits come in families that a first integral parametrises where they are `conservative`.
+    Raises `InputError` for a period that the other parameters determine, or for several forcings.
     """
 
+    unknowns: tuple[str, ...]
+    dwell_names: tuple[str, ...]
+    phases: tuple[tuple[str, ...], ...]
+    conservative: bool
     order = 1
-    condition_places: tuple[int, ...] = ()  # the phase at whose end each condition is asked
 
-    def __init__(self, orbit: Orbit) -> None:
-        self.orbit, self._kernels = orbit, orbit.kernels
-        kernels, table = self._kernels, self._kernels.table
-        self.names = (*kernels.unknowns, *kernels.parameter_names)
+    def __init__(
+        self,
+        orbit: Orbit,
+        names: Sequence[str],
+        values: np.ndarray,
+        parameters: Sequence[str],
+        lengths: Any,
+    ) -> None:
+        # all numbers of the equations (v,), those of which a point consists among them
+        for name in parameters:
+            if name not in names:
+                raise InputError(f"{orbit.name}: the {name} is determined by the other parameters")
+        self.orbit, self.parameters = orbit, tuple(parameters)
+        self._values = values
+        self._places = [names.index(name) for name in (*self.unknowns, *parameters)]
+        self.first = values[self._places]
+        self._lengths = np.broadcast_to(lengths, len(parameters))
+
+    @property
+    def parameter(self) -> str:
+        """The first of the parameters."""
+        return self.parameters[0]
+
+    @cached_property
+    def sizes(self) -> np.ndarray:
+        """Typical sizes (n + q,) of the numbers of a point, as units of measure."""
+        return np.concatenate([self._sizes(), self._lengths])
+
+    def equations(self, z: np.ndarray, by: int | None = None) -> tuple[np.ndarray, np.ndarray]:
+        """Left-hand sides (m,), m >= n, at one point z (n + q,), and their Jacobian (m, n + q).
+
+        Its columns are those of the unknowns and of all parameters, or of the first `by`.
+        """
+        full, places = self._full(z), self._places[len(self.unknowns) :][:by]
+        found = [self._linearised(full, place) for place in places]
+        residual, jacobian = found[0]
+        more = [other[:, -1:] for _, other in found[1:]]
+        return residual, np.concatenate([jacobian, *more], axis=1)
+
+    def leaps(self, z: np.ndarray, following: np.ndarray) -> bool:
+        """Whether parts that differ at z (n + q,) coincide at `following`, behind a step.
+
+        The step has then met the branch that this one doubles.
+        """
+        parts = zip(self.unevenness(z), self.unevenness(following), strict=True)
+        sizes = [tuple(float(np.abs(part).max()) for part in pair) for pair in parts]
+        return any(after < _LEAP * before > _EVEN for before, after in sizes)
+
+    @abstractmethod
+    def dwell(self, z: np.ndarray) -> np.ndarray:
+        """Dwell times (k, p) of the phases that take time, affine in z (k, n + q)."""
+
+    @abstractmethod
+    def unevenness(self, z: np.ndarray) -> list[np.ndarray]:
+        """Differences (N,) of each repeated part of the itinerary from the first, at z (n + q,).
+
+        They are in units of the states' sizes; the list is empty where no part is repeated. Where
+        a difference is zero the branch meets that of the part, and comes back with the parts
+        exchanged.
+        """
+
+    @abstractmethod
+    def waves(self, z: np.ndarray) -> list[tuple[np.ndarray, list[PhaseWaves]]]:
+        """Boundary functions of all phases at points z (k, n + q), in groups of points.
+
+        Each group is an integer array of the places of its points, and a list of their phases.
+        """
+
+    @abstractmethod
+    def conditions(self, z: np.ndarray) -> np.ndarray:
+        """Numbers (k, c) at z (k, n + q) that keep their sign while transitions lead where they do.
+
+        Each is the lowest derivative along a flow that is not zero there.
+        """
+
+    @property
+    @abstractmethod
+    def condition_places(self) -> Sequence[int]:
+        """Number of the phase at whose end each of these conditions is asked."""
+
+    @abstractmethod
+    def taken(self, conditions: np.ndarray) -> np.ndarray:
+        """Number of the transition that each phase takes (k, p), from its conditions (k, c).
+
+        It is -1 where a phase takes none.
+        """
+
+    @abstractmethod
+    def multipliers(self, z: np.ndarray) -> np.ndarray:
+        """Multipliers (k, r), complex, over one part at z (k, n + q), without trivial ones.
+
+        Those that are always zero are left out too.
+        """
+
+    @abstractmethod
+    def traces(self, z: np.ndarray) -> np.ndarray:
+        """Traces (k,) of the Poincare map of the whole period, at z (k, n + q)."""
+
+    @abstractmethod
+    def admissible(self, z: np.ndarray) -> np.ndarray:
+        """Mask (k,) of the points z (k, n + q) that are motions of the real system."""
+
+    @abstractmethod
+    def at(self, z: np.ndarray) -> Orbit:
+        """The orbit at one point z (n + q,), as a record."""
+
+    @abstractmethod
+    def motion(self, z: np.ndarray) -> Motion | Trajectory:
+        """The motion at one point z (n + q,), where a phase that vanishes takes no time."""
+
+    @abstractmethod
+    def _sizes(self) -> np.ndarray:
+        """Typical sizes (n,) of the unknowns."""
+
+    @abstractmethod
+    def _linearised(self, x: np.ndarray, place: int) -> tuple[np.ndarray, np.ndarray]:
+        """Left-hand sides (m,) at all numbers (v,), and their Jacobian (m, n + 1).
+
+        The columns are derivatives by the unknowns, then by the number at `place`.
+        """
+
+    def _full(self, z: np.ndarray) -> np.ndarray:
+        """All numbers of the equations at a point (n + q,), or at many (k, n + q)."""
+        full = np.empty((*z.shape[:-1], len(self._values)))
+        full[...] = self._values
+        full[..., self._places] = z
+        return full
+
+    def _given(self, z: np.ndarray) -> dict[str, Value]:
+        """Parameters at a point, with the period where it is given."""
+        values = zip(self.parameters, z[len(self.unknowns) :].tolist(), strict=True)
+        return {**self.orbit.given, **{name: as_value(value) for name, value in values}}
+
+
+class KernelEquations(OrbitEquations):
+    """The equations of an orbit with kernels."""
+
+    condition_places: Sequence[int] = ()
+
+    def __init__(self, orbit: Orbit, *parameters: str, lengths: Any = 1.0) -> None:
+        self._kernels = kernels = orbit.kernels
+        table, names = kernels.table, (*kernels.unknowns, *kernels.parameter_names)
         self.unknowns = tuple(orbit.unknowns)
-        self.values = np.array([float(orbit.values[name]) for name in self.names])
         self._count = len(kernels.unknowns)
-        self._places = [self.names.index(name) for name in self.unknowns]
+        self._sought = [names.index(name) for name in self.unknowns]
         self._timed = lasting_phases(kernels)
         self.dwell_names = tuple(kernels.dwell_times[k] for k in self._timed)
         self.phases = tuple(tuple(table["phases"][k][:2]) for k in self._timed)
         self.conservative = bool(table["conservative"])
         self._pair = has_reciprocal_pair(orbit)
+        values = np.array([float(orbit.values[name]) for name in names])
+        super().__init__(orbit, names, values, parameters, lengths)
 
-    @property
-    def sizes(self) -> np.ndarray:
-        """Typical sizes (n,) of the unknowns, as units of measure."""
-        unknowns = abs(self.values[self._places])
+    def _sizes(self) -> np.ndarray:
+        """See `OrbitEquations`."""
+        unknowns = abs(self._values[self._sought])
         waits = np.array([name in self._kernels.dwell_times for name in self.unknowns])
-        jacobian = equations_at(self._kernels, self.values).jacobian
-        own = natural_scales(jacobian, self.values)[1][self._places]
+        jacobian = equations_at(self._kernels, self._values).jacobian
+        own = natural_scales(jacobian, self._values)[1][self._sought]
         return np.where(waits, float(self.orbit.period), np.maximum(unknowns, _SMALLEST * own))
 
-    def linearised(self, x: np.ndarray, place: int) -> tuple[np.ndarray, np.ndarray]:
-        """Return left-hand sides (m,), m >= n, at a point, and their Jacobian (m, n + 1).
-
-        The columns are derivatives by the unknowns, then by the number at `place` among
-        `names`.
-        """
+    def _linearised(self, x: np.ndarray, place: int) -> tuple[np.ndarray, np.ndarray]:
+        """See `OrbitEquations`."""
         found = equations_at(self._kernels, x)
-        return found.residual, found.jacobian[:, [*self._places, place]]
+        return found.residual, found.jacobian[:, [*self._sought, place]]
 
-    def dwell(self, x: np.ndarray) -> np.ndarray:
-        """Return the dwell times (k, p) at points (k, v): affine in them, in the unit of time."""
-        return dwell_times(self._kernels, x, self._timed)
+    def dwell(self, z: np.ndarray) -> np.ndarray:
+        """See `OrbitEquations`."""
+        return dwell_times(self._kernels, self._full(z), self._timed)
 
-    def unevenness(self, x: np.ndarray) -> list[np.ndarray]:
-        """Return how far the state behind a part differs from the start (N,), at a point.
-
-        There is one array for each of the parts that the itinerary repeats, in units of the
-        states' sizes; the list is empty where no part is repeated. Where the difference is
-        zero the branch meets that of the part, and comes back with the parts exchanged.
-        """
+    def unevenness(self, z: np.ndarray) -> list[np.ndarray]:
+        """See `OrbitEquations`."""
         return []
 
-    def waves(self, x: np.ndarray) -> list[tuple[np.ndarray, list[PhaseWaves]]]:
-        """Return groups of points with the boundary functions of each of their phases.
-
-        A group is given by the places (int) of its points among the points (k, v).
-        """
+    def waves(self, z: np.ndarray) -> list[tuple[np.ndarray, list[PhaseWaves]]]:
+        """See `OrbitEquations`."""
         # trigonometric sums
-        kernels, opened, dwell = self._kernels, self.orbit.opened, self.dwell(x)
-        found = kernels.evaluate("coefficients", "frequencies", at=self._arguments(x))
+        kernels, opened, dwell = self._kernels, self.orbit.opened, self.dwell(z)
+        found = kernels.evaluate("coefficients", "frequencies", at=self._arguments(z))
         every = [
             (boundary, row, frequencies)
             for boundary, row, frequencies in trigonometric_rows(kernels, *found)
@@ -149,126 +283,115 @@ class KernelEquations:
             leaving = names.index(kernels.table["phases"][phase][1])
             asked = position, names, leaving, np.stack(rows, 1), frequencies[0], dwell[:, position]
             phases.append(_phase_waves(*asked))
-        return [(np.arange(len(x)), phases)]
+        return [(np.arange(len(z)), phases)]
 
-    def conditions(self, x: np.ndarray) -> np.ndarray:
-        """Return no conditions: a phase that begins where the one before it ends shows them."""
-        return np.empty((len(x), 0))
+    def conditions(self, z: np.ndarray) -> np.ndarray:
+        """See `OrbitEquations`."""
+        # a phase that begins where the one before it ends shows them
+        return np.empty((len(z), 0))
 
     def taken(self, conditions: np.ndarray) -> np.ndarray:
-        """Return the number (k, p) of the transition that each phase takes; -1 where it takes none.
-
-        `conditions` (k, c) are those of the method of that name.
-        """
+        """See `OrbitEquations`."""
         return np.zeros((len(conditions), len(self.phases)), dtype=int)
 
-    def multipliers(self, x: np.ndarray) -> np.ndarray:
-        """Return the complex multipliers (k, r) over one part that may differ from zero.
-
-        Trivial ones are left out.
-        """
+    def multipliers(self, z: np.ndarray) -> np.ndarray:
+        """See `OrbitEquations`."""
         table = self._kernels.table
         if table["rank"] == 1:
-            return self.traces(x)[:, None].astype(complex)[:, int(table["conservative"]) :]
+            return self.traces(z)[:, None].astype(complex)[:, int(table["conservative"]) :]
         if self._pair:
-            half = (self.traces(x) - 1) / 2
+            half = (self.traces(z) - 1) / 2
             with np.errstate(all="ignore"):
                 root = np.sqrt(half.astype(complex) ** 2 - 1)
                 larger = np.where(half > 0, half + root, half - root)
                 return np.stack([larger, 1 / larger], axis=-1)
         with np.errstate(all="ignore"):  # infinite where a boundary is touched
-            matrices = self._kernels.evaluate("poincare_jacobian", at=self._arguments(x))
+            matrices = self._kernels.evaluate("poincare_jacobian", at=self._arguments(z))
         return nontrivial(eigenvalues(matrices), table["rank"], family=self.conservative)
 
-    def traces(self, x: np.ndarray) -> np.ndarray:
-        """Return traces (k,) of the Poincare map of the whole period."""
+    def traces(self, z: np.ndarray) -> np.ndarray:
+        """See `OrbitEquations`."""
         with np.errstate(all="ignore"):
-            return np.asarray(self._kernels.evaluate("trace", at=self._arguments(x)))
+            return np.asarray(self._kernels.evaluate("trace", at=self._arguments(z)))
 
-    def admissible(self, x: np.ndarray) -> np.ndarray:
-        """Return whether each of the points (k, v) is a motion of the real system."""
-        parameters, _, unknowns = self._arguments(x)
+    def admissible(self, z: np.ndarray) -> np.ndarray:
+        """See `OrbitEquations`."""
+        parameters, _, unknowns = self._arguments(z)
         limit, bounds = kernel_limits(self._kernels, parameters, unknowns)
-        allowed = (limit == NEITHER) & (self.dwell(x) > 0).all(axis=-1)
+        allowed = (limit == NEITHER) & (self.dwell(z) > 0).all(axis=-1)
         for column, table in enumerate(self._kernels.open_parameters):
             if table.name in self.orbit.opened:
                 allowed &= float(self.orbit.opened[table.name]) > bounds[:, column]
         return np.asarray(allowed)
 
-    def orbit_at(self, x: np.ndarray, given: Mapping[str, Value]) -> Orbit:
-        """Return the orbit at a point (v,) as a record.
-
-        `given` has the parameters, and the period where it is given.
-        """
-        residual, error, status = judged_at(self._kernels, x, self._places)
+    def at(self, z: np.ndarray) -> Orbit:
+        """See `OrbitEquations`."""
+        residual, error, status = judged_at(self._kernels, self._full(z), self._sought)
         return replace(
             self.orbit,
-            given=given,
-            unknowns=dict(zip(self.unknowns, x[self._places].tolist(), strict=True)),
+            given=self._given(z),
+            unknowns=dict(zip(self.unknowns, z[: len(self.unknowns)].tolist(), strict=True)),
             residual=residual,
             digits=sure_digits(error),
             status=status,
         )
 
-    def motion_at(self, x: np.ndarray, given: Mapping[str, Value]) -> Motion:
-        """Return the motion at a point (v,); a phase that vanishes there takes no time.
+    def motion(self, z: np.ndarray) -> Motion:
+        """See `OrbitEquations`."""
+        return self.at(z).motion()
 
-        It is a Trajectory where tables answer. `given` has the parameters, and the period if
-        given.
-        """
-        return self.orbit_at(x, given).motion()
-
-    def _arguments(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return parameters, spectrum and unknowns of points, in the kernels' order."""
+    def _arguments(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Parameters, spectrum and unknowns of points, in the kernels' order."""
+        x = self._full(z)
         unknowns, parameters = x[:, : self._count], x[:, self._count :]
         return parameters, self._kernels.spectrum(parameters)[0], unknowns
 
 
-class TableEquations:
-    """The equations of an orbit without kernels, near it; see `KernelEquations`.
+class TableEquations(OrbitEquations):
+    """The equations of an orbit without kernels.
 
     The period is one of the numbers where it was given and no other number determines it.
     """
 
-    def __init__(self, orbit: Orbit) -> None:
-        tables, symmetry = orbit.tables, orbit.symmetry
+    def __init__(self, orbit: Orbit, *parameters: str, lengths: Any = 1.0) -> None:
+        self._tabled = tabled = orbit.problem.by_tables(orbit)
+        tables, symmetry = tabled.tables, tabled.symmetry
         if len(tables.cycle.structure.forcing) > 1:
             raise InputError(f"{orbit.name} has several forcings: its branches are not followed")
-        self.orbit = orbit
         self.order = 1 if symmetry is None else symmetry.order
         system = tables.in_doubles  # branches are followed in double precision
         closed, self._cycle, _ = closing(system, tables.cycle.at(system.structure), symmetry)
         count = len(self._cycle)
-        dwell, start = orbit.dwell_times[:count].astype(float), orbit.states[0].astype(float)
+        dwell, start = tabled.dwell_times[:count].astype(float), tabled.states[0].astype(float)
         self._numbers = numbers_in(closed)
         self._now = shoot(self._cycle, self._numbers, dwell, start, np)
-        self.dwell_names = orbit.dwell_time_names[:count]
+        self.dwell_names = tabled.dwell_time_names[:count]
         self.phases = self._cycle.itinerary
-        self.unknowns = (*self.dwell_names, *tuple(orbit.unknowns)[len(orbit.itinerary) :])
-        stability = orbit.stability if symmetry is None else orbit.part_stability
+        self.unknowns = (*self.dwell_names, *tuple(tabled.unknowns)[len(tabled.itinerary) :])
+        stability = tabled.stability if symmetry is None else tabled.part_stability
         shifts = len(tables.translations)
         self._rank, self.conservative = stability.rank - shifts, tables.family
         self._trivial = shifts + tables.family
         self._driven = mechanical_states(self._cycle)
         # a forcing, or no family, determines the period by itself
-        self._timed = orbit.given_period is not None and tables.family
-        parameters = [p.name for p in orbit.system.parameters]
-        self.names = (*self.unknowns, *parameters, *([PERIOD] if self._timed else []))
-        given = [float(orbit.parameters[name]) for name in parameters]
-        self.values = np.array([*dwell, *start, *given, *([orbit.period] if self._timed else [])])
-        self._given = slice(len(self.unknowns), len(self.unknowns) + len(parameters))
+        self._timed = tabled.given_period is not None and tables.family
+        known = [p.name for p in tabled.system.parameters]
+        self._numbered = slice(len(self.unknowns), len(self.unknowns) + len(known))
         self._repeated = _parts(self.phases)
         self._passed: tuple[bytes, ShootingDerivatives | None] = (b"", None)
+        given = [float(tabled.parameters[name]) for name in known]
+        period = {PERIOD: float(tabled.period)} if self._timed else {}
+        values = np.array([*dwell, *start, *given, *period.values()])
+        super().__init__(orbit, (*self.unknowns, *known, *period), values, parameters, lengths)
 
-    @cached_property
-    def sizes(self) -> np.ndarray:
-        """See `KernelEquations`."""
+    def _sizes(self) -> np.ndarray:
+        """See `OrbitEquations`."""
         count = len(self._cycle)
-        dwell = self.values[:count]
+        dwell = self._values[:count]
         return np.concatenate([np.full(count, dwell.sum()), sizes_along(self._now, dwell)])
 
-    def linearised(self, x: np.ndarray, place: int) -> tuple[np.ndarray, np.ndarray]:
-        """See `KernelEquations`."""
+    def _linearised(self, x: np.ndarray, place: int) -> tuple[np.ndarray, np.ndarray]:
+        """See `OrbitEquations`."""
         cycle, count, size = self._cycle, len(self._cycle), len(self._cycle.structure.states)
         numbers, changes = self._changing(x, place)
         dwell, start = self._unknowns(x)
@@ -288,29 +411,29 @@ class TableEquations:
         jacobian = np.concatenate([jacobian, by_unknowns])
         if not self._timed:
             return residual, jacobian
-        by_place = -1.0 / self.order if place == len(self.names) - 1 else 0.0
+        by_place = -1.0 / self.order if place == len(x) - 1 else 0.0
         row = np.concatenate([np.ones(count), np.zeros(size), [by_place]])
         residual = np.append(residual, dwell.sum() - x[-1] / self.order)
         return residual, np.concatenate([jacobian, row[None]])
 
-    def dwell(self, x: np.ndarray) -> np.ndarray:
-        """See `KernelEquations`."""
-        return x[:, : len(self._cycle)]
+    def dwell(self, z: np.ndarray) -> np.ndarray:
+        """See `OrbitEquations`."""
+        return z[:, : len(self._cycle)]
 
-    def unevenness(self, x: np.ndarray) -> list[np.ndarray]:
-        """See `KernelEquations`."""
+    def unevenness(self, z: np.ndarray) -> list[np.ndarray]:
+        """See `OrbitEquations`."""
         if not self._repeated:
             return []
-        start = self._unknowns(x)[1]
-        starts, sizes = self._shot(x[None]).starts[0], self.sizes[len(self._cycle) :]
+        start, sizes = self._unknowns(z)[1], self._unknowns(self.sizes)[1]
+        starts = self._shot(self._full(z)[None]).starts[0]
         return [np.asarray((starts[count] - start) / sizes) for count in self._repeated]
 
-    def waves(self, x: np.ndarray) -> list[tuple[np.ndarray, list[PhaseWaves]]]:
-        """See `KernelEquations`."""
-        found = []
-        starts, dwell = self._shot(x).starts, self.dwell(x)
-        system, visited = self.orbit.system, self._cycle.configurations
-        for group in numbers_at(system, x[:, self._given], visited):
+    def waves(self, z: np.ndarray) -> list[tuple[np.ndarray, list[PhaseWaves]]]:
+        """See `OrbitEquations`."""
+        found, x = [], self._full(z)
+        starts, dwell = self._shot(x).starts, self.dwell(z)
+        system, visited = self._tabled.system, self._cycle.configurations
+        for group in numbers_at(system, x[:, self._numbered], visited):
             places, numbers = group.places, numbers_in(group.structure, group.flat)
             cycle = self._cycle.at(self._cycle.structure.with_modes(group.structure.shapes))
             phases = [
@@ -320,11 +443,9 @@ class TableEquations:
             found.append((places, phases))
         return found
 
-    def conditions(self, x: np.ndarray) -> np.ndarray:
-        """Return numbers (k, c) that keep their sign while transitions lead where they do.
-
-        Each is the lowest derivative along a flow that is not zero there.
-        """
+    def conditions(self, z: np.ndarray) -> np.ndarray:
+        """See `OrbitEquations`."""
+        x = self._full(z)
         now, numbers = self._shot(x), self._tables(x)
         values = [condition.value(numbers, now.ends) for condition in self._conditions.rows]
         return np.stack(values, axis=-1) if values else np.empty((len(x), 0))
@@ -335,15 +456,16 @@ class TableEquations:
 
     @property
     def condition_places(self) -> Sequence[int]:
-        """The phase at whose end each of these conditions is asked."""
+        """See `OrbitEquations`."""
         return [condition.place for condition in self._conditions.rows]
 
     def taken(self, conditions: np.ndarray) -> np.ndarray:
-        """See `KernelEquations`."""
+        """See `OrbitEquations`."""
         return self._conditions.taken(conditions)
 
-    def multipliers(self, x: np.ndarray) -> np.ndarray:
-        """See `KernelEquations`."""
+    def multipliers(self, z: np.ndarray) -> np.ndarray:
+        """See `OrbitEquations`."""
+        x = self._full(z)
         matrices = dependent(self._shot(x)).variational[..., :-1]
         if self._driven is not None:
             field = self._tables(x).fields[:, self._cycle.configurations[0]]
@@ -351,28 +473,29 @@ class TableEquations:
             matrices = stroboscopic_maps(self._cycle, field, start, matrices, self._driven)
         return nontrivial(eigenvalues(matrices), self._rank, family=self.conservative)
 
-    def traces(self, x: np.ndarray) -> np.ndarray:
-        """See `KernelEquations`."""
-        powers = self.multipliers(x) ** self.order
+    def traces(self, z: np.ndarray) -> np.ndarray:
+        """See `OrbitEquations`."""
+        powers = self.multipliers(z) ** self.order
         return np.asarray(powers.sum(axis=-1).real + self._trivial)
 
-    def admissible(self, x: np.ndarray) -> np.ndarray:
-        """See `KernelEquations`."""
-        found = np.full(len(x), False)
-        told = np.flatnonzero(np.isfinite(x).all(axis=-1) & (self.dwell(x) > 0).all(axis=-1))
+    def admissible(self, z: np.ndarray) -> np.ndarray:
+        """See `OrbitEquations`."""
+        found, x = np.full(len(z), False), self._full(z)
+        told = np.flatnonzero(np.isfinite(x).all(axis=-1) & (self.dwell(z) > 0).all(axis=-1))
         if not len(told):
             return found
-        system, cycle = self.orbit.system, self.orbit.tables.cycle
+        system, cycle = self._tabled.system, self._tabled.tables.cycle
         dwell, start = self._unknowns(x[told])
-        points, times = x[told][:, self._given], np.tile(dwell, self.order)
+        points, times = x[told][:, self._numbered], np.tile(dwell, self.order)
         numbers = Numbers(*tables_at(system, points))
         starts = shooting_derivatives(cycle, numbers, times, start).starts[:, :-1]
         found[told] = limits_at(system, cycle, points, times, starts) == NEITHER
         return found
 
-    def orbit_at(self, x: np.ndarray, given: Mapping[str, Value]) -> Orbit:
-        """See `KernelEquations`."""
-        orbit, symmetry = self.orbit, self.orbit.symmetry
+    def at(self, z: np.ndarray) -> Orbit:
+        """See `OrbitEquations`."""
+        orbit, symmetry = self._tabled, self._tabled.symmetry
+        x, given = self._full(z), self._given(z)
         dwell, start = self._unknowns(x)
         parameters = {name: given[name] for name in orbit.parameters}
         options: Any = {
@@ -391,10 +514,11 @@ class TableEquations:
             found = solve_itinerary(*asked, dwell.tolist(), start.tolist(), **options)
         return labelled_as(found, orbit)
 
-    def motion_at(self, x: np.ndarray, given: Mapping[str, Value]) -> Trajectory:
-        """See `KernelEquations`."""
-        system = piecewise_at(self.orbit.system, x[self._given])
-        cycle = self.orbit.tables.cycle.at(system.structure)
+    def motion(self, z: np.ndarray) -> Trajectory:
+        """See `OrbitEquations`."""
+        x = self._full(z)
+        system = piecewise_at(self._tabled.system, x[self._numbered])
+        cycle = self._tabled.tables.cycle.at(system.structure)
         dwell, start = self._unknowns(x)
         times = np.tile(np.maximum(dwell, 0.0), self.order)
         now = shoot(cycle, numbers_in(system), times, start, np)
@@ -413,11 +537,11 @@ class TableEquations:
 
     def _tables(self, x: np.ndarray) -> Numbers:
         """Return fields, rows and resets at many points, with that of the part's closure."""
-        numbers = Numbers(*tables_at(self.orbit.system, x[:, self._given]))
-        cycle = self.orbit.tables.cycle
+        numbers = Numbers(*tables_at(self._tabled.system, x[:, self._numbered]))
+        cycle = self._tabled.tables.cycle
         if self._cycle.structure is cycle.structure:
             return numbers
-        return closed_cycle(cycle, numbers, self.orbit.symmetry)[1]
+        return closed_cycle(cycle, numbers, self._tabled.symmetry)[1]
 
     def _shot(self, x: np.ndarray) -> ShootingDerivatives:
         """Return the passages of many points, with derivatives."""
@@ -590,18 +714,12 @@ def phase_waves(
     )
 
 
-OrbitEquations = KernelEquations | TableEquations
-
-
-def equations_of(orbit: Orbit) -> OrbitEquations:
-    """Return the equations near an orbit: those of its kernels where they are the faster ones.
+def equations_of(orbit: Orbit, *parameters: str, lengths: Any = 1.0) -> OrbitEquations:
+    """Return the equations of an orbit: those of its kernels where they are the faster ones.
 
     Kernels of damped and forced motions are faster only where they are compiled: a
     compilation takes seconds, and the tables of a system follow a branch in less.
     """
     kernels = orbit.problem.kernels
-    if kernels is None:
-        return TableEquations(orbit)
-    if not kernels.trigonometric:
-        return TableEquations(orbit.problem.by_tables(orbit))
-    return KernelEquations(orbit)
+    own = kernels is not None and kernels.trigonometric
+    return (KernelEquations if own else TableEquations)(orbit, *parameters, lengths=lengths)

@@ -241,9 +241,9 @@ def test_what_meets_no_boundary_is_not_admissible(name):
     equations = equations_of(orbit)
     for unknown in orbit.kernels.timed:
         # beyond the end of a phase its boundary is crossed
-        late = equations.values + 1e-6 * np.array([n == unknown for n in equations.names])
-        assert equations.admissible(np.stack([equations.values, late])).tolist() == [True, False]
-        value = late[equations.names.index(unknown)]
+        late = equations.first + 1e-6 * np.array([n == unknown for n in equations.unknowns])
+        assert equations.admissible(np.stack([equations.first, late])).tolist() == [True, False]
+        value = late[equations.unknowns.index(unknown)]
         record = replace(orbit, unknowns={**orbit.unknowns, unknown: float(value)})
         assert record.admissibility.verdict is False
 

@@ -64,11 +64,11 @@ def test_a_contact_that_has_just_broken_loose_is_no_crossing():
     ]  # fmt: skip
     dwell = [0.577, 1.806, 1.408, 1.960, 0.035, 0.809, 1.861, 0.481, 0.159, 0.744, 2.526, 0.201]
     orbit = ns.solve(capsule, {"omega": 1}, dwell, itinerary=itinerary)
-    equations = equations_of(orbit)
-    rounding = np.random.default_rng(0).integers(-4, 5, (100, len(equations.values)))
-    assert equations.admissible(equations.values * (1 + rounding * 2.0**-52)).all()
+    equations = equations_of(orbit, *orbit.parameters)
+    rounding = np.random.default_rng(0).integers(-4, 5, (100, len(equations.first)))
+    assert equations.admissible(equations.first * (1 + rounding * 2.0**-52)).all()
 
 
 def test_of_no_orbit_whose_phases_last_admissibility_is_told():
     equations = equations_of(released())
-    assert not equations.admissible(-equations.values[None]).any()
+    assert not equations.admissible(-equations.first[None]).any()

@@ -28,25 +28,22 @@ def _both(name: str) -> tuple[Any, Any]:
     return orbit, orbit.problem.by_tables(orbit)
 
 
-def _points(equations: Any, parameter: str) -> np.ndarray:
+def _points(equations: Any) -> np.ndarray:
     """The orbit, and others of the itinerary beside it, by Newton's method."""
-    place = equations.names.index(parameter)
-    x, found = equations.values.copy(), [equations.values]
-    unknowns = [equations.names.index(name) for name in equations.unknowns]
+    z, found = equations.first, [equations.first]
     for _ in range(3):
-        x = x.copy()
-        x[place] *= 1.001
+        z = z * np.append(np.ones(len(z) - 1), 1.001)
         for _ in range(4):
-            residual, jacobian = equations.linearised(x, place)
-            x[unknowns] -= np.linalg.lstsq(jacobian[:, :-1], residual, rcond=None)[0]
-        found.append(x)
+            residual, jacobian = equations.equations(z)
+            z[:-1] -= np.linalg.lstsq(jacobian[:, :-1], residual, rcond=None)[0]
+        found.append(z)
     return np.array(found)
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_both_tell_the_same_along_a_family(name: str) -> None:
-    one, other = (equations_of(orbit) for orbit in _both(name))
-    first, second = _points(one, NAMES[name]), _points(other, NAMES[name])
+    one, other = (equations_of(orbit, NAMES[name]) for orbit in _both(name))
+    first, second = _points(one), _points(other)
     assert one.dwell(first) == pytest.approx(other.dwell(second), abs=1e-8)
     assert one.traces(first) == pytest.approx(other.traces(second), abs=1e-6)
     sizes = [
@@ -63,10 +60,9 @@ def test_both_tell_the_same_along_a_family(name: str) -> None:
 def test_linearised_equations_tell_how_an_orbit_moves(name: str, backend: str) -> None:
     """By the implicit function theorem; sixty digits hold an orbit's derivatives elsewhere."""
     for orbit in _both(name) if name in NAMES else (ns.solve(name),):
-        equations = equations_of(orbit)
         for by in {*orbit.given} - {"r" if "rigid" in name else ""}:  # no orbit where r < 1
-            place = equations.names.index(by)
-            missed, jacobian = equations.linearised(equations.values, place)
+            equations = equations_of(orbit, by)
+            missed, jacobian = equations.equations(equations.first)
             assert missed == pytest.approx(0, abs=1e-9)
             moved, *_ = np.linalg.lstsq(jacobian[:, :-1], -jacobian[:, -1], rcond=None)
             rates = orbit.derivatives(by).unknowns
@@ -92,12 +88,12 @@ def test_both_take_the_same_system_and_period(name: str) -> None:
 
 def test_an_orbit_at_a_point_is_the_one_that_was_followed() -> None:
     for orbit in _both("dry-friction/global-stick"):
-        equations = equations_of(orbit)
-        x = _points(equations, "V")[-1]
-        given = {**orbit.given, "V": as_value(float(x[equations.names.index("V")]))}
-        found = equations.orbit_at(x, given)
+        equations = equations_of(orbit, "V")
+        z = _points(equations)[-1]
+        found = equations.at(z)
+        assert found.given == {**orbit.given, "V": as_value(float(z[-1]))}
         assert found.converged
-        assert found.period == pytest.approx(float(equations.dwell(x[None]).sum()), rel=1e-9)
-        assert float(equations.motion_at(x, given)(0.1)[0]) == pytest.approx(
+        assert found.period == pytest.approx(float(equations.dwell(z[None]).sum()), rel=1e-9)
+        assert float(equations.motion(z)(0.1)[0]) == pytest.approx(
             float(found.motion()(0.1)[0]), abs=1e-9
         )

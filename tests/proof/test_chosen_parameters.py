@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.runtime.explore.continuation.orbit_family import composed_family
+from nonsmooth.runtime.explore.continuation.next_orbits import composed_family
 from nonsmooth.runtime.model.completion import chosen_value
 
 STICK, SYMMETRIC = "dry-friction/global-stick", "dry-friction/symmetric"

@@ -49,7 +49,7 @@ def test_an_orbit_of_many_states_is_found_and_judged_as_in_python() -> None:
     precise = [float(x) for x in ns.refine(orbit, 30).unknowns.values()]
     assert_allclose([*orbit.unknowns.values()], precise, rtol=0, atol=10.0**-orbit.digits)
     equations, motion = equations_of(orbit), orbit.trajectory()
-    ((_, waves),) = equations.waves(equations.values[None])
+    ((_, waves),) = equations.waves(equations.first[None])
     for wave, begin, wait in zip(waves, motion.times, orbit.dwell_times, strict=False):
         basis = wave.basis(np.zeros(1, dtype=int), np.array([0.4 * wait]))[0]
         reached = motion(begin + 0.4 * wait)[COUNT - 1] - 0.3

@@ -14,10 +14,14 @@ from nonsmooth.runtime.core.json_codec import AnyComplexTable, AnyRow, Flags, Ro
 from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.explore.continuation.energy import energy_of
 from nonsmooth.runtime.explore.continuation.event import KINDS, Event, point_of
-from nonsmooth.runtime.explore.continuation.next_orbits import next_itineraries, other_branch
-from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily, composed_family
+from nonsmooth.runtime.explore.continuation.next_orbits import (
+    composed_family,
+    next_itineraries,
+    other_branch,
+)
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.orbits.equations import equations_of
 from nonsmooth.runtime.orbits.motion import Motion
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.orbit_file import KeptOrbit
@@ -105,7 +109,7 @@ class Branch(Kept):
             z = np.append(self.unknowns[place], self.parameter_values[place])
         else:
             raise InputError(f"the branch has {len(self)} points, no point {place!r}")
-        return OrbitFamily(self.orbit, self.parameter).at(z)
+        return equations_of(self.orbit, self.parameter).at(z)
 
     def next_itineraries(
         self, event: Event, parameters: Mapping[str, Any] | None = None
@@ -189,7 +193,10 @@ class Branch(Kept):
         if name == "frequency":
             return np.asarray(2 * np.pi / self.period)
         if isinstance(name, str) and name.startswith("amplitude_"):
-            state, family = name.removeprefix("amplitude_"), OrbitFamily(self.orbit, self.parameter)
+            state, family = (
+                name.removeprefix("amplitude_"),
+                equations_of(self.orbit, self.parameter),
+            )
             points = np.column_stack([self.unknowns, self.parameter_values])
             # at a point a phase may take no time
             return np.array([_amplitude_of(family.motion(z), state) for z in points])
@@ -330,7 +337,7 @@ class Locus(Kept):
         if not -len(self) <= place < len(self):
             raise InputError(f"the curve has {len(self)} points, no point {place}")
         z = np.append(self.unknowns[place], self.values[place])
-        return OrbitFamily(self.orbit, *self.parameters).at(z)
+        return equations_of(self.orbit, *self.parameters).at(z)
 
     def plot(self, axes: Any = None) -> Any:
         """Draw the curve in the plane of its parameters.

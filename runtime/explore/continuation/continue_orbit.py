@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from operator import attrgetter, itemgetter
-from typing import overload
+from typing import Any, overload
 
 import numpy as np
 
@@ -32,7 +32,6 @@ from nonsmooth.runtime.explore.continuation.locating import (
     locate_all,
     locate_limits,
 )
-from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily, check_interval
 from nonsmooth.runtime.explore.continuation.stepping import (
     INTERRUPTED,
     STEP,
@@ -41,11 +40,13 @@ from nonsmooth.runtime.explore.continuation.stepping import (
     tangent_at,
     trace_both_ways,
 )
+from nonsmooth.runtime.model.parameters import in_domain
 from nonsmooth.runtime.model.saved_system import check_same_system
+from nonsmooth.runtime.orbits.equations import OrbitEquations, equations_of
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
 from nonsmooth.runtime.shooting.newton import SHORTEST
 
-__all__ = ["MOST_EVENTS", "continue_orbit"]
+__all__ = ["MOST_EVENTS", "check_interval", "continue_orbit"]
 
 MOST_POINTS, MOST_EVENTS = 2000, 500  # of a branch, of a curve of events
 _DIFFERENCE = 1e-5  # in units of the sizes
@@ -173,7 +174,7 @@ def continue_orbit(
     if resume is not None:
         _check_same(orbit, parameter, limits, resume)
         orbit = resume.orbit
-    curve = OrbitFamily(orbit, parameter, lengths=limits[1] - limits[0])
+    curve = equations_of(orbit, parameter, lengths=limits[1] - limits[0])
     known = None if resume is None else _path_of(curve, resume)
 
     def ended(before: np.ndarray, z: np.ndarray) -> str | None:
@@ -210,7 +211,34 @@ def _check_same(orbit: Orbit, parameter: str, limits: tuple[float, float], known
         raise InputError("the branch to resume leaves the interval")
 
 
-def _path_of(curve: OrbitFamily, branch: Branch) -> Path:
+def check_interval(orbit: Orbit, parameter: str, interval: Any) -> tuple[float, float]:
+    """The lower and upper end of an interval of a number that was given for an orbit, checked.
+
+    Refused are an unknown name, and an interval that is empty, leaves the domain or does not
+    hold the orbit.
+    """
+    if not isinstance(parameter, str) or parameter not in orbit.given:
+        raise unknown_name("given parameter", parameter, orbit.given)
+    try:
+        lower, upper = (float(end) for end in interval)
+    except (TypeError, ValueError):
+        raise InputError(f"the interval of {parameter} is not two numbers") from None
+    value = float(orbit.given[parameter])
+    if not (math.isfinite(lower) and math.isfinite(upper) and lower < upper):
+        raise InputError(f"the interval of {parameter}, {lower:g} to {upper:g}, is empty")
+    if not lower <= value <= upper:
+        raise InputError(f"{parameter} = {value:g} of the orbit is not in {lower:g} to {upper:g}")
+    for table in orbit.problem.parameters:
+        if table.name == parameter:
+            for end in (lower, upper):
+                if not in_domain(table, end):
+                    raise InputError(f"{parameter} = {end:g} is outside its domain")
+    if parameter == orbit.problem.period_name and lower <= 0:
+        raise InputError(f"{parameter} = {lower:g} is not positive")
+    return lower, upper
+
+
+def _path_of(curve: OrbitEquations, branch: Branch) -> Path:
     """The path that a branch was made from."""
     points = np.column_stack([branch.unknowns, branch.parameter_values])
     chords = np.gradient(points / curve.sizes, axis=0)
@@ -218,7 +246,7 @@ def _path_of(curve: OrbitFamily, branch: Branch) -> Path:
     return Path(points, np.array(tangents), branch.ends, branch.start)
 
 
-def _branch(curve: OrbitFamily, path: Path) -> Branch:
+def _branch(curve: OrbitEquations, path: Path) -> Branch:
     """The branch of a path, with its events."""
     points, ends = path.points, path.ends
     track = Track(monitors_of(curve, points), points, path.tangents)
@@ -240,7 +268,7 @@ def _branch(curve: OrbitFamily, path: Path) -> Branch:
     return Branch(
         parameter=curve.parameter,
         parameter_values=points[:, -1],
-        unknown_names=curve.names,
+        unknown_names=curve.unknowns,
         unknowns=points[:, :-1],
         period=curve.order * curve.dwell(points).sum(axis=-1),
         multipliers=multipliers**curve.order,
@@ -254,7 +282,7 @@ def _branch(curve: OrbitFamily, path: Path) -> Branch:
     )
 
 
-def _with_meetings(curve: OrbitFamily, found: list[Event], path: Path) -> list[Event]:
+def _with_meetings(curve: OrbitEquations, found: list[Event], path: Path) -> list[Event]:
     """The events with one branch point where the branch turns back with its parts exchanged."""
     for step, reason in zip((0, len(path.points) - 2), path.ends, strict=True):
         names = [
@@ -270,7 +298,7 @@ def _with_meetings(curve: OrbitFamily, found: list[Event], path: Path) -> list[E
     return found
 
 
-def _vanished(curve: OrbitFamily, points: np.ndarray, ends: tuple[str, str]) -> list[Event]:
+def _vanished(curve: OrbitEquations, points: np.ndarray, ends: tuple[str, str]) -> list[Event]:
     """Events at the ends where a dwell time has gone to zero."""
     found = []
     for place, reason in zip((0, len(points) - 1), ends, strict=True):
@@ -281,7 +309,7 @@ def _vanished(curve: OrbitFamily, points: np.ndarray, ends: tuple[str, str]) -> 
     return found
 
 
-def _vanishes(curve: OrbitFamily, event: Event, end: Event) -> bool:
+def _vanishes(curve: OrbitEquations, event: Event, end: Event) -> bool:
     """Whether the phase of an end is so short that an event only restates its vanishing."""
     dwell = curve.dwell(point_of(event)[None])[0]
     return bool(dwell[end.phase] < SHORTEST * dwell.sum())
@@ -387,8 +415,8 @@ def _events(
     limits = check_interval(branch.orbit, parameter, interval)
     check_steps(step, points)
     lengths = np.ptp(branch.parameter_values) or 1.0, limits[1] - limits[0]
-    curve = OrbitFamily(branch.orbit, branch.parameter, parameter, lengths=lengths)
-    if len(curve.equations(curve.first)[0]) != len(curve.names):
+    curve = equations_of(branch.orbit, branch.parameter, parameter, lengths=lengths)
+    if len(curve.equations(curve.first)[0]) != len(curve.unknowns):
         raise InputError(f"{branch.name} is one of a family: its events are not followed")
     second = np.full(len(branch), curve.first[-1])
     known = np.column_stack([branch.unknowns, branch.parameter_values, second])

@@ -18,7 +18,7 @@ import numpy as np
 from nonsmooth.runtime.core.json_codec import FromOne, one_of
 from nonsmooth.runtime.core.registry import Shown
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves, ends_of, interior_maxima
-from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
+from nonsmooth.runtime.orbits.equations import OrbitEquations
 
 __all__ = [
     "KINDS",
@@ -209,7 +209,7 @@ class Monitor:
 class Monitors:
     """All functions that are watched along a branch."""
 
-    curve: OrbitFamily
+    curve: OrbitEquations
     smooth: tuple[Monitor, ...]  # functions of the multipliers and the tangent
     borders: tuple[Monitor, ...]  # functions of boundaries and conditions
 
@@ -265,7 +265,7 @@ class Monitors:
         return kind.test is None or kind.holds(self.curve.multipliers(z[None])[0])
 
 
-def _orbit_kind(curve: OrbitFamily, multipliers: np.ndarray) -> OrbitKind:
+def _orbit_kind(curve: OrbitEquations, multipliers: np.ndarray) -> OrbitKind:
     return OrbitKind(multipliers.shape[-1], curve.order == 2, curve.conservative)
 
 
@@ -283,7 +283,7 @@ def _border(waves: PhaseWaves) -> dict[str, tuple[np.ndarray, np.ndarray]]:
     }
 
 
-def monitors_of(curve: OrbitFamily, points: np.ndarray) -> Monitors:
+def monitors_of(curve: OrbitEquations, points: np.ndarray) -> Monitors:
     """The functions to watch along a branch with points (k, n + 1).
 
     A boundary function that vanishes at an end of a phase along the whole branch is the

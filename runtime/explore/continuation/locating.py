@@ -20,8 +20,8 @@ import numpy as np
 from numpy.polynomial import Polynomial
 
 from nonsmooth.runtime.explore.continuation.event import KINDS, Event, Monitor, Monitors
-from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
 from nonsmooth.runtime.explore.continuation.stepping import correct, tangent_at
+from nonsmooth.runtime.orbits.equations import OrbitEquations
 
 __all__ = ["Track", "describe", "locate_all", "locate_limits"]
 
@@ -420,7 +420,7 @@ def locate_limits(track: Track, admissible: np.ndarray, found: list[Event]) -> l
 
 
 def describe(
-    curve: OrbitFamily,
+    curve: OrbitEquations,
     monitor: Monitor,
     point: np.ndarray,
     place: float,
@@ -442,7 +442,7 @@ def describe(
         kind=monitor.kind,
         parameter=curve.parameter,
         value=value,
-        unknowns=dict(zip(curve.names, point[:-1].tolist(), strict=True)),
+        unknowns=dict(zip(curve.unknowns, point[:-1].tolist(), strict=True)),
         phase=phase,
         configuration=configuration,
         boundary=monitor.boundary,

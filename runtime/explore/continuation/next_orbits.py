@@ -12,8 +12,9 @@ one leads, at first order, to the other branch.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -21,16 +22,13 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.core.values import Value, as_value, parse
 from nonsmooth.runtime.explore.continuation.event import Event, point_of
-from nonsmooth.runtime.explore.continuation.orbit_family import (
-    OrbitFamily,
-    SystemAt,
-    composed_family,
-)
 from nonsmooth.runtime.explore.continuation.stepping import correct, scaled_rows
 from nonsmooth.runtime.explore.finding.primitive import repeated_part, settled_orbit
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import FORCING_PHASE, Structure
+from nonsmooth.runtime.orbits.equations import OrbitEquations, equations_of
+from nonsmooth.runtime.orbits.kernel_problem import chosen_parameters
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.shooting.closure_conditions import closing
@@ -42,7 +40,13 @@ from nonsmooth.runtime.shooting.table_newton import solve_shape
 if TYPE_CHECKING:
     from nonsmooth.runtime.explore.continuation.branch import Branch
 
-__all__ = ["canonical_itinerary", "next_itineraries", "orbits_beside", "other_branch"]
+__all__ = [
+    "canonical_itinerary",
+    "composed_family",
+    "next_itineraries",
+    "orbits_beside",
+    "other_branch",
+]
 
 _CLOSE = (1e-5, 1e-4)  # from the collision, in units of the branch's range: very near
 _DISTANCES = (1e-3, 1e-2)  # from the collision, in units of the branch's range
@@ -58,6 +62,8 @@ _APART = 0.5  # of such a step: how far from the meeting point an orbit has to b
 _OPEN = 1e-3  # largest singular value, relative, of a direction that is open
 
 _Phases = tuple[tuple[str, str], ...]
+# physical parameters, and the period if it is given, at a value of the branch's parameter
+_SystemAt = Callable[[float], tuple[dict[str, Value], Value | None]]
 
 
 def next_itineraries(
@@ -354,14 +360,14 @@ def other_branch(
         raise InputError(
             f"{branch.parameter} is no parameter of {base.system.name}: follow one that is"
         )
-    curve = OrbitFamily(base, parameter, lengths=np.ptp(branch.parameter_values) or 1.0)
+    curve = equations_of(base, parameter, lengths=np.ptp(branch.parameter_values) or 1.0)
     meeting = _meeting(branch, event, curve, system_at)
     if event.kind == "branch-point":
         other, copies = curve, 1
     else:
         copies = curve.order * (2 if event.kind == "flip" else 1)
         unfolded = _unfolded(base, copies // curve.order)
-        other = OrbitFamily(unfolded, parameter, lengths=curve.sizes[-1])
+        other = equations_of(unfolded, parameter, lengths=curve.sizes[-1])
     times = copies // curve.order if parameter == PERIOD else 1
     start = _repeated(curve, meeting, copies, times)
     along = _repeated(curve, curve.first - meeting, copies, times)
@@ -388,9 +394,11 @@ def _away(event: Event) -> int:
     return before if event.place - before > 0.5 else before + 1
 
 
-def _meeting(branch: Branch, event: Event, curve: OrbitFamily, system_at: SystemAt) -> np.ndarray:
+def _meeting(
+    branch: Branch, event: Event, curve: OrbitEquations, system_at: _SystemAt
+) -> np.ndarray:
     """The meeting point of the branches, as a point of the family over all physical parameters."""
-    if branch.unknown_names == curve.names:
+    if branch.unknown_names == curve.unknowns:
         return point_of(event)
     base, orbit = curve.orbit, branch.orbit_at(event)
     parameters, period = system_at(event.value)
@@ -422,13 +430,13 @@ def _times(period: Value, count: int) -> Value:
     return parse(f"{count}*({period.text})")
 
 
-def _repeated(curve: OrbitFamily, z: np.ndarray, copies: int, times: int) -> np.ndarray:
+def _repeated(curve: OrbitEquations, z: np.ndarray, copies: int, times: int) -> np.ndarray:
     """The point for `copies` repetitions of a part, with the parameter multiplied by `times`."""
     count = len(curve.dwell_names)
     return np.concatenate([np.tile(z[:count], copies), z[count:-1], times * z[-1:]])
 
 
-def _open_direction(curve: OrbitFamily, z: np.ndarray, along: np.ndarray) -> np.ndarray:
+def _open_direction(curve: OrbitEquations, z: np.ndarray, along: np.ndarray) -> np.ndarray:
     """Unit vector, in the curve's units, of the open direction across the known branch."""
     rows, _ = scaled_rows(curve.equations(z)[1] * curve.sizes)
     _, values, right = np.linalg.svd(rows)
@@ -441,7 +449,7 @@ def _open_direction(curve: OrbitFamily, z: np.ndarray, along: np.ndarray) -> np.
 
 
 def _at_distance(
-    curve: OrbitFamily, start: np.ndarray, direction: np.ndarray, length: float
+    curve: OrbitEquations, start: np.ndarray, direction: np.ndarray, length: float
 ) -> Orbit | None:
     """An orbit at a distance from the meeting point along a direction, or None."""
     guess = start + length * direction * curve.sizes
@@ -456,3 +464,26 @@ def _at_distance(
     dwell = orbit.dwell_times[: len(curve.dwell_names)]
     reached = np.concatenate([dwell, orbit.states[0]]).astype(float) - start[:-1]
     return orbit if np.linalg.norm(reached / curve.sizes[:-1]) > _APART * length else None
+
+
+def composed_family(
+    branch: Branch, place: int, beside: Mapping[str, Any] | None = None
+) -> tuple[Orbit, _SystemAt]:
+    """The orbit at a point of a branch by the tables of its system, and a `_SystemAt`.
+
+    The `_SystemAt` gives the physical parameters, and the period if it is given, at other values
+    of the branch's parameter. Parameters that the orbit leaves open take the values in
+    `beside`, or are chosen once for the whole branch. Raises `InputError` if the branch's
+    parameter is none of the system's, or if the system does not take its values.
+    """
+    orbit, name = branch.orbit_at(place), branch.parameter
+    problem = orbit.problem
+    if name not in (PERIOD, *(table.name for table in problem.parameters)):
+        raise InputError(f"{name} is no parameter of {problem.name}: follow one that is")
+    orbit = replace(orbit, opened={**orbit.opened, **chosen_parameters(orbit, beside)})
+
+    def system_at(value: float) -> tuple[dict[str, Value], Value | None]:
+        moved = replace(orbit, given={**orbit.given, name: as_value(value)})
+        return problem.physical(moved, beside).values, problem.period(moved)
+
+    return problem.by_tables(orbit, beside), system_at

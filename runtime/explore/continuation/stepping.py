@@ -48,7 +48,7 @@ LOST = "the branch is lost: no smaller step leads on"
 
 
 class Curve(Protocol):
-    """Points z = (unknowns, parameter) that solve n equations or more; see `OrbitFamily`."""
+    """Points z = (unknowns, parameter) that solve n equations or more; see `OrbitEquations`."""
 
     dwell_names: tuple[str, ...]
     first: np.ndarray

@@ -9,9 +9,9 @@ from typing import NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
 from nonsmooth.runtime.explore.continuation.stepping import FAR, correct, scaled_rows
 from nonsmooth.runtime.explore.design.quantities import QuantityValues, measure
+from nonsmooth.runtime.orbits.equations import OrbitEquations, equations_of
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.newton import CONVERGED
 
@@ -83,7 +83,7 @@ class DesignPoints:
         self._rough, self._progress = frozenset(rough), progress
         self.watching = False
         self._quantities, self._admissible = tuple(quantities), admissible
-        self._curve = OrbitFamily(orbit, *names, lengths=self.lengths)
+        self._curve = equations_of(orbit, *names, lengths=self.lengths)
         z = self._curve.first
         self.visited: list[DesignPoint] = []
         if admissible and not self._is_motion(z):
@@ -91,7 +91,7 @@ class DesignPoints:
                 f"{orbit.name} is no motion of the real system where the design begins"
             )
         measured = measure(orbit, self.names, self._quantities)
-        place = (z[len(self._curve.names) :] - bounds[:, 0]) / self.lengths
+        place = (z[len(self._curve.unknowns) :] - bounds[:, 0]) / self.lengths
         self._known: dict[bytes, DesignPoint] = {}
         self._places = np.empty((64, len(place)))
         self._keep(DesignPoint(place + 0.0, z, orbit, measured))
@@ -166,12 +166,12 @@ class _Reached(NamedTuple):
     reason: str  # why it ended early, empty at its end
 
 
-def _reached(curve: OrbitFamily, begin: np.ndarray, target: np.ndarray) -> _Reached:
+def _reached(curve: OrbitEquations, begin: np.ndarray, target: np.ndarray) -> _Reached:
     """The orbit continued from `begin` (n + q,) along a line to the parameters `target` (q,).
 
     Steps are shortened where they fail.
     """
-    count = len(curve.names)
+    count = len(curve.unknowns)
     way = target - begin[count:]
     here, part, step = begin.copy(), 0.0, 1.0
     while part < 1:
@@ -187,9 +187,9 @@ def _reached(curve: OrbitFamily, begin: np.ndarray, target: np.ndarray) -> _Reac
     return _Reached(here, 1.0, "")
 
 
-def _stepped(curve: OrbitFamily, here: np.ndarray, way: np.ndarray) -> np.ndarray | str:
+def _stepped(curve: OrbitEquations, here: np.ndarray, way: np.ndarray) -> np.ndarray | str:
     """The orbit (n + q,) one step further, or the reason why there is none."""
-    count = len(curve.names)
+    count = len(curve.unknowns)
     with np.errstate(all="ignore"):
         rows = scaled_rows(curve.equations(here)[1] * curve.sizes)[0]
         shift = way / curve.sizes[count:]
@@ -207,7 +207,7 @@ def _stepped(curve: OrbitFamily, here: np.ndarray, way: np.ndarray) -> np.ndarra
     return z
 
 
-def _lost(curve: OrbitFamily, here: np.ndarray, chord: np.ndarray, shift: np.ndarray) -> str:
+def _lost(curve: OrbitEquations, here: np.ndarray, chord: np.ndarray, shift: np.ndarray) -> str:
     """Why there is no orbit a step further: both causes of a steep branch change it alike at first.
 
     At a fold the unknowns change as the root of what is left of the way, and so does a dwell

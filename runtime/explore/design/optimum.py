@@ -17,7 +17,7 @@ from nonsmooth.runtime.core.json_codec import AnyDigits, AnyTable, Digits, Table
 from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.core.values import Value, as_value, by_name, parse
-from nonsmooth.runtime.explore.continuation.orbit_family import check_interval
+from nonsmooth.runtime.explore.continuation.continue_orbit import check_interval
 from nonsmooth.runtime.explore.design.quantities import MULTIPLIER, RADIUS, is_largest_of_several
 from nonsmooth.runtime.model.saved_system import check_same_system
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged

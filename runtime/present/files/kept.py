@@ -43,9 +43,9 @@ def _check_branch(branch: Branch) -> None:
         raise InputError("its points do not belong together")
     if branch.parameter not in orbit.given:
         raise InputError(f"its orbit has no parameter {branch.parameter!r}")
-    from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
+    from nonsmooth.runtime.orbits.equations import equations_of
 
-    if names != tuple(OrbitFamily(orbit, branch.parameter).names):
+    if names != tuple(equations_of(orbit, branch.parameter).unknowns):
         raise InputError("its unknowns are not those of its orbit")
     _check_unknowns(branch)
     for event in branch.events:

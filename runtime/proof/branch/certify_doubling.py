@@ -27,7 +27,7 @@ from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, 
 from nonsmooth.runtime.core.values import as_value, flint_precision
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit
-from nonsmooth.runtime.explore.continuation.orbit_family import composed_family
+from nonsmooth.runtime.explore.continuation.next_orbits import composed_family
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.proof.boxes.box_certificate import BITS
