@@ -277,7 +277,8 @@ def exhaustive(point, per_unknown, longest=14.0):
 def admissible(points, unknowns):
     """Which of the unknowns at some points, or at one, are motions."""
     points = np.broadcast_to(points, (len(unknowns), len(PARAMETERS)))
-    return equations_of(solve(ORBIT), *PARAMETERS).admissible(np.concatenate([unknowns, points], axis=1))
+    equations = equations_of(solve(ORBIT), *PARAMETERS)
+    return equations.admissible(np.concatenate([unknowns, points], axis=1))
 
 
 def test_solve_without_a_guess_finds_what_an_exhaustive_search_finds():

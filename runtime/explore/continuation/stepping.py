@@ -52,7 +52,10 @@ class Curve(Protocol):
 
     dwell_names: tuple[str, ...]
     first: np.ndarray
-    sizes: np.ndarray
+
+    @property
+    def sizes(self) -> np.ndarray:
+        """Typical sizes (n + 1,) of the numbers of a point."""
 
     def equations(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Left-hand sides (m,) at one point z (n + 1,), and their Jacobian (m, n + 1)."""
