@@ -474,7 +474,7 @@ def searched() -> Any:
     return ns.certify.all(STICK, box={"tau": ("1.5", 3), "tau1": (1, 3), "tau2": (3, 4)})
 
 
-SEARCHING = ("certify_all.py", "covering.py", "census.py"), {"follow", "judged", "_accepted"}
+SEARCHING = ("certify_all.py", "covering.py", "census.py"), {"follow", "certify_orbits"}
 
 
 @cache

@@ -187,6 +187,20 @@ def test_the_arrival_behind_which_nothing_is_declared_is_enclosed() -> None:
     assert 0 < float(proof.instant.rad) < 1e-30
 
 
+def test_what_comes_and_goes_within_a_step_of_the_slow_forcing_is_not_missed() -> None:
+    """The function (t - 1) (t - 2) (t - 30): no eigenvalue tells how soon it is zero."""
+    p, q, u = sp.symbols("p q u", real=True)
+    rates = sp.zeros(5)
+    rates[0, 1] = rates[1, 2] = 1
+    rates[4, 3], rates[3, 4] = sp.Rational(1, 1000), -sp.Rational(1, 1000)
+    cubic = Configuration("cubic", FirstOrder(rates, (0, 0, 6, 0, 0)), (Boundary("passed", p),))
+    passed = Transition("cubic", {"passed"}, "cubic")
+    system = System("cubic", "", (p, q, u, c, s), (), (cubic,), (passed,))
+    proof = certify.motion(system, {}, [-60, 92, -66, 1, 0], "cubic", 1)
+    assert proof.decided
+    assert proof.times[1].contains(1)
+
+
 def test_a_growing_motion_is_not_called_quiet() -> None:
     data = dict(a="-1/10", k="4", g="0", r="1/2")
     proof = certify.motion(damped(), data, ["1/100000", "0"], "free", 1)
