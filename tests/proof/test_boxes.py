@@ -260,21 +260,6 @@ def test_an_orbit_without_exact_parameters_is_undecided() -> None:
     assert found.decided == 0
 
 
-@pytest.mark.slow
-def test_maps_are_drawn(tmp_path: Path) -> None:
-    pytest.importorskip("matplotlib")
-    for found, labels in ((paper(), {"stable, proved (100 %)"}), (line(), {"unstable, proved"})):
-        figure = found.plot()
-        (axes,) = figure.axes
-        texts = [text.get_text() for text in axes.get_legend().get_texts()]
-        assert all(any(text.startswith(label) for text in texts) for label in labels)
-        figure.savefig(tmp_path / "map.png")
-        assert found.plot(axes) is axes
-    names = {"k": ("0.9", "1.1"), "r": ("0.4", "0.6"), "a": ("2.9", "3.1")}
-    with pytest.raises(InputError, match="two parameters"):
-        ns.certify.box(loop(), names).plot()
-
-
 @pytest.mark.parametrize("parameter", ["V", "eta", "chi"])
 def test_narrow_boxes_show_the_derived_slope_of_the_trace(parameter: str) -> None:
     orbit = ns.solve(STICK)
