@@ -64,10 +64,10 @@ def folded() -> Any:
     return ns.certify.box(orbit(True), BOX)
 
 
-def velocities(sigma: Any, r: Any) -> list[Any]:
-    """The impact velocities of the closed form, the smaller first: two, or none."""
+def velocities(sigma: Any, r: Any, periods: int = 1) -> list[Any]:
+    """The velocities of one impact in so many periods, the smaller first: two, or none."""
     w = mpmath.mpf(W.numerator) / W.denominator
-    c, g = mpmath.cot(mpmath.pi / w), 1 / (1 - w * w)
+    c, g = mpmath.cot(mpmath.pi * periods / w), 1 / (1 - w * w)
     a, b = (1 + r) * c / 2, (1 - r) / (2 * w)
     half, rest = a * sigma / (a * a + b * b), (sigma * sigma - g * g) / (a * a + b * b)
     root = half * half - rest

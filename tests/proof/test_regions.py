@@ -31,7 +31,6 @@ from tests.certified import (
 from tests.pictures import legend_of
 from tests.proof import test_boxes, test_fold_curves
 
-SYMMETRIC = "dry-friction/symmetric"
 # the kicked mass reaches 1/(1 - r), where the wall stands, and has the multiplier r
 CORNER = {"r": ("-3/2", "-1/4"), "a": ("2/5", "7/10")}
 BESIDE = {"r": ("-5/4", "-3/4"), "a": ("27/50", "7/10")}
@@ -47,13 +46,6 @@ def corner() -> Any:
 def beside() -> Any:
     """The two curves without the corner."""
     return ns.certify.box(loop(r="-19/20", a="3/5"), BESIDE)
-
-
-@cache
-def paper() -> Any:
-    """The flip of the paper's symmetric orbit."""
-    orbit = ns.solve(SYMMETRIC, {"V": "1.08"})
-    return ns.certify.box(orbit, {"V": ("1.05", "1.1"), "eta": ("3.98", "4.02")})
 
 
 def true_verdict(r: Fraction, a: Fraction) -> str:
@@ -117,22 +109,6 @@ def test_every_point_of_a_region_has_its_verdict() -> None:
             tile = found.tiles[number]
             own = tile.verdict if not side else getattr(tile.event, side)
             assert (found.stability if own == "proved" else own) == region.verdict
-
-
-@pytest.mark.slow
-def test_the_flip_of_the_paper_is_where_its_event_is_proved() -> None:
-    found = paper()
-    assert found.decided == 1
-    assert {region.verdict for region in found.regions} == {"stable", "unstable"}
-    (curve,) = found.curves
-    assert (curve.event.kind, curve.ends) == ("flip", ("border", "border"))
-    for eta in ("3.986", "4.014"):
-        branch = ns.continue_orbit(ns.solve(SYMMETRIC, {"V": "1.08", "eta": eta}), "V", (1.05, 1.1))
-        (event,) = [e for e in branch.events if e.kind == "flip"]
-        proved = ns.certify.event(branch, event, bits=128)
-        at = {"V": Fraction(proved.enclosures["V"].texts[0]), "eta": eta}
-        assert told_at(found, at) == ""
-        assert found.tile_at(at).event.band.radius < 1e-4
 
 
 @pytest.mark.slow

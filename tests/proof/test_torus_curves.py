@@ -9,56 +9,13 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
-import sympy as sp
 from flint import arb, ctx
 
 import nonsmooth as ns
-from nonsmooth.derive import Harmonic, RigidStop, oscillator
 from nonsmooth.runtime.checker.orbits.stability import _inside, _throughout
 from nonsmooth.runtime.core.taylor_models import space_of
-from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.certified import told_at
 from tests.explore import test_continuation_forced as impacts
-
-GIVEN = {"mu": "0.67", "ka": "1.44", "z": "0.003", "r": "0.67", "d": "0.27", "w": "2.212"}
-BOX = {"w": ("2.211", "2.214"), "r": ("0.665", "0.675")}
-
-
-@cache
-def system() -> Any:
-    """Two masses on springs: the first is forced, the second one strikes a wall."""
-    mu, ka, z, r, d, w = sp.symbols("mu ka z r d w")
-    return oscillator(
-        "two-masses",
-        ["x", "y"],
-        mass=[[1, 0], [0, mu]],
-        damping=[[2 * z * (1 + ka), -2 * z * ka], [-2 * z * ka, 2 * z * ka]],
-        stiffness=[[1 + ka, -ka], [-ka, ka]],
-        forcing=[Harmonic(w, cosine={"x": 1})],
-        elements=[RigidStop("y", at=d, restitution=r, name="wall")],
-        description="two masses and a wall",
-    )
-
-
-def orbit(**values: object) -> Orbit:
-    """One impact in a period of the forcing."""
-    return ns.solve(
-        system(), {**GIVEN, **values}, itinerary=[("free", "wall-reaches-stop")], guess=guess()
-    )
-
-
-@cache
-def guess() -> tuple[float, ...]:
-    """Of the dwell time and the start, from a motion that has settled."""
-    found = ns.find_orbits(system(), GIVEN, n=12, transitions=400, rng=1)
-    (settled,) = [f.orbit for f in found.orbits if len(f.itinerary) == 1]
-    return tuple(map(float, settled.unknowns.values()))
-
-
-@cache
-def found() -> Any:
-    """The map over the forcing's frequency and the restitution."""
-    return ns.certify.box(orbit(), BOX, tiles=40)
 
 
 @cache

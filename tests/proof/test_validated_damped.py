@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 from itertools import pairwise
+from typing import Any
 
 import pytest
 import sympy as sp
@@ -24,7 +25,6 @@ from nonsmooth.derive import (
     oscillator,
 )
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.motion.motion_proof import Proof
 from tests.declared_motion import DeclaredMotion
 
 x, v, c, s = sp.symbols("x v c s", real=True)
@@ -158,7 +158,7 @@ def test_a_damped_mass_is_proved_to_come_to_rest(a: str, k: str) -> None:
 def test_a_motion_takes_a_unit_of_time_that_is_longer(rate: int) -> None:
     """Of a mass of some megahertz in seconds as much is proved as in its own unit."""
 
-    def proved(rate: int) -> Proof:
+    def proved(rate: int) -> Any:
         stop = RigidStop("x", at="1/1000", restitution="4/5")
         matrices = [[1]], [[rate**2]], [[Fraction(rate, 10)]]
         system = oscillator("struck", ["x"], *matrices, elements=[stop])
