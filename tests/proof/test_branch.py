@@ -148,6 +148,16 @@ def test_a_number_whose_rate_may_be_zero_is_not_passed_once(tile_near: Any) -> N
                 tile.rises(lambda point, at=zero: point[tile.place] - at, "twice")
 
 
+def test_another_orbit_is_not_taken_for_the_one_that_is_known(tile_near: Any) -> None:
+    tile = tile_near(fmpq(27, 25))
+    with flint_precision(192):
+        *others, value = tile.at(arb("1.08"))
+        assert tile.holds(value, others)
+        for place in range(len(others)):
+            moved = [x + arb("1e-6") * (k == place) for k, x in enumerate(others)]
+            assert not tile.holds(value, moved)
+
+
 @pytest.mark.slow
 def test_a_pair_that_leaves_the_circle_at_both_ends_is_not_one_flip() -> None:
     """With a period that is given m + 1/m may pass 2 where the equations stay regular."""
