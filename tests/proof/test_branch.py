@@ -22,7 +22,6 @@ from nonsmooth.derive import Harmonic, SoftStop, oscillator
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.orbits.motion import Border, time_of_touch
 from nonsmooth.runtime.checker.ranges.branch import checked_tiles
-from nonsmooth.runtime.checker.ranges.branch_tile import CheckedTile
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.branch.certify_branch import _short_phase
@@ -103,9 +102,11 @@ def test_orbits_solved_anywhere_are_in_their_tubes_with_the_verdict(
 
 
 @pytest.mark.slow
-def test_progress_rises_to_all_of_it(branch: Any) -> None:
+def test_progress_rises_to_all_of_it() -> None:
     """In between it is the part of the interval that the tiles so far cover."""
     told: list[tuple[float, int]] = []
+    orbit = ns.solve("dry-friction/symmetric", {"V": "1.07"})
+    branch = ns.continue_orbit(orbit, "V", (1.06, 1.1))
     found = ns.certify.branch(branch, progress=lambda *now: told.append(now))
     shares = [share for share, _ in told]
     assert shares == sorted(shares)
@@ -116,7 +117,7 @@ def test_progress_rises_to_all_of_it(branch: Any) -> None:
     for share, tile in zip(shares, (*begun, *found.tiles[found.start :]), strict=True):
         assert tile.coordinate == "V"
         covered += abs(tile.upper - tile.lower)
-        assert share == pytest.approx(float(covered / Fraction("0.7")), abs=0.01)
+        assert share == pytest.approx(float(covered / Fraction("0.04")), abs=0.01)
 
 
 @pytest.mark.slow
@@ -274,34 +275,6 @@ def test_little_is_looked_at_beside_an_event_at_an_end(branch: Any) -> None:
     assert len(found.tiles) < 100
 
 
-@pytest.fixture(scope="module")
-def near_a_flip() -> Any:
-    return ns.continue_orbit(ns.solve("dry-friction/symmetric", {"V": "1.07"}), "V", (1.06, 1.1))
-
-
-@pytest.mark.slow
-def test_a_tile_that_the_check_refuses_is_divided(
-    near_a_flip: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """What is stated is what the check proves, however little that can do."""
-    claims, widest = CheckedTile.claims, fmpq(1, 250)
-    refused: list[CheckedTile] = []
-
-    def weak(tile: CheckedTile) -> Any:
-        if tile.high - tile.low >= widest:
-            refused.append(tile)
-            raise Failure("planted: it is too wide")
-        return claims(tile)
-
-    monkeypatch.setattr(CheckedTile, "claims", weak)
-    found = ns.certify.branch(near_a_flip, interval=("1.06", "1.1"))
-    assert found.complete, found.statement
-    assert [event.kind for event in found.events] == ["flip"]
-    assert refused
-    assert all(tile.upper - tile.lower < Fraction(1, 250) for tile in found.tiles)
-    accepted(found, tmp_path)
-
-
 def test_an_undecided_tile_is_never_part_of_a_complete_branch(found: Any) -> None:
     tiles = list(found.tiles)
     tiles[3] = replace(tiles[3], before="undecided", after="undecided", reason="planted")
@@ -312,22 +285,14 @@ def test_an_undecided_tile_is_never_part_of_a_complete_branch(found: Any) -> Non
     assert "not decided" in worse.statement
 
 
-def bump_stop() -> Any:
-    force, rate = sp.symbols("F Omega")
-    return oscillator(
-        "bump-stop",
-        ["x"],
-        mass=[[2]],
-        damping=[[2]],
-        stiffness=[[800]],
-        forcing=[Harmonic(rate, cosine=[force])],
-        elements=[SoftStop("x", at="0.005", stiffness=8000, damping=5, name="rubber")],
-    )
-
-
 @pytest.mark.slow
 def test_a_fold_is_passed_by_another_coordinate(tmp_path: Path) -> None:
-    system = bump_stop()
+    force, rate = sp.symbols("F Omega")
+    system = oscillator(
+        "bump-stop", ["x"], mass=[[2]], damping=[[2]], stiffness=[[800]],
+        forcing=[Harmonic(rate, cosine=[force])],
+        elements=[SoftStop("x", at="0.005", stiffness=8000, damping=5, name="rubber")],
+    )  # fmt: skip
     orbit = ns.find_orbits(system, {"F": 2, "Omega": 26}, 50, transitions=500).orbits[0].orbit
     branch = ns.continue_orbit(orbit, "Omega", (25.5, 30), step=0.05)
     found = ns.certify.branch(branch, interval=("25.5", "30"))

@@ -269,8 +269,8 @@ def by_brute_force(numbers: Any, longest: float) -> int:
         end, back = passed(sides[3:], second, velocity)
         return np.array([position / first, end / second, r * back + a - speed])
 
-    grid = np.linspace(0.1, longest, 30)
-    found = np.array([axis.ravel() for axis in np.meshgrid(grid, grid, np.linspace(-9, 9, 19))])
+    grid = np.linspace(0.1, longest, 16)
+    found = np.array([axis.ravel() for axis in np.meshgrid(grid, grid, np.linspace(-9, 9, 13))])
     for _ in range(40):
         value, step = residual(found), 1e-7
         slopes = [(residual(found + step * e[:, None]) - value) / step for e in np.eye(3)]

@@ -4,17 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from fractions import Fraction
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 import pytest
+from flint import fmpq
 
 import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.counting.census import CountedBox
 from nonsmooth.runtime.checker.orbits import points
 from nonsmooth.runtime.checker.orbits.events import JudgedEvent
+from nonsmooth.runtime.checker.ranges.branch_tile import CheckedTile
 from nonsmooth.runtime.checker.ranges.doubling import JudgedDoubling
 from nonsmooth.runtime.checker.ranges.tiles import CheckedBox
 from nonsmooth.runtime.checker.state_sets.chaos import StretchedSets
@@ -122,6 +125,18 @@ def test_what_is_said_of_a_whole_box(tmp_path: Path) -> None:
         found = ns.certify.box(orbit(), {"V": ("0.999", "1.001")})
     assert found.reasons["existence"].endswith(PLANTED)
     assert accepted(found, tmp_path).claims == found.claims
+
+
+@pytest.mark.slow
+def test_a_tile_of_a_branch_is_divided(tmp_path: Path) -> None:
+    """What is stated is what the check proves, however little that can do."""
+    widest = fmpq(1, 1000)
+    with refusing(CheckedTile, "claims", lambda tile: tile.high - tile.low >= widest):
+        found = ns.certify.branch(branch(), interval=("1.075", "1.085"))
+    assert found.complete, found.statement
+    assert [event.kind for event in found.events] == ["flip"]
+    assert all(tile.upper - tile.lower < Fraction(1, 1000) for tile in found.tiles)
+    accepted(found, tmp_path)
 
 
 def test_a_tile_of_a_branch_that_is_not_joined(tmp_path: Path) -> None:
