@@ -9,11 +9,8 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
-from flint import arb, ctx
 
 import nonsmooth as ns
-from nonsmooth.runtime.checker.orbits.stability import _inside, _throughout
-from nonsmooth.runtime.core.taylor_models import space_of
 from tests.certified import told_at
 from tests.explore import test_continuation_forced as impacts
 
@@ -38,25 +35,3 @@ def test_the_curve_is_that_of_the_closed_form() -> None:
             at = {"c": Fraction(mpmath.nstr(true, 35)), "r": Fraction(float(r))}
         assert told_at(closed(), at) == ""
         assert closed().tile_at(at).event.band.radius < 1e-4
-
-
-def test_stability_is_that_of_the_middle_where_no_multiplier_passes() -> None:
-    """A pair of modulus m: z^2 - 2 m cos(a) z + m^2, with m near 1."""
-    with ctx.workprec(64):
-        space = space_of(2, 6)
-        wide = space.variable(0, arb(0), arb(1))
-
-        def pair(product: Any) -> list[Any]:
-            return [arb(1), arb(-0.5) + wide * arb("0.2"), product]
-
-        almost = arb(1) + arb("1e-6") * (wide - arb(2))
-        nearer = arb("0.95") + arb("0.0499999") * wide
-        assert _inside([arb(1), wide * arb("0.2") - arb("1.4"), nearer]) == "undecided"
-        assert _throughout([arb(1), wide * arb("0.2") - arb("1.4"), nearer]) == "proved"
-        assert _throughout(pair(almost)) == "proved"
-        assert _throughout(pair(arb(1) + arb("1e-6") * (wide - arb("0.5")))) == "undecided"
-        assert _throughout(pair(arb(1) - arb("1e-6") * (wide - arb(2)))) == "refuted"
-        # of a saddle one multiplier is inside, all over
-        assert _throughout([arb(1), wide * arb("0.1") - 3, arb("0.9")]) == "refuted"
-        # z = 1 is passed
-        assert _throughout([arb(1), wide * arb("0.1") - arb("1.85"), arb("0.9")]) == "undecided"
