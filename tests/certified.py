@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import json
 import math
+import random
 import re
 import sys
 import tempfile
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import fields
 from fractions import Fraction
 from functools import cache
@@ -56,11 +57,11 @@ __all__ = [
     "loop",
     "moved",
     "of_files",
-    "place_in",
     "prove_basin",
     "prove_branch",
     "prove_doubling",
     "prove_graph",
+    "random_points",
     "refused",
     "refused_file",
     "rooted",
@@ -69,6 +70,7 @@ __all__ = [
     "signed",
     "struck",
     "struck_together",
+    "told_at",
     "unhashed",
 ]
 
@@ -297,10 +299,28 @@ def _callers(frame: Any) -> set[str]:
     return found
 
 
-def place_in(found: Any, tile: Any, point: Mapping[str, Fraction]) -> list[Fraction]:
-    """A point of a tile, from -1 to 1 over it."""
-    where = found.where(tile)
-    return [(2 * point[n] - low - high) / (high - low) for n, (low, high) in where.items()]
+def told_at(found: Any, point: Mapping[str, Any]) -> str:
+    """The verdict that a map tells of a point; none in the band about a curve of events."""
+    tile = found.tile_at(point)
+    if tile.event is None:
+        return str(tile.verdict)
+    place = [
+        (2 * Fraction(point[name]) - low - high) / (high - low)
+        for name, (low, high) in found.where(tile).items()
+    ]
+    side = tile.event.band.side_of(place)
+    return "" if side is None else str(getattr(tile.event, side))
+
+
+def random_points(found: Any, seed: int, count: int) -> Iterator[dict[str, Fraction]]:
+    """So many points of each tile of a map."""
+    drawn = random.Random(seed)
+    for tile in found.tiles:
+        for _ in range(count):
+            yield {
+                name: low + Fraction(drawn.random()) * (high - low)
+                for name, (low, high) in found.where(tile).items()
+            }
 
 
 def signed(content: dict[str, Any]) -> dict[str, Any]:

@@ -11,7 +11,6 @@ import sympy as sp
 from mpmath import MPContext
 
 from nonsmooth.derive import System
-from nonsmooth.runtime.proof.motion.motion_proof import Proof
 
 __all__ = ["DeclaredMotion", "mp"]
 
@@ -120,7 +119,7 @@ class DeclaredMotion:
             at = better
         return at
 
-    def agrees(self, proof: Proof, start: Sequence[Any], narrow: float) -> None:
+    def agrees(self, proof: Any, start: Sequence[Any], narrow: float) -> None:
         """Assert that the proved sequence is the motion's, and that narrow enclosures hold it."""
 
         def holds(enclosure: Any, value: Any) -> bool:

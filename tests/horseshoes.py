@@ -11,7 +11,6 @@ from flint import fmpq
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
 from nonsmooth.runtime.proof.chaos.certify_chaos import _ChaosQuestion
-from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
 from nonsmooth.runtime.proof.chaos.h_sets import HSet
 from nonsmooth.runtime.proof.chaos.search import Horseshoe
 from nonsmooth.runtime.proof.exact_tables import exact_system
@@ -51,7 +50,7 @@ def folded_section(system: Any) -> Any:
     return transition_section(system, source, frozenset({boundary}), target)
 
 
-def folded_horseshoe(*, exponents: bool = False) -> ChaosCertificate:
+def folded_horseshoe(*, exponents: bool = False) -> Any:
     """Two sets on a section of one coordinate: A covers B, which covers both."""
 
     guess = Horseshoe(2, _FOLDED_SETS, ((0, 1), (1, 0), (1, 1)), 0.0)
@@ -59,7 +58,7 @@ def folded_horseshoe(*, exponents: bool = False) -> ChaosCertificate:
     return proved(kernels, FOLDED_DATA, folded_section, guess, exponents=exponents)
 
 
-def inverted_horseshoe(*, exponents: bool) -> ChaosCertificate:
+def inverted_horseshoe(*, exponents: bool) -> Any:
     """Two sets on a section of two coordinates: A covers A and B, which covers A."""
 
     def section(system: Any) -> Any:
@@ -76,7 +75,7 @@ def proved(
     guess: Horseshoe,
     *,
     exponents: bool = False,
-) -> ChaosCertificate:
+) -> Any:
     """What is proved of given sets."""
     with flint_precision(80):
         exact = exact_system(kernels, data)

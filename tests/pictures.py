@@ -30,6 +30,11 @@ def figure_of_saved(result: Any, kind: str = "all", **view: Any) -> Any:
         return figure_in(path, kind, **view)
 
 
+def legend_of(axes: Any) -> list[str]:
+    """Give the texts of a legend."""
+    return [text.get_text() for text in axes.get_legend().get_texts()]
+
+
 def with_multipliers(orbit: Any, *numbers: complex) -> Any:
     """An orbit with other multipliers; a 1 among them is a trivial one."""
     found, stability = replace(orbit), orbit.stability

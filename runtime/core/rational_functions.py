@@ -7,14 +7,19 @@ variables too, the last ones, and what is known of these is an `Extension`.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from flint import arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-__all__ = ["Extension", "RationalFunction", "symbols"]
+__all__ = ["Extension", "RationalFunction", "pivot", "symbols"]
+
+
+def pivot(row: Iterable[Any]) -> Any:
+    """Return the place of the first entry that is not zero; None if all are."""
+    return next((k for k, x in enumerate(row) if x), None)
 
 
 @dataclass(frozen=True)

@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.complex_steps import real_parts
+from nonsmooth.runtime.core.rational_functions import pivot
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import Structure
 
@@ -104,7 +105,7 @@ def up_to_shift(states: np.ndarray, directions: np.ndarray) -> np.ndarray:
 
 def gauges_of(directions: Sequence[Any] | np.ndarray) -> list[int]:
     """First coordinate of each direction (m, N): it is one there, and zero in the others."""
-    return [next(k for k, x in enumerate(direction) if x) for direction in directions]
+    return [pivot(direction) for direction in directions]
 
 
 def _null_space(rows: np.ndarray) -> np.ndarray:

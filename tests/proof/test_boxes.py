@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import time
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
@@ -11,17 +12,14 @@ from typing import Any
 
 import numpy as np
 import pytest
-import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import nonsmooth as ns
 from nonsmooth import InputError
-from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.core.arithmetic import exact_ball
-from nonsmooth.runtime.model.kernels import load_system
-from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.certified import accepted, interrupted, loop
+from tests.explore import test_continuation_forced as impacts
 
 STICK = "dry-friction/global-stick"
 SYMMETRIC = "dry-friction/symmetric"
@@ -91,43 +89,15 @@ def test_verdicts_along_a_line_are_those_of_the_points() -> None:
 def test_closed_forms_over_boxes() -> None:
     # the period is pi/sqrt(k) + pi/2, the multiplier r, the speed at the start 1/(1 - r)
     found = ns.certify.box(loop(), {"k": ("0.9", "1.1"), "r": ("0.45", "0.55")})
-    assert found.proved
-    trace, period, speed = (found.enclosures[name] for name in ("trace", "period", "v0"))
-    assert trace.lower <= 0.45
-    assert trace.upper >= 0.55
-    assert trace.upper - trace.lower < 0.11
-    ends = [math.pi / math.sqrt(k) + math.pi / 2 for k in (1.1, 0.9)]
-    assert period.lower <= ends[0] < ends[1] <= period.upper < ends[1] + 0.02
-    assert speed.lower <= 1 / 0.55 < 1 / 0.45 <= speed.upper
-
-
-def test_a_wall_that_is_touched_inside_the_box_is_undecided_there() -> None:
-    # the orbit reaches v0/sqrt(k) = 2, where the wall stands
-    found = ns.certify.box(loop(), {"a": ("3/2", "7/2")}, tiles=40)
-    assert found.tile_at({"a": 2}).verdict == "undecided"
-    assert {found.tile_at({"a": a}).verdict for a in (1.6, 1.9)} == {"not admissible"}
-    assert {found.tile_at({"a": a}).verdict for a in (2.1, 3.4)} == {"proved"}
-    assert "wall" in found.reasons["admissibility"]
-
-
-@pytest.mark.slow
-def test_a_multiplier_on_the_unit_circle_is_never_decided() -> None:
-    found = ns.certify.box(loop(r="1/2"), {"r": ("0.4", "1.6")}, tiles=60)
-    assert found.tile_at({"r": 1}).verdict == "undecided"  # there the orbit is infinite
-    assert found.tile_at({"r": Fraction(1, 2)}).verdict == "proved"
-    down = ns.certify.box(loop(r="-1/2"), {"r": ("-3/2", "-1/4")}, tiles=60)
-    assert down.tile_at({"r": -1}).verdict == "undecided"
-    assert down.tile_at({"r": Fraction(-5, 4)}).verdict == "unstable"
-    assert down.tile_at({"r": Fraction(-3, 4)}).verdict == "proved"
-
-
-def test_parameters_beside_the_box_may_be_irrational() -> None:
-    found = ns.certify.box(loop(k="sqrt(2)"), {"r": ("0.45", "0.55")})
-    assert found.proved
-    wanted = math.pi / 2**0.25 + math.pi / 2
-    assert found.enclosures["period"].contains(wanted) or math.isclose(
-        float(found.enclosures["period"]), wanted, rel_tol=1e-14
-    )
+    beside = ns.certify.box(loop(k="sqrt(2)"), {"r": ("0.45", "0.55")})
+    for own, ends in ((found, (1.1, 0.9)), (beside, (math.sqrt(2), math.sqrt(2)))):
+        assert own.proved
+        trace, period, speed = (own.enclosures[name] for name in ("trace", "period", "v0"))
+        assert trace.lower <= 0.45 < 0.55 <= trace.upper < trace.lower + 0.11
+        shortest, longest = (math.pi / math.sqrt(k) + math.pi / 2 for k in ends)
+        assert period.lower - 1e-14 <= shortest <= longest <= period.upper + 1e-14
+        assert period.upper < longest + 0.02
+        assert speed.lower <= 1 / 0.55 < 1 / 0.45 <= speed.upper
 
 
 @pytest.mark.parametrize(("name", "parameter"), [
@@ -156,67 +126,42 @@ def test_a_given_period_may_span_the_box() -> None:
     assert 6.1 <= period.upper < 6.103
 
 
-@cache
-def impacts() -> Orbit:
+def test_forced_orbits_over_frequency_and_restitution() -> None:
     """An impact in each period of the forcing."""
-    w, size, c = sp.symbols("w F c")
-    system = load_system(
-        oscillator(
-            "forced-impacts", ["x"], [[1]], [[1]], [[c]],
-            forcing=[Harmonic(w, (size,))], elements=[RigidStop("x", 0, "4/5", name="wall")],
-            parameters=[Parameter("w", "frequency"), Parameter("F", "force"),
-                        Parameter("c", "damping")],
-        )
-    )  # fmt: skip
-    return ns.solve(
-        system,
-        {"w": "13/5", "F": "7/10", "c": "1/10"},
-        [2 * math.pi / 2.6],
-        itinerary=[("free", "wall-reaches-stop")],
-    )
-
-
-def test_forced_orbits_over_frequency_and_force() -> None:
-    found = ns.certify.box(impacts(), {"w": ("2.58", "2.62"), "F": ("0.69", "0.71")})
+    orbit = impacts.orbit(-0.3, 0.1)
+    found = ns.certify.box(orbit, {"w": ("2.78", "2.82"), "r": ("0.79", "0.81")})
     assert found.proved, found.reasons
-    period = found.enclosures["period"]
-    assert period.lower <= 2 * math.pi / 2.62 < 2 * math.pi / 2.58 <= period.upper
-    # Liouville: the product of the multipliers is r^2 e^(-c T), whatever the force is
-    for w in ("2.58", "2.6", "2.62"):
-        values = {"w": w, "F": "0.7", "c": "0.1"}
-        orbit = ns.solve(
-            impacts().system, values, [2 * math.pi / 2.6], itinerary=impacts().itinerary
-        )
-        trace = found.enclosures["trace"]
-        assert trace.lower <= orbit.trace <= trace.upper
-
-
-def same(left: Any, right: Any) -> bool:
-    """Whether the tiles are the same, in whatever order."""
-
-    def told(found: Any) -> list[str]:
-        return sorted(json.dumps(tile) for tile in found.to_json()["tiles"])
-
-    return told(left) == told(right)
+    period, trace = (found.enclosures[name] for name in ("period", "trace"))
+    assert period.lower <= 2 * math.pi / 2.82 < 2 * math.pi / 2.78 <= period.upper
+    guess = [*orbit.dwell_times, *orbit.states[0]]
+    for w in ("2.78", "2.8", "2.82"):
+        values = {**orbit.parameters, "w": w}
+        near = ns.solve(orbit.system, values, guess, itinerary=orbit.itinerary)
+        assert trace.lower <= near.trace <= trace.upper
 
 
 @pytest.mark.slow
 def test_states_are_kept_on_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
-    from nonsmooth.runtime.proof import kept_state
-
-    monkeypatch.setattr(kept_state, "_EVERY", 0.0)
-    monkeypatch.setattr(kept_state, "_LONGER", 0.0)
+    """Ten seconds after the last one that was kept."""
     kept: list[Any] = []
     told: list[tuple[float, int]] = []
+
+    def passed(*share: Any) -> None:
+        told.append(share)
+        monkeypatch.setattr(time, "monotonic", lambda: 11.0 * len(told))
+
+    monkeypatch.setattr(time, "monotonic", lambda: 0.0)
     box = {"V": ("0.6", "1.3")}
-    ns.certify.box(
-        ns.solve(SYMMETRIC), box, tiles=5, keep=kept.append, progress=lambda *now: told.append(now)
-    )
+    ns.certify.box(ns.solve(SYMMETRIC), box, tiles=5, keep=kept.append, progress=passed)
     assert len(kept) == 5
     assert told == [(pytest.approx(float(x.decided)), k) for k, x in enumerate(kept, 1)]
     for state in kept:
         assert sum(state.shares.values()) == 1
-    assert same(ns.certify.box(ns.solve(SYMMETRIC), box, resume=kept[2]), line())
+    resumed = ns.certify.box(ns.solve(SYMMETRIC), box, resume=kept[2])
+    once, again = (
+        sorted(json.dumps(tile) for tile in found.to_json()["tiles"]) for found in (line(), resumed)
+    )
+    assert once == again
 
 
 @pytest.mark.parametrize(("box", "told"), [
@@ -258,21 +203,6 @@ def test_an_orbit_without_exact_parameters_is_undecided() -> None:
     assert found.claims == dict.fromkeys(PROVED, "undecided")
     assert "border collision" in found.reasons["existence"]
     assert found.decided == 0
-
-
-@pytest.mark.slow
-def test_maps_are_drawn(tmp_path: Path) -> None:
-    pytest.importorskip("matplotlib")
-    for found, labels in ((paper(), {"stable, proved (100 %)"}), (line(), {"unstable, proved"})):
-        figure = found.plot()
-        (axes,) = figure.axes
-        texts = [text.get_text() for text in axes.get_legend().get_texts()]
-        assert all(any(text.startswith(label) for text in texts) for label in labels)
-        figure.savefig(tmp_path / "map.png")
-        assert found.plot(axes) is axes
-    names = {"k": ("0.9", "1.1"), "r": ("0.4", "0.6"), "a": ("2.9", "3.1")}
-    with pytest.raises(InputError, match="two parameters"):
-        ns.certify.box(loop(), names).plot()
 
 
 @pytest.mark.parametrize("parameter", ["V", "eta", "chi"])

@@ -12,19 +12,11 @@ import nonsmooth as ns
 from nonsmooth import InputError, Interrupted
 from nonsmooth.runtime.checker.ranges.branch import curve_of
 from nonsmooth.runtime.checker.ranges.doubling import DoubledEquations
-from nonsmooth.runtime.core.taylor_models import (
-    AT_BOTH_ENDS,
-    BENT_MEAN,
-    MEAN,
-    TaylorModel,
-    averaged,
-    lifted,
-    space_of,
-)
+from nonsmooth.runtime.core.taylor_models import TaylorModel, space_of
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.branch.certify_doubling import flip_with_direction
 from tests.certified import accepted, content_of
 from tests.explore import test_continuation_forced as impacts
+from tests.pictures import legend_of
 
 pytestmark = pytest.mark.compiled  # much slower without it
 
@@ -90,25 +82,18 @@ def test_motions_leave_the_unstable_doubled_orbit_and_settle_on_the_stable_one(
     assert sum(dwell) == pytest.approx(float(tables.period), rel=1e-6)
 
 
-@pytest.fixture(scope="module")
-def flip(found: Any) -> tuple[Any, int, list[Any]]:
-    """The equations of the orbit, the entry that is 1, and the flip with its direction."""
-    curve = curve_of(content_of(found.branch))
-    point = [x.ball for x in found.flip.enclosures.values()]
-    return curve, *flip_with_direction(curve, point)
-
-
 @pytest.mark.parametrize("place", [0, 0.25])
 def test_derivatives_of_the_doubled_equations_are_those_of_differences(
-    flip: Any, place: float
+    found: Any, place: float
 ) -> None:
     """At the flip, and a quarter of the way to the largest amplitude."""
-    curve, scaled, point = flip
+    doubled = content_of(found)["doubled"]
+    curve = curve_of(content_of(found.branch))
+    equations = DoubledEquations(curve, curve.declared.unknowns.index(doubled["scaled"]))
     step, e = arb(2) ** -20, [arb(place)]
     with flint_precision(128):
         amplitude = space_of(1, 5).variable(0, arb(0), arb(1) / 20)
-        equations = DoubledEquations(curve, scaled)
-        middles = [x.mid() for x in point]
+        middles = [arb(row[0]) for row in doubled["centre"]]
         _, told = equations.at(amplitude, middles)
         for column in range(len(middles)):
             moved = [x + step if k == column else x for k, x in enumerate(middles)]
@@ -120,29 +105,6 @@ def test_derivatives_of_the_doubled_equations_are_those_of_differences(
                     for x in (change, told[row, column])
                 )
                 assert abs(slope / (2 * step) - own) < 1e-5, (row, column)
-
-
-def test_averages_are_those_of_polynomials_and_hold_what_is_cut_off() -> None:
-    """Of e^2 f^2 + 3 f^3 + a ball times f over f = s e, with the three weights."""
-    space = space_of(2, 5)
-    parts: list[Any] = [None] * len(space.exponents)
-    parts[0] = arb(0, 1e-3)
-    parts[space.exponents.index((2, 2))] = arb(1)
-    parts[space.exponents.index((0, 3))] = arb(3)
-    parts[space.exponents.index((0, 1))] = arb(2, 1e-2)
-    model = TaylorModel(space, tuple(parts))
-    for weight, *shares in ((AT_BOTH_ENDS, 1, 1, 1), (MEAN, 1, 1 / 2, 1 / 3),
-                            (BENT_MEAN, 1 / 3, 1 / 8, 1 / 15)):  # fmt: skip
-        found = averaged(model, weight)
-        assert float(found.parts[4]) == pytest.approx(shares[2])
-        assert found.parts[0].rad() >= 1e-3 * shares[0] * 0.999
-        assert found.parts[1].contains(0)
-        assert found.parts[1].rad() >= 1e-2 * shares[1] * 0.999
-        assert found.parts[3].is_zero() or abs(found.parts[3]) < 1e-12
-    one = space_of(1, 5).variable(0, arb(1), arb(2))
-    again = averaged(lifted(one, space), MEAN)
-    assert [float(p or 0) for p in again.parts] == [1, 2, 0, 0, 0, 0]
-    assert averaged(arb(3), BENT_MEAN).contains(1)
 
 
 @pytest.mark.slow
@@ -187,9 +149,8 @@ def test_it_is_drawn_with_the_branch_and_beside_the_flip(found: Any) -> None:
     pytest.importorskip("matplotlib")
     (axes,) = found.plot().axes
     assert axes.get_title(loc="left") == "dry-friction/symmetric"
-    labels = [text.get_text() for text in axes.get_legend().get_texts()]
-    assert "flip, enclosed" in labels
-    assert any("twice the period" in label for label in labels)
+    assert "flip, enclosed" in legend_of(axes)
+    assert any("twice the period" in label for label in legend_of(axes))
     with pytest.raises(InputError):
         found.plot("tau9")
 

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from fractions import Fraction
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 import pytest
+from flint import fmpq
 
 import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.counting.census import CountedBox
 from nonsmooth.runtime.checker.orbits import points
 from nonsmooth.runtime.checker.orbits.events import JudgedEvent
+from nonsmooth.runtime.checker.ranges.branch_tile import CheckedTile
 from nonsmooth.runtime.checker.ranges.doubling import JudgedDoubling
 from nonsmooth.runtime.checker.ranges.tiles import CheckedBox
 from nonsmooth.runtime.checker.state_sets.chaos import StretchedSets
@@ -28,27 +32,22 @@ from tests.horseshoes import folded_horseshoe
 ORBIT, SYMMETRIC = "dry-friction/global-stick", "dry-friction/symmetric"
 PLANTED = "the checker refuses it: planted"
 
-pytestmark = pytest.mark.usefixtures("_restored")
 
-
-@pytest.fixture
-def _restored(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    yield
-    monkeypatch.undo()
-
-
+@contextmanager
 def refusing(
-    check: Callable[..., Any], claimed: Callable[..., object] = lambda *told: True
-) -> Callable[..., Any]:
-    """The same check, that refuses what is claimed, too."""
+    owner: Any, step: str, claimed: Callable[..., object] = lambda *told: True
+) -> Iterator[None]:
+    """Let a check refuse what is claimed, too."""
+    check = getattr(owner, step)
 
     def planted(*told: Any) -> Any:
-        found = check(*told)
         if claimed(*told):
             raise Failure("planted")
-        return found
+        return check(*told)
 
-    return planted
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(owner, step, planted)
+        yield
 
 
 @cache
@@ -87,22 +86,19 @@ def test_a_claim_of_an_orbit_that_cannot_be_judged(
     assert accepted(found, tmp_path).claims == found.claims
 
 
-def test_an_event(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_event(tmp_path: Path) -> None:
     (event,) = branch().events
     assert ns.certify.event(branch(), event).proved
-    with monkeypatch.context() as planted:
-        planted.setattr(JudgedEvent, "located", refusing(JudgedEvent.located))
+    with refusing(JudgedEvent, "located"):
         found = ns.certify.event(branch(), event)
     assert (found.claim, found.reason) == ("undecided", PLANTED)
     assert accepted(found, tmp_path).claims == {"events": "undecided"}
 
 
 @pytest.mark.slow
-def test_a_tile_of_a_box_is_halved(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_tile_of_a_box_is_halved(tmp_path: Path) -> None:
     """The check refuses the whole box, and all tiles at one of its corners."""
-    with monkeypatch.context() as planted:
-        judged = refusing(CheckedBox.judged, lambda _, place, *told: place[0][0] == 0)
-        planted.setattr(CheckedBox, "judged", judged)
+    with refusing(CheckedBox, "judged", lambda _, place, *told: place[0][0] == 0):
         found = ns.certify.box(orbit(), {"V": ("0.999", "1.001")}, tiles=9)
     verdicts = {tile.place.steps[0]: tile.verdict for tile in found.tiles}
     assert verdicts.pop((0, 5)) == verdicts.pop((1, 5), "undecided") == "undecided"
@@ -113,33 +109,38 @@ def test_a_tile_of_a_box_is_halved(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     assert accepted(found, tmp_path).claims == found.claims
 
 
-def test_tiles_that_do_not_meet(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_tiles_that_do_not_meet(tmp_path: Path) -> None:
     box = {"V": ("0.999", "1.001"), "eta": ("0.999", "1.001")}
-    with monkeypatch.context() as planted:
-        whole = refusing(CheckedBox.judged, lambda _, place, *told: place == ((0, 0), (0, 0)))
-        planted.setattr(CheckedBox, "judged", whole)
-        planted.setattr(CheckedBox, "check_joint", refusing(CheckedBox.check_joint))
+    whole = refusing(CheckedBox, "judged", lambda _, place, *told: place == ((0, 0), (0, 0)))
+    with whole, refusing(CheckedBox, "check_joint"):
         found = ns.certify.box(orbit(), box)
     assert sorted(tile.verdict for tile in found.tiles) == ["proved", "undecided"]
     assert found.reasons["existence"].endswith(PLANTED)
     assert accepted(found, tmp_path).claims == found.claims
 
 
-def test_what_is_said_of_a_whole_box(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    with monkeypatch.context() as planted:
-        told = refusing(of_tiles.check_whole, lambda content: content["enclosures"])
-        planted.setattr(of_tiles, "check_whole", told)
+def test_what_is_said_of_a_whole_box(tmp_path: Path) -> None:
+    with refusing(of_tiles, "check_whole", lambda content: content["enclosures"]):
         found = ns.certify.box(orbit(), {"V": ("0.999", "1.001")})
     assert found.reasons["existence"].endswith(PLANTED)
     assert accepted(found, tmp_path).claims == found.claims
 
 
-def test_a_tile_of_a_branch_that_is_not_joined(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+@pytest.mark.slow
+def test_a_tile_of_a_branch_is_divided(tmp_path: Path) -> None:
+    """What is stated is what the check proves, however little that can do."""
+    widest = fmpq(1, 1000)
+    with refusing(CheckedTile, "claims", lambda tile: tile.high - tile.low >= widest):
+        found = ns.certify.branch(branch(), interval=("1.075", "1.085"))
+    assert found.complete, found.statement
+    assert [event.kind for event in found.events] == ["flip"]
+    assert all(tile.upper - tile.lower < Fraction(1, 1000) for tile in found.tiles)
+    accepted(found, tmp_path)
+
+
+def test_a_tile_of_a_branch_that_is_not_joined(tmp_path: Path) -> None:
     """The branch is given up where it is, on both sides, and the first tile stays."""
-    with monkeypatch.context() as planted:
-        planted.setattr(of_branches, "check_joint", refusing(of_branches.check_joint))
+    with refusing(of_branches, "check_joint"):
         found = ns.certify.branch(branch(), interval=("1.077", "1.079"))
     assert len(found.tiles) == 1
     assert any("planted" in end for end in found.ends)
@@ -148,12 +149,9 @@ def test_a_tile_of_a_branch_that_is_not_joined(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("what", [pytest.param("verdict", marks=pytest.mark.slow), "doubling"])
-def test_a_doubling(what: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    with monkeypatch.context() as planted:
-        step = "verdict" if what == "verdict" else "locate"
-        check = getattr(JudgedDoubling, step)
-        planted.setattr(JudgedDoubling, step, refusing(check))
+@pytest.mark.parametrize("what", ["verdict", "locate"])
+def test_a_doubling(what: str, tmp_path: Path) -> None:
+    with refusing(JudgedDoubling, what):
         found = ns.certify.doubling(branch(), tiles=1)
     if what == "verdict":
         assert found.doubled is not None
@@ -164,27 +162,21 @@ def test_a_doubling(what: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
     assert accepted(found, tmp_path).claims == {"doubling": "undecided"}
 
 
-def refused(*told: Any) -> Any:
-    raise Failure("planted")
-
-
-def test_chaos(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(StretchedSets, "covered", refused)
-    with pytest.raises(AssertionError, match="planted"):
+def test_chaos() -> None:
+    with refusing(StretchedSets, "covered"), pytest.raises(AssertionError, match="planted"):
         folded_horseshoe()
 
 
-def test_cones(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(Derivatives, "hulls", refused)
-    found = folded_horseshoe(exponents=True)
+def test_cones() -> None:
+    with refusing(Derivatives, "hulls"):
+        found = folded_horseshoe(exponents=True)
     assert found.proved
     assert found.cones is None
     assert found.tried == ("no cone condition: planted",)
 
 
-def test_an_orbit_that_is_counted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    with monkeypatch.context() as planted:
-        planted.setattr(CountedBox, "check_orbit", refusing(CountedBox.check_orbit))
+def test_an_orbit_that_is_counted(tmp_path: Path) -> None:
+    with refusing(CountedBox, "check_orbit"):
         found = ns.certify.all(ORBIT, box={"tau": 3, "tau1": 3})
     (counted,) = found.orbits
     assert (counted.certificate, counted.reason) == (None, "planted")

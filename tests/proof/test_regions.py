@@ -12,23 +12,25 @@ import pytest
 from flint import arb, fmpq
 
 import nonsmooth as ns
-from nonsmooth.runtime.checker import Failure, check_tiles
+from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.orbits.motion import Border
-from nonsmooth.runtime.checker.ranges.divided import Band, DividingCurve, Division
+from nonsmooth.runtime.checker.ranges.divided import DividingCurve, Division
 from nonsmooth.runtime.core.taylor_models import space_of
 from tests.certified import (
     accepted,
+    believed,
     claimed,
     content_of,
     loop,
-    place_in,
+    random_points,
     refused,
     signed,
+    told_at,
     unhashed,
 )
-from tests.cli.test_cli import run
+from tests.pictures import legend_of
+from tests.proof import test_boxes, test_fold_curves
 
-SYMMETRIC = "dry-friction/symmetric"
 # the kicked mass reaches 1/(1 - r), where the wall stands, and has the multiplier r
 CORNER = {"r": ("-3/2", "-1/4"), "a": ("2/5", "7/10")}
 BESIDE = {"r": ("-5/4", "-3/4"), "a": ("27/50", "7/10")}
@@ -38,19 +40,6 @@ BESIDE = {"r": ("-5/4", "-3/4"), "a": ("27/50", "7/10")}
 def corner() -> Any:
     """A flip and a grazing that cross at r = -1, a = 1/2."""
     return ns.certify.box(loop(r="-1/2", a="3/5"), CORNER)
-
-
-@cache
-def beside() -> Any:
-    """The two curves without the corner."""
-    return ns.certify.box(loop(r="-19/20", a="3/5"), BESIDE)
-
-
-@cache
-def paper() -> Any:
-    """The flip of the paper's symmetric orbit."""
-    orbit = ns.solve(SYMMETRIC, {"V": "1.08"})
-    return ns.certify.box(orbit, {"V": ("1.05", "1.1"), "eta": ("3.98", "4.02")})
 
 
 def true_verdict(r: Fraction, a: Fraction) -> str:
@@ -85,48 +74,25 @@ def test_a_box_consists_of_regions_curves_and_one_open_corner() -> None:
 
 
 def test_curves_are_those_of_the_closed_form() -> None:
-    found = corner()
-    count = 0
-    for tile in found.tiles:
-        if tile.event is None:
-            continue
-        where, band = list(found.where(tile).values()), tile.event.band
-        for k in range(9):
-            along = Fraction(k - 4, 4)
-            (low, high), axis = where[1 - band.axis], band.axis
-            value = low + (along + 1) / 2 * (high - low)
-            if tile.event.kind == "flip":
-                assert axis == 0
-                true = Fraction(-1)
-            else:
-                true = 1 / (1 - value) if axis == 1 else 1 - 1 / value
-            (low, high) = where[axis]
-            away = (2 * true - low - high) / (high - low) - band.at(along)
-            if abs(band.at(along)) < 1:
-                assert abs(away) <= Fraction(band.radius)
-                count += 1
-    assert count > 50
+    """Away from where they cross, in bands whose width is looked at above."""
+    for k in range(25):
+        value = Fraction(k, 25)
+        r, a = Fraction(-3, 2) + value * Fraction(5, 4), Fraction(2, 5) + value * Fraction(3, 10)
+        if a > Fraction(51, 100):
+            assert told_at(corner(), {"r": -1, "a": a}) == ""
+        if abs(r + 1) > Fraction(1, 100) and r < Fraction(-3, 7):
+            assert told_at(corner(), {"r": r, "a": 1 / (1 - r)}) == ""
 
 
 def test_verdicts_at_random_points_are_the_true_ones() -> None:
-    found, drawn = corner(), random.Random(5)
     seen = set()
-    for tile in found.tiles:
-        for _ in range(4):
-            point = {
-                n: low + Fraction(drawn.random()) * (high - low)
-                for n, (low, high) in found.where(tile).items()
-            }
-            verdict = tile.verdict
-            if tile.event is not None:
-                side = tile.event.band.side_of(place_in(found, tile, point))
-                if side is None:
-                    continue
-                verdict = tile.event.below if side == "below" else tile.event.above
-                seen.add((tile.event.kind, verdict))
-            if verdict != "undecided":
-                assert verdict == true_verdict(point["r"], point["a"])
-    assert len(seen) == 5
+    for point in random_points(corner(), 5, 4):
+        verdict = told_at(corner(), point)
+        if verdict not in ("", "undecided"):
+            assert verdict == true_verdict(point["r"], point["a"])
+            event = corner().tile_at(point).event
+            seen.add((event.kind if event else "", verdict))
+    assert len(seen) == 6
     assert ("grazing", "not admissible") in seen
 
 
@@ -140,26 +106,6 @@ def test_every_point_of_a_region_has_its_verdict() -> None:
 
 
 @pytest.mark.slow
-def test_the_flip_of_the_paper_is_where_its_event_is_proved() -> None:
-    found = paper()
-    assert found.decided == 1
-    assert {region.verdict for region in found.regions} == {"stable", "unstable"}
-    (curve,) = found.curves
-    assert (curve.event.kind, curve.ends) == ("flip", ("border", "border"))
-    for eta in ("3.986", "4.014"):
-        branch = ns.continue_orbit(ns.solve(SYMMETRIC, {"V": "1.08", "eta": eta}), "V", (1.05, 1.1))
-        (event,) = [e for e in branch.events if e.kind == "flip"]
-        proved = ns.certify.event(branch, event, bits=128)
-        ball = proved.enclosures["V"]
-        value = Fraction(ball.texts[0])
-        tile = found.tile_at({"V": value, "eta": eta})
-        assert tile.event is not None
-        at = place_in(found, tile, {"V": value, "eta": Fraction(eta)})
-        assert tile.event.band.side_of(at) is None
-        assert tile.event.band.radius < 1e-4
-
-
-@pytest.mark.slow
 def test_an_event_on_the_edge_of_the_box() -> None:
     # r = -1 is the right edge: there is a flip, and beside it all is unstable
     found = ns.certify.box(loop(r="-5/4"), {"r": ("-3/2", "-1"), "k": ("4/5", "6/5")}, tiles=60)
@@ -167,7 +113,7 @@ def test_an_event_on_the_edge_of_the_box() -> None:
     assert found.decided == 1
     (curve,) = found.curves
     assert all(r == pytest.approx(-1, abs=1e-9) for r, _ in curve.points)
-    check_tiles(content_of(found))
+    believed(content_of(found))
 
 
 @pytest.mark.slow
@@ -183,22 +129,43 @@ def test_a_thin_tongue_is_found() -> None:
 
 @pytest.mark.slow
 def test_maps_with_curves_are_kept_and_resumed(tmp_path: Path) -> None:
+    """The two curves without the corner."""
     orbit = loop(r="-19/20", a="3/5")
     part = ns.certify.box(orbit, BESIDE, tiles=3)
     part.save(tmp_path / "map.json")
     again = ns.load(tmp_path / "map.json")
     assert unhashed(again.to_json()) == unhashed(part.to_json())
     whole = ns.certify.box(orbit, BESIDE, resume=again)
-    assert part.shares != whole.shares == beside().shares
-    assert [r.verdict for r in whole.regions] == [r.verdict for r in beside().regions]
+    once = ns.certify.box(orbit, BESIDE)
+    assert part.shares != whole.shares == once.shares
+    assert [r.verdict for r in whole.regions] == [r.verdict for r in once.regions]
 
 
-def test_maps_with_curves_are_drawn() -> None:
+@pytest.mark.parametrize(
+    ("drawn", "labels"),
+    [
+        (corner, ("flip", "grazing", "stable, proved", "unstable, proved", "undecided box")),
+        pytest.param(
+            test_fold_curves.folded,
+            ("fold", "stable, proved", "beyond a fold, proved"),
+            marks=pytest.mark.slow,
+        ),
+        pytest.param(test_boxes.paper, ("stable, proved (100 %)",), marks=pytest.mark.slow),
+        pytest.param(test_boxes.line, ("unstable, proved",), marks=pytest.mark.slow),
+    ],
+)
+def test_maps_are_drawn(drawn: Any, labels: tuple[str, ...]) -> None:
     pytest.importorskip("matplotlib")
-    (axes,) = corner().plot().axes
-    texts = [text.get_text() for text in axes.get_legend().get_texts()]
-    for label in ("flip", "grazing", "stable, proved", "unstable, proved", "undecided box"):
-        assert any(text.startswith(label) for text in texts)
+    (axes,) = drawn().plot().axes
+    assert drawn().plot(axes) is axes
+    for label in labels:
+        assert any(text.startswith(label) for text in legend_of(axes))
+
+
+def test_a_box_of_three_parameters_is_not_drawn() -> None:
+    names = {"k": ("0.9", "1.1"), "r": ("0.4", "0.6"), "a": ("2.9", "3.1")}
+    with pytest.raises(ns.InputError, match="two parameters"):
+        ns.certify.box(loop(), names).plot()
 
 
 SMALL: dict[str, tuple[dict[str, str], dict[str, tuple[str, str]]]] = {
@@ -249,28 +216,9 @@ def test_a_curve_beside_its_tile_is_none_of_the_box() -> None:
     tile["reasons"] = {"stability": "so"}
     told = claimed(type(found), content)
     content |= {n: told.to_json()[n] for n in ("claims", "reasons", "shares", "enclosures")}
-    check_tiles(signed(content))
+    believed(signed(content))
     assert [region.verdict for region in told.regions] == ["stable"]
     assert told.curves == ()
-
-
-@pytest.mark.slow
-def test_the_command_tells_regions_curves_and_open_boxes(tmp_path: Path) -> None:
-    pytest.importorskip("matplotlib")
-    path, picture = tmp_path / "map.json", tmp_path / "map.png"
-    arguments = [SYMMETRIC, "V=1.05:1.1", "eta=3.98:4.02", "--save", str(path)]
-    code, out, _ = run("certify", "box", *arguments, "--plot", str(picture))
-    assert code == 0
-    assert "2 regions" in out
-    assert "flip" in out
-    assert picture.exists()
-    code, out, _ = run("certify", "check", str(path))
-    assert code == 0
-    assert "2 regions" in out
-    told = ns.load(path).to_json()
-    assert {region["verdict"] for region in told["regions"]} == {"stable", "unstable"}
-    assert told["curves"][0]["kind"] == "flip"
-    assert told["open"] == []
 
 
 def away_of(number: Any, centre: tuple[float, ...]) -> float:
@@ -310,15 +258,3 @@ def test_borders_that_are_crossed_in_both_directions_have_no_verdict() -> None:
     division.signs = {True, False}
     with pytest.raises(Failure, match="in both directions"):
         division.verdicts(lambda point: pytest.fail("it is not asked"))
-
-
-def test_sides_of_a_band_are_connected() -> None:
-    for centre in ((0.0, 0.0, 0.5), (0.9, 0.5, 0.1)):  # it stays inside; it rises
-        assert Band.about(0, centre, arb(0), ((0, 0), (0, 0))).centre == centre
-    for centre in ((0.9, 0.0, 0.5), (-0.9, 0.0, -0.5)):
-        with pytest.raises(Failure, match="several parts"):
-            Band.about(0, centre, arb(0), ((0, 0), (0, 0)))
-    band = Band(1, (0.0, 1.0), 0.25)
-    assert band.side_of((Fraction(1, 2), Fraction(1))) == "above"
-    assert band.side_of((Fraction(1, 2), Fraction(3, 4))) is None
-    assert band.side_of((Fraction(1, 2), Fraction(1, 8))) == "below"

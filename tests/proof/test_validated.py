@@ -25,9 +25,9 @@ from nonsmooth.derive import (
     oscillator,
 )
 from nonsmooth.derive.systems import dry_friction, elastic_stop, rigid_stop
+from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.state_sets.one_motion import OneMotion
 from nonsmooth.runtime.checker.state_sets.sets import TooWide
-from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.exact_tables import exact_system
 from nonsmooth.runtime.proof.sets.sections import whole_system

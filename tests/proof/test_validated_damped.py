@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 from itertools import pairwise
+from typing import Any
 
 import pytest
 import sympy as sp
@@ -24,7 +25,6 @@ from nonsmooth.derive import (
     oscillator,
 )
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.motion.motion_proof import Proof
 from tests.declared_motion import DeclaredMotion
 
 x, v, c, s = sp.symbols("x v c s", real=True)
@@ -158,7 +158,7 @@ def test_a_damped_mass_is_proved_to_come_to_rest(a: str, k: str) -> None:
 def test_a_motion_takes_a_unit_of_time_that_is_longer(rate: int) -> None:
     """Of a mass of some megahertz in seconds as much is proved as in its own unit."""
 
-    def proved(rate: int) -> Proof:
+    def proved(rate: int) -> Any:
         stop = RigidStop("x", at="1/1000", restitution="4/5")
         matrices = [[1]], [[rate**2]], [[Fraction(rate, 10)]]
         system = oscillator("struck", ["x"], *matrices, elements=[stop])
@@ -185,6 +185,20 @@ def test_the_arrival_behind_which_nothing_is_declared_is_enclosed() -> None:
     with flint_precision(2 * proof.bits):
         assert proof.instant.contains(1 / arb(2).sqrt())
     assert 0 < float(proof.instant.rad) < 1e-30
+
+
+def test_what_comes_and_goes_within_a_step_of_the_slow_forcing_is_not_missed() -> None:
+    """The function (t - 1) (t - 2) (t - 30): no eigenvalue tells how soon it is zero."""
+    p, q, u = sp.symbols("p q u", real=True)
+    rates = sp.zeros(5)
+    rates[0, 1] = rates[1, 2] = 1
+    rates[4, 3], rates[3, 4] = sp.Rational(1, 1000), -sp.Rational(1, 1000)
+    cubic = Configuration("cubic", FirstOrder(rates, (0, 0, 6, 0, 0)), (Boundary("passed", p),))
+    passed = Transition("cubic", {"passed"}, "cubic")
+    system = System("cubic", "", (p, q, u, c, s), (), (cubic,), (passed,))
+    proof = certify.motion(system, {}, [-60, 92, -66, 1, 0], "cubic", 1)
+    assert proof.decided
+    assert proof.times[1].contains(1)
 
 
 def test_a_growing_motion_is_not_called_quiet() -> None:

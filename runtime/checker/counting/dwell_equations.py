@@ -21,7 +21,8 @@ from nonsmooth.runtime.checker.counting.contraction import (
     middles_of,
 )
 from nonsmooth.runtime.checker.stated.declared import StatedSystem
-from nonsmooth.runtime.checker.stated.exact import leading, pivot, reduced
+from nonsmooth.runtime.checker.stated.exact import leading, reduced
+from nonsmooth.runtime.core.rational_functions import pivot
 
 __all__ = ["DwellEquations", "Given", "Setting"]
 

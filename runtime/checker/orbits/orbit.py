@@ -15,7 +15,8 @@ from flint import arb, arb_mat, ctx
 from nonsmooth.runtime.checker.orbits.matrix_chains import along_chain, framed_phases
 from nonsmooth.runtime.checker.orbits.short import Short, quotient, quotients
 from nonsmooth.runtime.checker.stated.declared import StatedSystem
-from nonsmooth.runtime.checker.stated.exact import Failure, demand, pivot
+from nonsmooth.runtime.checker.stated.exact import Failure, demand
+from nonsmooth.runtime.core.rational_functions import pivot
 from nonsmooth.runtime.core.taylor_models import (
     TaylorModel,
     matrix,

@@ -14,7 +14,8 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from nonsmooth.runtime.checker.stated.declared import StatedSystem
-from nonsmooth.runtime.checker.stated.exact import demand, pivot, product
+from nonsmooth.runtime.checker.stated.exact import demand, product
+from nonsmooth.runtime.core.rational_functions import pivot
 from nonsmooth.runtime.core.taylor_models import matrix
 
 __all__ = ["Short", "quotient", "quotients", "short_phase"]

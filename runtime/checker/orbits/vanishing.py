@@ -9,7 +9,8 @@ from typing import Any
 from flint import arb_mat
 
 from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit
-from nonsmooth.runtime.checker.stated.exact import demand, exact, pivot, product, reduced
+from nonsmooth.runtime.checker.stated.exact import demand, exact, product, reduced
+from nonsmooth.runtime.core.rational_functions import pivot
 
 __all__ = ["vanishing"]
 

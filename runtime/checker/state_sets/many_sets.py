@@ -36,12 +36,12 @@ from nonsmooth.runtime.checker.stated.exact import (
     Elimination,
     demand,
     leading,
-    pivot,
     product,
     reduced,
 )
 from nonsmooth.runtime.core.exponentials.float_flows import FloatFlow
 from nonsmooth.runtime.core.float_sets import LONGEST, Floats, ManySets, Rounded, within
+from nonsmooth.runtime.core.rational_functions import pivot
 
 __all__ = ["Arrivals", "ManyMotions"]
 

@@ -15,7 +15,8 @@ from nonsmooth.runtime.checker.state_sets.for_ever import stays_negative
 from nonsmooth.runtime.checker.state_sets.portions import direction
 from nonsmooth.runtime.checker.state_sets.sets import CarryingPhase, StateSet, TooWide, row_of
 from nonsmooth.runtime.checker.state_sets.switching import SwitchingSystem
-from nonsmooth.runtime.checker.stated.exact import demand, fixed, pivot, product, reduced
+from nonsmooth.runtime.checker.stated.exact import demand, fixed, product, reduced
+from nonsmooth.runtime.core.rational_functions import pivot
 
 __all__ = ["OneMotion"]
 

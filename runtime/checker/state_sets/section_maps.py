@@ -13,7 +13,8 @@ from flint import arb, arb_mat, fmpq, fmpq_mat
 from nonsmooth.runtime.checker.state_sets.entries import CarryingSystem, Entry
 from nonsmooth.runtime.checker.state_sets.sets import StateSet, TooWide, row_of
 from nonsmooth.runtime.checker.state_sets.switching import StatedSection, SwitchingSystem
-from nonsmooth.runtime.checker.stated.exact import Failure, demand, exact, pivot, reduced
+from nonsmooth.runtime.checker.stated.exact import Failure, demand, exact, reduced
+from nonsmooth.runtime.core.rational_functions import pivot
 
 __all__ = ["Box", "Parallelepiped", "SectionMap", "Way", "divided"]
 

@@ -10,7 +10,8 @@ against its force. What slips gets its kinetic limit in the next step, until not
 from itertools import chain
 from typing import Any
 
-from nonsmooth.runtime.checker.stated.exact import Elimination, demand, pivot
+from nonsmooth.runtime.checker.stated.exact import Elimination, demand
+from nonsmooth.runtime.core.rational_functions import pivot
 
 __all__ = ["ContactLaw"]
 

@@ -20,11 +20,10 @@ from nonsmooth.runtime.checker.stated.exact import (
     is_integer,
     leading,
     number_of,
-    pivot,
     product,
     reduced,
 )
-from nonsmooth.runtime.core.rational_functions import RationalFunction
+from nonsmooth.runtime.core.rational_functions import RationalFunction, pivot
 
 __all__ = [
     "StatedBoundary",

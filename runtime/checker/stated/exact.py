@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from flint import arb, fmpq, fmpq_mat, fmpz
 
-from nonsmooth.runtime.core.rational_functions import RationalFunction
+from nonsmooth.runtime.core.rational_functions import RationalFunction, pivot
 
 __all__ = [
     "NUMBER",
@@ -27,7 +27,6 @@ __all__ = [
     "is_integer",
     "leading",
     "number_of",
-    "pivot",
     "product",
     "reduced",
 ]
@@ -143,11 +142,6 @@ def product(row: Any, rows: Any) -> tuple[Any, ...]:
         sum((x * y for x, y in zip(row, column, strict=True) if x and y), fmpq(0))
         for column in zip(*rows, strict=True)
     )
-
-
-def pivot(row: Any) -> Any:
-    """Return the place of the first entry that is not zero; None if all are."""
-    return next((k for k, x in enumerate(row) if x), None)
 
 
 def reduced(row: Any, facts: Any) -> Any:

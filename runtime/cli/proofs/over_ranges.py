@@ -24,7 +24,7 @@ from nonsmooth.runtime.cli.parsing import Range, ends, guessed, values_and_range
 from nonsmooth.runtime.cli.proofs.certifying import EnclosedDigits, bits_of, certifying
 from nonsmooth.runtime.cli.reply import Reply
 from nonsmooth.runtime.cli.resuming import hold
-from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth.runtime.core.errors import InputError, NoConvergence, check_integer
 from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.core.workload import SECONDS, check_hours
 
@@ -252,6 +252,7 @@ def _along(
     """What is proved along a branch, and whether Ctrl-C ended it early."""
     from nonsmooth.runtime.cli.display import shared
 
+    check_integer("tiles", tiles, 1)
     check_hours(f"{tiles} tiles", tiles * SECONDS["tile"], yes=yes)
     known = reply.known
     branch, interval = _followed(orbit, parameters, guess)

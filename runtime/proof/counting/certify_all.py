@@ -14,8 +14,9 @@ from nonsmooth.runtime.checker.counting.contraction import Linear, Sides, share_
 from nonsmooth.runtime.checker.counting.covering import CUTS, CoveringBox, Root, Walk
 from nonsmooth.runtime.checker.counting.dwell_equations import DwellEquations
 from nonsmooth.runtime.checker.stated.exact import Failure, product, reduced
-from nonsmooth.runtime.core.errors import InputError, Interrupted, check_integer, unknown_name
+from nonsmooth.runtime.core.errors import InputError, check_integer, unknown_name
 from nonsmooth.runtime.core.json_codec import stated
+from nonsmooth.runtime.core.rational_functions import pivot
 from nonsmooth.runtime.core.values import Value, as_value, by_name, flint_precision
 from nonsmooth.runtime.core.workload import TooLarge
 from nonsmooth.runtime.model.completion import complete, complete_system
@@ -33,6 +34,7 @@ from nonsmooth.runtime.proof.certificate import GUARD, Certificate
 from nonsmooth.runtime.proof.certify_orbit import FEWEST_BITS, MOST_BITS, certify
 from nonsmooth.runtime.proof.counting.census import Bounds, Census, Counted, Open
 from nonsmooth.runtime.proof.exact_tables import exact_tables
+from nonsmooth.runtime.proof.kept_state import KeptState
 from nonsmooth.runtime.proof.orbit_to_prove import symplectic_form
 from nonsmooth.runtime.proof.refusals import as_read
 from nonsmooth.runtime.proof.statement import system_declaration
@@ -225,7 +227,7 @@ def _side(name: str, bounds: Any) -> str:
     return f"{lower} {'<' if lower.exact == 0 else '<='} {name} <= {upper}"
 
 
-def _period_of(counting: Counting, place: int) -> float | None:
+def _period_of(counting: Counting, phase: int) -> float | None:
     """Return the period of a phase's boundary function; None where it is not known to have one.
 
     If its first derivative g solves g'' = -w^2 g, the function is periodic: it is first zero within
@@ -234,17 +236,17 @@ def _period_of(counting: Counting, place: int) -> float | None:
     declared = counting.declared
     if not declared.rational:
         return None
-    _, kept, _ = declared.known[place]
-    step, rates = declared.steps[place], []
+    _, kept, _ = declared.known[phase]
+    step, rates = declared.steps[phase], []
     row = step.exit
     for _ in range(3):
         row = reduced(product(row, step.field), kept)
         rates.append(row)
     first, _, third = rates
-    pivot = next((k for k, x in enumerate(first) if x), None)
-    if pivot is None:
+    place = pivot(first)
+    if place is None:
         return None
-    ratio = third[pivot] / first[pivot]
+    ratio = third[place] / first[place]
     if any(x != ratio * y for x, y in zip(third, first, strict=True)):
         return None
     square = -float(counting.number(ratio).mid())
@@ -347,42 +349,84 @@ def certify_all(
         searches = [
             _TreeSearch(walk, _share(progress, k, len(walks))) for k, walk in enumerate(walks)
         ]
-        stopped = False
-        try:
+        count = _Count(asked, judge, sides, searches)
+        with KeptState(count.census, None):
             begin("searching")
             for search in searches:
                 search.go(limit - sum(other.looked for other in searches))
-        except KeyboardInterrupt:
-            stopped = True
-        for search in searches:
-            search.leave_rest(_STOPPED if stopped else _MANY)
+            count.certify_orbits(begin)
+    return count.census()
+
+
+class _Count:
+    """A census as far as it is proved: trees of boxes, and certificates of the orbits in them."""
+
+    def __init__(
+        self,
+        asked: Asked,
+        judge: CountedBox,
+        sides: Sequence[str],
+        searches: Sequence[_TreeSearch],
+    ) -> None:
+        self._asked, self._judge, self._sides, self._searches = asked, judge, sides, searches
+        self._certified: list[tuple[Certificate | None, str]] = []  # of the orbits in turn
+
+    def certify_orbits(self, begin: Callable[[str], object]) -> None:
+        """Certify each orbit that the trees have; boxes that still wait are too many."""
+        inside = self._found(_MANY).inside
+        for number, (equations, root) in enumerate(inside, 1):
+            begin(f"certifying orbit {number} of {len(inside)}")
+            self._certified.append(self._certificate(equations, root))
+
+    def census(self) -> Census:
+        """Return what is proved; what was not looked at is left open."""
+        with flint_precision(_WORK):
+            found = self._found(_STOPPED)
+            reasons = {id(each.walk.equations): each.reason for each in self._searches}
+            left = [Open(_bounds(*each), reasons[id(each[0])]) for each in found.left]
+            left += [Open(_bounds(own, root.sides), reason) for own, root, reason in found.edges]
+            counted = []
+            for number, (equations, root) in enumerate(found.inside):
+                looked = number < len(self._certified)
+                certificate, reason = self._certified[number] if looked else (None, _STOPPED)
+                if certificate is None and equations.surplus:
+                    left.append(Open(_bounds(equations, root.sides), reason))
+                else:
+                    counted.append(Counted(_bounds(equations, root.unique), certificate, reason))
+            asked, counting = self._asked, self._judge.counting
+            return Census(
+                orbit=asked.problem.name,
+                system=asked.problem.system.name,
+                parameters=asked.values,
+                itinerary=asked.problem.itinerary,
+                chosen=asked.chosen,
+                given_period=asked.period,
+                largest=asked.largest,
+                box=tuple(self._sides),
+                conditions=tuple(counting.conditions),
+                orbits=tuple(counted),
+                undecided=tuple(left),
+                bits=asked.bits,
+                declaration=counting.asked["declaration"],
+                trees=tuple(search.walk.tree for search in self._searches),
+            )
+
+    def _found(self, reason: str) -> CensusVerdict:
+        """Return what the trees prove, where boxes that still wait are left open for a reason."""
+        for search in self._searches:
+            search.leave_rest(reason)
+        return self._judge.judged([search.walk for search in self._searches])
+
+    def _certificate(self, equations: DwellEquations, root: Root) -> tuple[Certificate | None, str]:
+        """A certificate that the checker takes for a root's, or the reason why there is none."""
         try:
-            found = judge.judged(walks)
-        except KeyboardInterrupt:
-            stopped, found = True, judge.judged(walks)
-        reasons = {id(search.walk.equations): search.reason for search in searches}
-        left = [Open(_bounds(*each), reasons[id(each[0])]) for each in found.left]
-        left += [Open(_bounds(own, root.sides), reason) for own, root, reason in found.edges]
-        counted, more, halted = _certified(asked, judge, found, begin, stopped=stopped)
-    census = Census(
-        orbit=asked.problem.name,
-        system=asked.problem.system.name,
-        parameters=asked.values,
-        itinerary=asked.problem.itinerary,
-        chosen=asked.chosen,
-        given_period=asked.period,
-        largest=asked.largest,
-        box=tuple(sides),
-        conditions=tuple(counting.conditions),
-        orbits=tuple(counted),
-        undecided=(*left, *more),
-        bits=bits,
-        declaration=entries["declaration"],
-        trees=tuple(walk.tree for walk in walks),
-    )
-    if stopped or halted:
-        raise Interrupted(census)
-    return census
+            certificate = certify(_orbit(self._asked, equations, root), self._asked.bits)
+            if certificate.claims["existence"] != "proved":
+                return None, certificate.reasons["existence"]
+            self._judge.check_orbit(as_read(stated(certificate)), equations, root)
+        except (InputError, Failure) as problem:
+            return None, str(problem)
+        return certificate, ""
 
 
 class _TreeSearch:
@@ -473,47 +517,6 @@ def _check_size(equations: Sequence[DwellEquations], limit: int) -> None:
             f"a box of dwell times with sides up to {sides[-1]:.3g} takes more than {limit} boxes"
             " to search: give smaller bounds"
         )
-
-
-def _certified(
-    asked: Asked,
-    judge: CountedBox,
-    found: CensusVerdict,
-    begin: Callable[[str], object],
-    *,
-    stopped: bool,
-) -> tuple[list[Counted], list[Open], bool]:
-    """The orbits with their certificates, those left open without one, and whether Ctrl-C came."""
-    counted, left = [], []
-    for number, (equations, root) in enumerate(found.inside, 1):
-        certificate, reason = None, _STOPPED
-        if not stopped:
-            try:
-                begin(f"certifying orbit {number} of {len(found.inside)}")
-                certificate = certify(_orbit(asked, equations, root), asked.bits)
-                certificate, reason = _accepted(certificate, judge, equations, root)
-            except InputError as problem:
-                certificate, reason = None, str(problem)
-            except KeyboardInterrupt:
-                stopped, certificate, reason = True, None, _STOPPED
-        if certificate is None and equations.surplus:
-            left.append(Open(_bounds(equations, root.sides), reason))
-        else:
-            counted.append(Counted(_bounds(equations, root.unique), certificate, reason))
-    return counted, left, stopped
-
-
-def _accepted(
-    certificate: Certificate, judge: CountedBox, equations: DwellEquations, root: Root
-) -> tuple[Certificate | None, str]:
-    """A certificate, if the checker takes it for a root's, or the reason why there is none."""
-    if certificate.claims["existence"] != "proved":
-        return None, certificate.reasons["existence"]
-    try:
-        judge.check_orbit(as_read(stated(certificate)), equations, root)
-    except Failure as problem:
-        return None, str(problem)
-    return certificate, ""
 
 
 def _orbit(asked: Asked, equations: DwellEquations, root: Root) -> Orbit:

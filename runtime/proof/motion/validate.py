@@ -165,35 +165,53 @@ class _Motion:
 
     def _transition(self) -> bool:
         """Prove the next transition; return whether time passes before it."""
-        motion, here = self.proved, self.proved.entry.here
+        motion = self.proved
         reached = motion.passed()
-        about = None if reached else self._next()
-        if about is None and not reached:
-            self.reason = _QUIET
-            return True
-        if about is not None:
-            reached, dwell = about
+        if reached:
+            self._take(reached, None)
+            return False
+        phase = motion.phase
+        short = 2 * phase.step
+        length = _STEP / phase.fastest if phase.fastest else short
         try:
-            if about is None:
+            self._arrive(length)
+        except TooWide:
+            if not short < length:
+                raise
+            self._arrive(short)  # what grows by no eigenvalue may come and go within a step
+        return True
+
+    def _arrive(self, length: float) -> None:
+        """Prove what is reached next, as a search by steps of that length finds it."""
+        about = self._next(length)
+        if about is None:
+            self.reason = _QUIET
+        else:
+            self._take(*about)
+
+    def _take(self, reached: frozenset[str], dwell: arb | None) -> None:
+        """Prove that boundaries are reached after a dwell time, or passed at once."""
+        motion, here = self.proved, self.proved.entry.here
+        try:
+            if dwell is None:
                 motion.pass_on(reached)
             else:
                 motion.arrive(reached, dwell)
         except Unlisted:
-            self.unlisted = self._route(here, reached, dwell if about else None)
+            self.unlisted = self._route(here, reached, dwell)
             raise
         self.configurations.append(motion.entry.here)
         self.sets.append(
             tuple(name for name in self.proved.system.boundaries[here] if name in reached)
         )
-        self.times.append(self.times[-1] if about is None else motion.time)
+        self.times.append(self.times[-1] if dwell is None else motion.time)
         self.states.append(motion.state)
-        return about is not None
 
-    def _next(self) -> tuple[frozenset[str], arb] | None:
+    def _next(self, length: float) -> tuple[frozenset[str], arb] | None:
         """Return what seems to be reached next, and when; None if proved that nothing is.
 
-        What comes so close to zero that digits may be missing counts as reached: the checker
-        tells.
+        It is looked for by steps of that length. What comes so close to zero that digits may be
+        missing counts as reached: the checker tells.
         """
         from flint import arb, arb_mat, ctx
 
@@ -202,7 +220,7 @@ class _Motion:
         if not sets:
             return None
         rows = arb_mat([row_of(phase.rows[min(names)]).entries() for names in sets])
-        step = arb(_STEP / phase.fastest if phase.fastest else 2 * phase.step)
+        step = arb(length)
         flow, rates = phase.flow(step).mid(), (rows * phase.matrix).mid()
         state, since = motion.states.centre, arb(0)
         slopes, orders = (rates * state).entries(), motion.entry.watched(motion.states)

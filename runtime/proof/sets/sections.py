@@ -24,6 +24,7 @@ from nonsmooth.runtime.checker.state_sets.switching import SwitchingSystem, eche
 from nonsmooth.runtime.checker.stated.exact import Elimination, Failure
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import Exact
+from nonsmooth.runtime.core.rational_functions import pivot
 from nonsmooth.runtime.core.registry import Certified
 from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.core.values import Value
@@ -82,7 +83,7 @@ class MapSection:
     @cached_property
     def _given(self) -> dict[int, Row]:
         """The fact that gives each other state."""
-        return {next(k for k, x in enumerate(row) if x): row for row in self.facts}
+        return {pivot(row): row for row in self.facts}
 
     @cached_property
     def lift(self) -> tuple[Row, ...]:
