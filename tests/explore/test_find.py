@@ -210,19 +210,14 @@ def saved(tmp_path_factory):
     return path
 
 
-def test_what_is_saved_comes_back(saved, tmp_path):
+def test_what_is_saved_comes_back(saved):
     wanted, loaded = found("B"), load(saved)
     assert json.loads(json.dumps(loaded.to_json())) == wanted.to_json()
-    for one, other in zip(loaded.orbits, wanted.orbits, strict=True):
-        assert (one.orbit.unknowns, one.period) == (other.orbit.unknowns, other.period)
-    one = load(f"{saved}:1")
-    first = wanted.orbits[0]
-    assert (one.unknowns, one.itinerary) == (first.orbit.unknowns, first.itinerary)
+    for number, entry in enumerate(wanted.orbits, 1):
+        for one in (loaded.orbits[number - 1].orbit, load(f"{saved}:{number}")):
+            assert (one.unknowns, one.itinerary) == (entry.orbit.unknowns, entry.itinerary)
     with pytest.raises(InputError, match="holds no orbit 99"):
         load(f"{saved}:99")
-    again = tmp_path / "again.json"
-    loaded.save(again)
-    assert load(again).orbits[0].orbit.unknowns == wanted.orbits[0].orbit.unknowns
 
 
 def edited(path, edit, other):
@@ -246,66 +241,65 @@ def test_signed_nonsense_is_refused_too(saved, tmp_path, edit):
         load(edited(saved, edit, tmp_path / "nonsense.json"))
 
 
-@pytest.mark.parametrize(
-    ("edit", "reason"),
-    [
-        (lambda c: c["orbits"][0]["dwell_times"].__setitem__(0, "1.5"), "not a solution"),
-        (lambda c: c["orbits"][0]["dwell_times"].pop(), "do not belong together"),
-        (lambda c: c["orbits"][0]["states"].pop(), "none of the states"),
-        (lambda c: [row.pop() for row in c["orbits"][0]["states"]], "none of the states"),
-        (lambda c: c["orbits"][0]["itinerary"][0].__setitem__(1, "none"), "none"),
-        (lambda c: c["orbits"][0].update(itinerary=[]), "none of the states"),
-    ],
-)
-def test_an_orbit_that_is_none_of_its_system_is_refused_when_asked_for(
-    saved, tmp_path, edit, reason
+def of_first(kind, **entries):
+    return lambda content: content[kind][0].update(entries)
+
+
+def moved(content):
+    state = content["equilibria"][0]["state"]
+    content["equilibria"][0]["state"] = {n: repr(float(x) + 0.5) for n, x in state.items()}
+
+
+def renamed(content):
+    state = content["equilibria"][0]["state"]
+    content["equilibria"][0]["state"] = {f"{n}0": x for n, x in state.items()}
+
+
+NOT_OF_IT = [
+    ("orbits", lambda c: c["orbits"][0]["dwell_times"].__setitem__(0, "1.5"), "not a solution"),
+    ("orbits", lambda c: c["orbits"][0]["dwell_times"].pop(), "do not belong together"),
+    ("orbits", lambda c: c["orbits"][0]["states"].pop(), "none of the states"),
+    ("orbits", lambda c: [row.pop() for row in c["orbits"][0]["states"]], "none of the states"),
+    ("orbits", lambda c: c["orbits"][0]["itinerary"][0].__setitem__(1, "none"), "none"),
+    ("orbits", of_first("orbits", itinerary=[]), "none of the states"),
+    ("orbits", of_first("orbits", mirror=2), ""),
+    ("equilibria", of_first("equilibria", configuration="none"), ""),
+    ("equilibria", of_first("equilibria", configuration="stick-stick"), ""),
+    ("equilibria", moved, ""),
+    ("equilibria", lambda c: c["equilibria"][0]["state"].popitem(), ""),
+    ("equilibria", renamed, ""),
+    ("equilibria", of_first("equilibria", mirror=2), ""),
+    ("orbits equilibria", lambda c: c["parameters"].update(chi="0.41"), ""),
+]
+
+
+@pytest.mark.parametrize(("kinds", "edit", "reason"), NOT_OF_IT)
+def test_what_is_none_of_its_system_is_refused_and_leaves_the_rest(
+    saved, tmp_path, kinds, edit, reason
 ):
-    path = edited(saved, edit, tmp_path / "other.json")
-    entry = load(path).orbits[0]
-    for asked in (lambda: entry.orbit, lambda: solve(f"{path}:1")):
-        with pytest.raises(InputError, match=rf"other\.json: orbit 1, of period .*{reason}"):
-            asked()
-
-
-def test_what_is_none_of_its_system_leaves_the_rest(saved, tmp_path):
-    wanted, path = found("B"), tmp_path / "other.json"
-    orbits, steady = wanted.orbits, wanted.equilibria
-    first = len(orbits) + 1  # number of the first equilibrium
-
-    def given(edit):
-        return load(edited(saved, edit, path))
-
-    def refused(loaded, kind, told):
-        entry, known = getattr(loaded, kind)[0], getattr(wanted, kind)[0]
-        with pytest.raises(InputError, match=rf"other\.json: {told}"):
-            _ = entry.orbit if kind == "orbits" else entry.equilibrium
-        assert (entry.starts, entry.share) == (known.starts, known.share)
-        assert "refused" in str(loaded)
-        assert told in loaded._repr_html_()
-        with pytest.raises(InputError, match=r"other\.json: "):
-            loaded.save(tmp_path / "again.json")
-
-    names, state = steady[0].equilibrium.names, steady[0].equilibrium.state.tolist()
-    for edit in (
-        {"configuration": "none"},
-        {"configuration": "stick-stick"},
-        {"state": {name: repr(x + 0.5) for name, x in zip(names, state, strict=True)}},
-        {"state": {names[0]: repr(state[0])}},
-        {"state": {f"{name}0": repr(x) for name, x in zip(names, state, strict=True)}},
-        {"mirror": 2},
+    wanted, path = found("B"), edited(saved, edit, tmp_path / "other.json")
+    loaded, first = load(path), len(wanted.orbits) + 1  # number of the first equilibrium
+    numbers = {
+        "orbits": lambda entry: [*entry.orbit.unknowns.values()],
+        "equilibria": lambda entry: entry.equilibrium.state.tolist(),
+    }
+    for kind, words in (
+        ("orbits", "orbit 1, of period "),
+        ("equilibria", f"equilibrium {first}, in "),
     ):
-        loaded = given(lambda c, edit=edit: c["equilibria"][0].update(edit))
-        refused(loaded, "equilibria", f"equilibrium {first}, in ")
-        for kept, entry in zip(loaded.orbits, orbits, strict=True):
-            assert kept.orbit.unknowns == entry.orbit.unknowns
-        assert solve(f"{path}:1").period == pytest.approx(orbits[0].period, rel=1e-12)
-    told = "orbit 1, of period "
-    loaded = given(lambda c: c["orbits"][0].update(mirror=2))
-    refused(loaded, "orbits", told)
-    for kept, entry in zip(loaded.equilibria, steady, strict=True):
-        np.testing.assert_array_equal(kept.equilibrium.state, entry.equilibrium.state)
-    with pytest.raises(InputError, match=rf"other\.json: {told}"):
-        solve(f"{path}:1")
-    loaded = given(lambda c: c["parameters"].update(chi="0.41"))
-    refused(loaded, "orbits", told)
-    refused(loaded, "equilibria", f"equilibrium {first}, in ")
+        entries, known = getattr(loaded, kind), getattr(wanted, kind)
+        if kind not in kinds:
+            assert [*map(numbers[kind], entries)] == [*map(numbers[kind], known)]
+            continue
+        asked = [lambda kind=kind, entry=entries[0]: numbers[kind](entry)]
+        asked += [lambda: solve(f"{path}:1")] * (kind == "orbits")
+        for ask in asked:
+            with pytest.raises(InputError, match=rf"other\.json: {words}.*{reason}"):
+                ask()
+        assert (entries[0].starts, entries[0].share) == (known[0].starts, known[0].share)
+        assert words in loaded._repr_html_()
+    assert "refused" in str(loaded)
+    with pytest.raises(InputError, match=r"other\.json: "):
+        loaded.save(tmp_path / "again.json")
+    if "orbits" not in kinds:
+        assert solve(f"{path}:1").period == pytest.approx(wanted.orbits[0].period, rel=1e-12)
