@@ -156,6 +156,11 @@ def test_what_is_zero_all_along_is_no_event() -> None:
     assert nonsmooth.continue_orbit(loop(), "r", (0.3, 0.6)).events == ()
 
 
+def test_the_docstring_of_an_event_names_its_kind() -> None:
+    for event in (*stick().events, *nonsmooth.continue_orbit(loop(), "k", (0.3, 1.5)).events):
+        assert f'"{event.kind}"' in str(type(event).__doc__)
+
+
 def test_an_interrupt_while_events_are_located_loses_no_point(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

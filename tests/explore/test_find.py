@@ -130,6 +130,18 @@ def test_equal_seeds_give_equal_results():
     }
 
 
+@pytest.mark.slow
+def test_both_engines_find_the_same(monkeypatch):
+    results = []
+    for backend in ("c", "numpy"):
+        monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
+        results.append(find_orbits("dry-friction", RUBBING, 2, transitions=130, rng=2))
+    for result in results:
+        assert {round(o.period, 6) for o in result.orbits if o.starts} <= {9.598694, 19.409498}
+    np.testing.assert_array_equal(results[0].starts, results[1].starts)
+    np.testing.assert_array_equal(results[0].labels, results[1].labels)
+
+
 def drawn_from(system, data, box=None):
     """The box in which starts are drawn."""
     return find_orbits(system, data, 1, transitions=2, box=box).box
