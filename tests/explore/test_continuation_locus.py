@@ -86,6 +86,33 @@ def test_steps_are_told() -> None:
     assert told == list(range(1, len(told) + 1))
 
 
+def test_picture() -> None:
+    pytest.importorskip("matplotlib")
+    (axes,) = flips().plot().axes
+    curve, mark = axes.lines
+    np.testing.assert_array_equal(curve.get_xydata(), flips().values)
+    assert mark.get_xydata().tolist() == [flips().values[flips().start].tolist()]
+    assert (curve.get_label(), axes.get_xlabel()[:3]) == ("flip", "$V$")
+    assert flips().plot(axes) is axes
+    assert axes.lines[2].get_color() != curve.get_color()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("words", "parts"),
+    [
+        ("", ["--switch flip follows the other branch there", "with a second range NAME=A:B"]),
+        ("eta=3.9:4.1 --follow flip", [f"flip: {SYMMETRIC}", "ends: end of the interval"]),
+        ("us1=0.0127 ur1=0.0255 --switch flip:1", ["4 phases", "\nperiod: "]),
+    ],
+)
+def test_commands(words: str, parts: list[str]) -> None:
+    code, out, _ = run("continue", SYMMETRIC, "V=0.6:1.3", *words.split())
+    assert code == 0
+    for part in parts:
+        assert part in out
+
+
 @pytest.mark.parametrize(
     ("words", "message"),
     [

@@ -177,6 +177,14 @@ def test_a_parameter_that_nothing_depends_on_is_named() -> None:
         ns.design(impacts(), solve={"period": 2.7, "T": 2.7}, over={"w": (2, 3), "r": (0.5, 0.9)})
 
 
+def test_a_design_is_drawn() -> None:
+    figure = stablest().plot()
+    assert len(figure.axes) == 2
+    curve = figure.axes[1].lines[0].get_ydata()
+    assert np.nanmin(curve) >= stablest().after["spectral_radius"] - 1e-12
+    stablest().plot(figure.axes[0])
+
+
 def mapped(matrix: np.ndarray, rates: np.ndarray, p: float) -> Any:
     """A state that rests, and at each tick of a clock becomes (M + p R) x + 1."""
     *states, clock = sp.symbols(f"x1:{len(matrix) + 1} clock", real=True)
