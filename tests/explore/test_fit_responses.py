@@ -309,7 +309,6 @@ MEASURED = {"w": [1.0], "amplitude:x": [1.0]}
 @pytest.mark.parametrize(
     ("columns", "free", "told"),
     [
-        ({"size:x": [1]}, (), "unknown column 'size:x'"),
         ({"amplitude:z": [1]}, (), "unknown name 'z'"),
         ({"peak:force:door": [1]}, (), "unknown contact 'door'"),
         ({"t": [1]}, (), "column 't' is no parameter"),
@@ -328,19 +327,17 @@ def test_bad_input_is_one_line(columns: Any, free: Any, told: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("responses", "told"),
+    ("data", "responses", "told"),
     [
-        ({"A": "size:x"}, "unknown kind of response"),
-        ({"A": "x"}, "'x' is not KIND:OUTPUT"),
-        ({"A": "rms:x", "B": "rms:x"}, "'B'"),
+        ({"w": [1.0], "size:x": [1]}, None, "unknown column 'size:x'"),
+        ({"w": [1.0], "A": [1]}, {"A": "size:x"}, "unknown kind of response"),
+        ({"w": [1.0], "A": [1]}, {"A": "x"}, "'x' is not KIND:OUTPUT"),
+        (MEASURED, {"B": "rms:x"}, "'B'"),
+        ({"amplitude:x": [1.0, 2, 3, 4]}, None, "touching needs a value for: w"),
     ],
 )
-def test_wrong_responses(responses: Any, told: str) -> None:
-    assert told in refusal({"w": [1.0], "A": [1]}, responses=responses)
-
-
-def test_a_parameter_without_a_value_is_named() -> None:
-    assert "touching needs a value for: w" in refusal({"amplitude:x": [1.0, 2, 3, 4]})
+def test_wrong_responses(data: Any, responses: Any, told: str) -> None:
+    assert told in refusal(data, responses=responses)
 
 
 def refusal(data: Any, *free: str, **options: Any) -> str:
