@@ -28,7 +28,7 @@ def doubled() -> Any:
 def dwell_times_of_motions(system: Any, orbit: Any) -> np.ndarray:
     """Of the orbit to which motions from nearby come, in order."""
     start = orbit.states[0].astype(float) * np.array([1, 1.001, 1, 1])
-    motion = nonsmooth.simulate(system, orbit.parameters, start, "free", transitions=800)
+    motion = nonsmooth.simulate(system, orbit.parameters, start, transitions=800)
     phases, dwell, begin = nonsmooth.itinerary_of(motion)
     again = nonsmooth.solve(system, orbit.parameters, [*dwell, *begin], itinerary=phases)
     return np.sort(again.dwell_times)
