@@ -263,7 +263,7 @@ def _report(
     """
     from nonsmooth.runtime.core.values import decimal_string
     from nonsmooth.runtime.model.kernels import is_saved
-    from nonsmooth.runtime.orbits.refine import MOST_DIGITS, refine, refine_both
+    from nonsmooth.runtime.orbits.refine import check_digits, refine, refine_both
     from nonsmooth.runtime.orbits.solve import solve as find_orbit
     from nonsmooth.runtime.present.report import (
         derivatives_json,
@@ -272,8 +272,7 @@ def _report(
         trace_proof_json,
     )
 
-    if not 1 <= digits <= MOST_DIGITS:
-        raise InputError(f"digits = {digits} is not an integer from 1 to {MOST_DIGITS}")
+    check_digits(digits)
     assigned = assignments("parameter", parameters or [])
     found = find_orbit(
         name,

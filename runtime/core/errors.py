@@ -109,9 +109,8 @@ def chosen_names(kind: str, chosen: Any, known: Iterable[str]) -> tuple[str, ...
 def check_integer(name: str, number: int, least: int, most: int | None = None) -> None:
     """Refuse an integer that is not from `least` to `most`, or from `least` on."""
     if number < least or (most is not None and number > most):
-        known = f"an integer from {least} {'on' if most is None else f'to {most}'}"
-        known = "a positive integer" if (least, most) == (1, None) else known
-        raise InputError(f"{name} = {number!r} is not {known}")
+        known = f"from {least}" if most is None else f"from {least} to {most}"
+        raise InputError(f"{name} = {number!r} is not an integer {known}")
 
 
 def one_line(text: str, most: int = LONGEST_LINE) -> str:

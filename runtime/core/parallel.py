@@ -17,7 +17,7 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager, suppress
 from typing import IO, Any, NamedTuple, TypeVar
 
-from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth.runtime.core.errors import NoConvergence, check_integer
 
 __all__ = [
     "check_called_off",
@@ -93,8 +93,7 @@ class _Raised(NamedTuple):
 
 def check_workers(workers: int) -> None:
     """Raise `InputError` unless the number of processes is an integer from 1 to 1024."""
-    if not 1 <= workers <= _MOST:
-        raise InputError(f"workers = {workers!r} is not an integer from 1 to {_MOST}")
+    check_integer("workers", workers, 1, _MOST)
 
 
 def in_processes(

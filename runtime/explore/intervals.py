@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.completion import complete
 from nonsmooth.runtime.model.kernels import OrbitKernels, load_orbit
 from nonsmooth.runtime.orbits.one_point import solve_kernels
@@ -40,8 +40,7 @@ def admissible_intervals(
     They are detected on an even grid of `points`; the ends between neighbours that differ are
     bisected to the last bit, each with its reason. An interval between two points of the grid
     is not seen. Open parameters are taken as large as needed. `orbit` is ``system/orbit``; its
-    other parameters take the values of the reference point. Refused are wrong names, and an
-    empty range.
+    other parameters take the values of the reference point.
 
     Examples
     --------
@@ -71,11 +70,9 @@ def singular_values(
     """Values of one parameter, in increasing order, at which an explicit orbit is not determined.
 
     They are the sign changes of the determinants of the linear equations that give it. The
-    arguments are those of `admissible_intervals`; an orbit that is not explicit is refused too.
+    arguments are those of `admissible_intervals`.
     """
     kernels, others, grid = _line(orbit, parameter, lower, upper, points)
-    if kernels.reduced:
-        raise InputError(f"{orbit} is not explicit: its unknowns {', '.join(kernels.reduced)} move")
 
     def positive(values: np.ndarray, column: Any = slice(None)) -> np.ndarray:
         named = others | {parameter: values}
@@ -96,10 +93,6 @@ def _line(
 ) -> tuple[OrbitKernels, dict[str, Any], np.ndarray]:
     """Kernels, the other parameters as floats, and a grid inside the range."""
     kernels = load_orbit(orbit)
-    if parameter not in kernels.parameter_names:
-        raise unknown_name("parameter", parameter, kernels.parameter_names)
-    if not np.isfinite([lower, upper]).all() or not lower < upper:
-        raise InputError(f"the range of {parameter}, {lower} to {upper}, is empty")
     point = complete(kernels, {parameter: upper})
     others = {name: float(v) for name, v in point.values.items() if name != parameter}
     step = (upper - lower) / points

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.core.arithmetic import Balls, Mpmath, exact_ball, middle
-from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth.runtime.core.errors import InputError, NoConvergence, check_integer
 from nonsmooth.runtime.model.piecewise import piecewise_in
 from nonsmooth.runtime.orbits.orbit import GUARD, Orbit, check_converged, kernel_arguments
 from nonsmooth.runtime.shooting.closure_conditions import closing, closure_equations
@@ -147,8 +147,7 @@ def enclosed_trace(orbit: Orbit) -> Any:
 
 def check_digits(digits: int) -> None:
     """Refuse a number of digits that is no integer, or out of range."""
-    if not 1 <= digits <= MOST_DIGITS:
-        raise InputError(f"digits = {digits} is not an integer from 1 to {MOST_DIGITS}")
+    check_integer("digits", digits, 1, MOST_DIGITS)
 
 
 def refine_kernels(orbit: Orbit, digits: int, arithmetic: str) -> Orbit:

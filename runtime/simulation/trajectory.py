@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError, missing_extra
+from nonsmooth.runtime.core.errors import InputError, check_integer, missing_extra
 from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.core.values import Value, real_array
 from nonsmooth.runtime.model.boundary_sets import members_of, names_of
@@ -194,8 +194,7 @@ class Trajectory(Kept):
         InputError
             For a count that is no positive integer, or far too large.
         """
-        if points < 1:
-            raise InputError(f"points = {points!r} is not a positive integer")
+        check_integer("points", points, 1)
         times, states = [], []
         breaks = [*self.times.tolist(), max(self.end, float(self.times[-1]))]
         share = points / (breaks[-1] or 1.0)

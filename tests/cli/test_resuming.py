@@ -251,7 +251,7 @@ def test_every_command_that_resumes_is_asked_here() -> None:
         (f"{SYMMETRIC} V=1:1.2", "asked with V=1:1.1, not V=1:1.2"),
         ("dry-friction/global-stick", f"asked with {SYMMETRIC}, not dry-friction/global-stick"),
         ("--guess tau=1", "asked without --guess tau=1"),
-        ("--tiles 0", "tiles = 0 is not a positive integer"),
+        ("--tiles 0", "tiles = 0 is not an integer from 1"),
         (f"{SYMMETRIC} V=1:11/10", ""),
         ("--tiles 2 --save more.json", ""),
     ],

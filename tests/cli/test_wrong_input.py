@@ -154,7 +154,7 @@ WRONG = [
     (f"certify branch {SYMMETRIC}", "one parameter has to be a range"),
     (f"{BRANCH} eta=0.9:1.1", "one parameter has to be a range"),
     (f"{BRANCH} --digits 30", "no such option"),
-    (f"{BRANCH} speed=3 --tiles 0", "not a positive integer"),  # before it is followed
+    (f"{BRANCH} speed=3 --tiles 0", "not an integer from 1"),  # before it is followed
     (f"certify doubling {SYMMETRIC} V=1.08", "one parameter has to be a range"),
     (f"certify doubling {SYMMETRIC} V=1.2:1.3", "has no flips"),
     (f"certify event {STICK} V=1", "has to be a range"),

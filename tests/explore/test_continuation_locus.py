@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import json
 import math
 from functools import cache
-from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 import nonsmooth
-from nonsmooth.runtime.explore.continuation.branch import Branch, Locus
-from nonsmooth.runtime.model.naming import shown_name
 from tests.cli.test_cli import run
 from tests.core.test_result_files import composed
 from tests.explore.test_continuation_forced import branch as impacts
@@ -22,28 +19,20 @@ SYMMETRIC = "dry-friction/symmetric"
 
 
 @cache
-def branch() -> Branch:
+def branch() -> Any:
     return nonsmooth.continue_orbit(nonsmooth.solve(SYMMETRIC), "V", (0.6, 1.3))
 
 
 @cache
-def flips() -> Locus:
+def flips() -> Any:
     (flip,) = (event for event in branch().events if event.kind == "flip")
     return nonsmooth.continue_orbit(branch(), "eta", (3.9, 4.1), event=flip)
 
 
 @cache
-def composed_folds() -> Locus:
+def composed_folds() -> Any:
     (fold,) = (event for event in impacts().events if event.kind == "fold")
     return nonsmooth.continue_orbit(impacts(), "w", (2.7, 2.9), event=fold, step=0.1)
-
-
-def same(first: Locus, second: Locus) -> None:
-    for name in ("values", "unknowns"):
-        np.testing.assert_array_equal(getattr(first, name), getattr(second, name))
-    assert shown_name(first.name) == shown_name(second.name)
-    for name in ("kind", "boundary", "parameters", "unknown_names", "ends", "start"):
-        assert getattr(first, name) == getattr(second, name)
 
 
 def test_orbits_of_a_curve_have_its_event() -> None:
@@ -61,24 +50,40 @@ def test_orbits_of_a_curve_have_its_event() -> None:
         flips().orbit_at(1000)
 
 
-def test_an_event_is_followed_on_its_branch_alone() -> None:
-    event, plane = branch().events[-1], ("eta", (3.9, 4.1))
-    with pytest.raises(nonsmooth.InputError, match="an event is followed on its branch"):
-        nonsmooth.continue_orbit(branch().orbit, *plane, event=event)
-    with pytest.raises(nonsmooth.InputError, match="admissible and resume: of orbits only"):
-        nonsmooth.continue_orbit(branch(), *plane, event=event, admissible=True)
-    with pytest.raises(nonsmooth.InputError, match="orbit is a Branch"):
-        nonsmooth.continue_orbit(branch(), *plane)
+@pytest.mark.parametrize(
+    ("of", "plane", "options", "message"),
+    [
+        (lambda: branch().orbit, ("eta", (3.9, 4.1)), {}, "an event is followed on its branch"),
+        (
+            branch,
+            ("eta", (3.9, 4.1)),
+            {"admissible": True},
+            "admissible and resume: of orbits only",
+        ),
+        (branch, ("eta", (3.9, 4.1)), {"event": None}, "orbit is a Branch"),
+        (branch, ("eta", (3.9, 4.1)), {"step": 0}, "step = 0"),
+        (impacts, ("sigma", (-1, 1)), {}, "unknown second parameter 'sigma'"),
+        (impacts, ("w", (3, 4)), {}, "is not in 3 to 4"),
+        (
+            lambda: nonsmooth.continue_orbit(composed(), "period", (5.1, 6.5)),
+            *(("k2", (4, 6)), {}, "one of a family"),
+        ),
+    ],
+)
+def test_wrong_input(of: Any, plane: Any, options: dict[str, Any], message: str) -> None:
+    given = of()
+    events = getattr(given, "events", branch().events)
+    with pytest.raises(nonsmooth.InputError, match=message):
+        nonsmooth.continue_orbit(given, *plane, **{"event": events[0], **options})
 
 
-def test_steps_are_told_and_checked() -> None:
+def test_steps_are_told() -> None:
     told: list[int] = []
     event = branch().events[-1]
-    plane = branch(), "eta", (3.9, 4.1)
-    nonsmooth.continue_orbit(*plane, event=event, step=0.1, progress=told.append)
+    nonsmooth.continue_orbit(
+        branch(), "eta", (3.9, 4.1), event=event, step=0.1, progress=told.append
+    )
     assert told == list(range(1, len(told) + 1))
-    with pytest.raises(nonsmooth.InputError, match="step = 0"):
-        nonsmooth.continue_orbit(*plane, event=event, step=0)
 
 
 def test_picture() -> None:
@@ -93,40 +98,36 @@ def test_picture() -> None:
 
 
 @pytest.mark.slow
-def test_command(tmp_path: Path) -> None:
-    pytest.importorskip("matplotlib")
-    saved, picture = tmp_path / "flips.json", tmp_path / "flips.png"
-    arguments = ("continue", SYMMETRIC, "V=0.6:1.3", "eta=3.9:4.1", "--follow", "flip")
-    code, out, _ = run(*arguments, "--save", str(saved), "--plot", str(picture))
+@pytest.mark.parametrize(
+    ("words", "parts"),
+    [
+        ("", ["--switch flip follows the other branch there", "with a second range NAME=A:B"]),
+        ("eta=3.9:4.1 --follow flip", [f"flip: {SYMMETRIC}", "ends: end of the interval"]),
+        ("us1=0.0127 ur1=0.0255 --switch flip:1", ["4 phases", "\nperiod: "]),
+    ],
+)
+def test_commands(words: str, parts: list[str]) -> None:
+    code, out, _ = run("continue", SYMMETRIC, "V=0.6:1.3", *words.split())
     assert code == 0
-    assert f"flip: {SYMMETRIC}" in out
-    assert "ends: end of the interval" in out
-    same(nonsmooth.load(saved), flips())
-    drawn = tmp_path / "again.png"
-    assert run("plot", str(saved), "--out", str(drawn))[0] == 0
-    assert min(path.stat().st_size for path in (picture, drawn)) > 5000
-    code, _, err = run("plot", str(saved), "--kind", "phase")
-    assert (code, "a curve of events has one kind of picture" in err) == (2, True)
-    told = json.loads(run(*arguments, "--json")[1])
-    assert told["kind"] == "flip"
-    assert told["values"] == flips().values.tolist()
-    assert told["unknowns"]["tau"] == flips().unknowns[:, 3].tolist()
+    for part in parts:
+        assert part in out
 
 
 @pytest.mark.parametrize(
-    ("arguments", "message"),
+    ("words", "message"),
     [
-        (["V=0.6:1.3", "eta=3.9:4.1", "--follow", "fold"], "no fold on this branch; there is gra"),
-        (["V=0.6:1.3", "eta=3.9:4.1", "--follow", "flop"], "did you mean 'flip'"),
-        (["V=0.6:1.3", "eta=3.9:4.1", "--follow", "flip:2"], "no flip:2 on this branch"),
-        (["V=0.6:1.3", "eta=3.9:4.1", "--follow", "flip:x"], "no flip:x on this branch"),
-        (["V=0.6:1.3", "--follow", "flip"], "two parameters have to be a range"),
-        (["V=0.6:1.3", "W=4:5", "--follow", "flip"], "unknown given parameter 'W'"),
-        (["V=0.6:1.3", "eta=4:5", "--follow", "flip", "--beyond"], "--beyond is of a branch"),
+        ("eta=3.9:4.1 --follow fold", "no fold on this branch; there is gra"),
+        ("eta=3.9:4.1 --follow flop", "did you mean 'flip'"),
+        ("eta=3.9:4.1 --follow flip:2", "no flip:2 on this branch"),
+        ("eta=3.9:4.1 --follow flip:x", "no flip:x on this branch"),
+        ("--follow flip", "two parameters have to be a range"),
+        ("W=4:5 --follow flip", "unknown given parameter 'W'"),
+        ("eta=4:5 --follow flip --beyond", "--beyond is of a branch"),
+        ("--switch fold", "no fold on this branch; there is gra"),
     ],
 )
-def test_wrong_commands(arguments: list[str], message: str) -> None:
-    code, _, err = run("continue", SYMMETRIC, *arguments)
+def test_wrong_commands(words: str, message: str) -> None:
+    code, _, err = run("continue", SYMMETRIC, "V=0.6:1.3", *words.split())
     assert code == 2
     assert message in err
 
@@ -181,14 +182,3 @@ def test_border_collision_is_solution_ii() -> None:
         # the orbit without the first phase, of which e1 is an unknown
         limit = nonsmooth.solve("dry-friction/solution-ii", {"V": speed[place]})
         assert limit.unknowns["e1"] == pytest.approx(e1[place], abs=1e-9)
-
-
-def test_wrong_planes() -> None:
-    event = impacts().events[0]
-    with pytest.raises(nonsmooth.InputError, match="unknown second parameter 'sigma'"):
-        nonsmooth.continue_orbit(impacts(), "sigma", (-1, 1), event=event)
-    with pytest.raises(nonsmooth.InputError, match="is not in 3 to 4"):
-        nonsmooth.continue_orbit(impacts(), "w", (3, 4), event=event)
-    family = nonsmooth.continue_orbit(composed(), "period", (5.1, 6.5))
-    with pytest.raises(nonsmooth.InputError, match="one of a family"):
-        nonsmooth.continue_orbit(family, "k2", (4, 6), event=family.events[0])

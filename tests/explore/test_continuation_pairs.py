@@ -7,18 +7,18 @@ its stop a pair over q, at the square roots of d, that meets at d = 0.
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
 
 import nonsmooth
-from nonsmooth.runtime.explore.continuation.branch import Branch
 from tests.explore.test_continuation_forced import R, W, branch, closed_forms, struck_at
 
 START = -0.2  # of q
 
 
-def pair(kind: str, d: float, step: float = 0.1) -> Branch:
+def pair(kind: str, d: float, step: float = 0.1) -> Any:
     event = [event for event in branch().events if event.kind == kind][-1]
     place = {"flip": closed_forms()[1], "fold": closed_forms()[0]}.get(kind, event.value)
     sigma = branch().parameter_values

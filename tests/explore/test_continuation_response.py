@@ -1,5 +1,7 @@
 """Frequency responses and backbones: amplitudes along branches, against closed forms."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 import sympy as sp
@@ -7,7 +9,6 @@ import sympy as sp
 import nonsmooth as ns
 from nonsmooth import InputError, observe
 from nonsmooth.derive import SoftStop
-from nonsmooth.runtime.explore.continuation.branch import Branch
 from tests.one_mass import one_mass
 from tests.places import GALLERY
 from tests.two_masses import STICKING
@@ -51,7 +52,7 @@ def test_a_branch_stays_inside_its_interval_where_the_end_is_singular() -> None:
     assert branch.parameter_values.min() >= 0.5
 
 
-def soft_stop() -> Branch:
+def soft_stop() -> Any:
     """A mass 2 on a spring 2 that meets a stop of stiffness 6 at x = 1, over its period."""
     stop = SoftStop("x", at=1, stiffness=sp.Symbol("k"), name="stop")
     system = one_mass("soft-stop", stop, mass=2, stiffness=2)
@@ -110,7 +111,7 @@ def test_picture_of_frequency_over_energy() -> None:
     assert axes.get_xscale() == "log"
     drawn = np.concatenate([line.get_xydata() for line in axes.lines])
     wanted = np.column_stack([branch.quantity("energy"), branch.quantity("frequency")])
-    assert {tuple(row) for row in wanted} <= {tuple(row) for row in drawn}
+    assert {*map(tuple, wanted)} <= {*map(tuple, drawn)}
     with pytest.raises(InputError, match="unknown quantity 'speed'"):
         branch.plot("frequency", over="speed")
 

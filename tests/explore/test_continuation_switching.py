@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import math
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
 
 import nonsmooth
-from nonsmooth.runtime.explore.continuation.branch import Branch
-from nonsmooth.runtime.explore.continuation.event import Event
-from tests.cli.test_cli import run
 from tests.explore.test_continuation_forced import R, W, branch, mirrored, stops, system
 from tests.explore.test_continuation_pairs import pair
 from tests.places import GALLERY
@@ -21,13 +19,32 @@ PAGE = GALLERY / "impact_oscillator.py"
 
 
 @cache
-def doubled() -> Branch:
+def doubled() -> Any:
     flip = [event for event in branch().events if event.kind == "flip"][-1]
     orbit = branch().switch(flip)
     return nonsmooth.continue_orbit(orbit, "sigma", (-0.1, -0.02), step=0.05)
 
 
-def flip_of_doubled() -> Event:
+def dwell_times_of_motions(system: Any, orbit: Any) -> np.ndarray:
+    """Of the orbit to which motions from nearby come, in order."""
+    start = orbit.states[0].astype(float) * np.array([1, 1.001, 1, 1])
+    motion = nonsmooth.simulate(system, orbit.parameters, start, transitions=800)
+    phases, dwell, begin = nonsmooth.itinerary_of(motion)
+    again = nonsmooth.solve(system, orbit.parameters, [*dwell, *begin], itinerary=phases)
+    return np.sort(again.dwell_times)
+
+
+def check_closed(system: str, orbit: Any) -> None:
+    """The motion is back after the transitions of a period."""
+    start, (configuration, _) = orbit.states[0].astype(float), orbit.itinerary[0]
+    motion = nonsmooth.simulate(
+        system, orbit.parameters, start, configuration, transitions=len(orbit.itinerary)
+    )
+    assert motion.configurations[-1] == configuration
+    np.testing.assert_allclose(motion.states[-1], start, atol=1e-9)
+
+
+def flip_of_doubled() -> Any:
     (event,) = (event for event in doubled().events if event.kind == "flip")
     return event
 
@@ -44,13 +61,8 @@ def test_a_doubled_orbit_is_that_of_a_simulation() -> None:
         orbit = doubled().orbit_at(place)
         assert len(orbit.itinerary) == 2
         assert orbit.period == pytest.approx(2 * branch().period[0], rel=1e-12)
-        start = orbit.states[0].astype(float) * np.array([1, 1.001, 1, 1])
-        motion = nonsmooth.simulate(system(), orbit.parameters, start, "free", transitions=800)
-        phases, dwell, begin = nonsmooth.itinerary_of(motion)
-        again = nonsmooth.solve(system(), orbit.parameters, [*dwell, *begin], itinerary=phases)
-        np.testing.assert_allclose(
-            np.sort(again.dwell_times), np.sort(orbit.dwell_times), atol=1e-9
-        )
+        dwell = dwell_times_of_motions(system(), orbit)
+        np.testing.assert_allclose(dwell, np.sort(orbit.dwell_times), atol=1e-9)
         # the flip is supercritical: a multiplier of the single orbit is below -1 here
         assert float(orbit.parameters["sigma"]) > flip.value
 
@@ -77,13 +89,6 @@ def test_a_cascade() -> None:
     assert orbit.period == pytest.approx(4 * branch().period[0], rel=1e-9)
     dwell = orbit.dwell_times
     assert min(abs(dwell[:2] - dwell[2:])) > 1e-5
-    again = nonsmooth.solve(
-        system(),
-        orbit.parameters,
-        [*dwell.tolist(), *orbit.states[0].tolist()],
-        itinerary=orbit.itinerary,
-    )
-    np.testing.assert_allclose(again.dwell_times, dwell, atol=1e-12)
     for step in (0.05, 0.1):  # a long one leads over to the branch that is doubled
         four = nonsmooth.continue_orbit(orbit, "sigma", (-0.04, -0.02), step=step)
         meeting = next(event for event in four.events if event.kind == "branch-point")
@@ -118,11 +123,8 @@ def test_a_lost_symmetry_is_that_of_a_simulation() -> None:
         assert abs(first - second) > 1e-4
         if orbit.stability.verdict != "stable" or orbit.admissibility.verdict is not True:
             continue
-        start = orbit.states[0] * np.array([1, 1.001, 1, 1])
-        motion = nonsmooth.simulate(stops(), orbit.parameters, start, transitions=800)
-        phases, dwell, begin = nonsmooth.itinerary_of(motion)
-        again = nonsmooth.solve(stops(), orbit.parameters, [*dwell, *begin], itinerary=phases)
-        np.testing.assert_allclose(np.sort(again.dwell_times), np.sort([first, second]), atol=1e-9)
+        dwell = dwell_times_of_motions(stops(), orbit)
+        np.testing.assert_allclose(dwell, np.sort([first, second]), atol=1e-9)
         checked += 1
     assert checked
 
@@ -137,12 +139,7 @@ def test_an_orbit_with_kernels() -> None:
     twice = found.switch(flip, {"us1": "0.0127", "ur1": "0.0255"})
     assert len(twice.itinerary) == 4
     assert abs(twice.dwell_times[0] - twice.dwell_times[2]) > 1e-4
-    start = twice.states[0].astype(float)
-    motion = nonsmooth.simulate(
-        "dry-friction", twice.parameters, start, twice.itinerary[0][0], transitions=4
-    )
-    assert motion.configurations[-1] == twice.itinerary[0][0]
-    np.testing.assert_allclose(motion.states[-1], start, atol=1e-9)
+    check_closed("dry-friction", twice)
 
 
 def test_a_conservative_orbit() -> None:
@@ -151,10 +148,7 @@ def test_a_conservative_orbit() -> None:
     twice = found.switch(first)
     assert twice.period == pytest.approx(2 * first.value, abs=1e-3)
     assert abs(twice.dwell_times[0] - twice.dwell_times[1]) > 1e-3
-    motion = nonsmooth.simulate(
-        "rigid-stop", twice.parameters, twice.states[0].astype(float), "free", transitions=2
-    )
-    np.testing.assert_allclose(motion.states[-1], twice.states[0].astype(float), atol=1e-9)
+    check_closed("rigid-stop", twice)
     # at the other one all doubled orbits have the same period
     with pytest.raises(nonsmooth.NoConvergence, match="one value of period only"):
         found.switch(second)
@@ -192,23 +186,3 @@ def test_wrong_input() -> None:
     touched = pair("flip", 0)
     with pytest.raises(nonsmooth.InputError, match="touched and not passed"):
         touched.switch(touched.events[0])
-
-
-@pytest.mark.slow
-def test_command() -> None:
-    words = ("continue", f"{PAGE}:two-periods", "sigma=0:0.1", "--step", "0.05")
-    code, out, _ = run(*words)
-    assert code == 0
-    assert "--switch flip follows the other branch there" in out
-    assert "with a second range NAME=A:B" in out
-    code, out, _ = run(*words, "--switch", "flip")
-    assert code == 0
-    assert "2 phases" in out
-    assert "it meets the branch that it doubles" in out
-    code, _, err = run(*words, "--switch", "fold")
-    assert code == 2
-    assert "no fold on this branch; there is flip" in err
-    code, out, _ = run("continue", "rigid-stop/one-impact", "T=5:6.5", "--switch", "flip:1")
-    assert code == 0
-    assert "rigid-stop, 2 phases" in out
-    assert "\nperiod: " in out

@@ -11,8 +11,6 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.runtime.explore.design import worst_over
-from nonsmooth.runtime.explore.design.optimum import Design
-from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.places import GALLERY
 
 DAMPER = f"{GALLERY / 'impact_damper.py'}:struck-twice"
@@ -20,18 +18,25 @@ WINDOW, WIDE = {"w": (0.96, 1.01)}, {"w": (0.95, 1.05)}
 CUT_OFF: Any = {"minimise": "peak:x", "over": {"d": (7, 8.5)}, "worst_over": {"w": (0.98, 1.02)}}
 
 
-@cache
-def damper() -> Orbit:
-    return ns.solve(DAMPER, {"r": "0.3", "zeta": "0.05", "d": 8})
+def solved(near: Any = None, **changed: Any) -> Any:
+    """The orbit at other parameters, from one nearby."""
+    given = {"r": "0.3", "zeta": "0.05"} if near is None else near.given
+    guess = {} if near is None else {"guess": {n: float(x) for n, x in near.unknowns.items()}}
+    return ns.solve(DAMPER, {**given, **changed}, **guess)
 
 
 @cache
-def tuned() -> Design:
+def damper() -> Any:
+    return solved(d=8)
+
+
+@cache
+def tuned() -> Any:
     return ns.design(damper(), minimise="peak:x", over={"d": (7, 10)}, worst_over=WINDOW)
 
 
 @cache
-def cut_off() -> Design:
+def cut_off() -> Any:
     return ns.design(damper(), **CUT_OFF)
 
 
@@ -44,11 +49,9 @@ def fewer_looks(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def response(gap: float, values: np.ndarray) -> np.ndarray:
     """Peaks of the orbit over the frequency, by solving anew at each."""
-    found, known = [], damper().unknowns
-    for value in values:
-        given = {**{n: v.text for n, v in damper().given.items()}, "d": gap, "w": float(value)}
-        orbit = ns.solve(DAMPER, given, guess={n: float(x) for n, x in known.items()})
-        known = orbit.unknowns
+    found, orbit = [], damper()
+    for value in values.tolist():
+        orbit = solved(orbit, d=gap, w=value)
         assert orbit.admissibility.verdict is True
         found.append(abs(orbit.motion().sample(2001).states[:, 0]).max())
     return np.array(found)
@@ -109,19 +112,16 @@ def test_conditions_hold_all_along_the_branch() -> None:
 @pytest.mark.slow
 def test_two_frequencies_are_as_bad_at_the_optimum() -> None:
     """A kink in one parameter: on either side of it another of the two is worse."""
-    light = ns.solve(DAMPER, {"r": "0.3", "zeta": "0.05", "d": 7, "mu": "0.15"})
-    window = {"w": (0.98, 1.05)}
+    light, window = solved(d=7, mu="0.15"), {"w": (0.98, 1.05)}
     found = ns.design(light, minimise="peak:x", over={"mu": (0.145, 0.16)}, worst_over=window)
     assert found.converged
     assert found.corner == "as bad at 2 places of the branch"
     assert not found.active
     inside, end = found.worst_at
     assert end == 1.05
-    best = found.after["mu"]
     slopes = []
     for place in (inside, end):
-        given = {**{n: v.text for n, v in light.given.items()}, "mu": best, "w": place}
-        orbit = ns.solve(DAMPER, given, guess={n: float(x) for n, x in light.unknowns.items()})
+        orbit = solved(light, mu=found.after["mu"], w=place)
         value, slope = orbit.derivatives(["mu", "w"]).quantity("maximum:x")
         assert value == pytest.approx(found.after["peak:x"], rel=1e-9)
         slopes.append(slope)
@@ -153,22 +153,14 @@ def test_what_is_wrong_is_named(options: dict[str, Any], message: str) -> None:
         ns.design(damper(), **asked)
 
 
-def test_it_is_saved(tmp_path: Path) -> None:
-    path = tmp_path / "design.json"
-    cut_off().save(path)
-    read = ns.load(path)
-    assert read.worst_over == CUT_OFF["worst_over"]
-    assert read.worst_at == cut_off().worst_at
-
-
 @pytest.mark.slow
-def test_the_optimum_is_drawn_and_its_orbit_certified() -> None:
-    curve = tuned().plot().axes[1].lines[1].get_ydata()
+def test_the_optimum_is_kept_and_drawn(tmp_path: Path) -> None:
+    tuned().save(tmp_path / "design.json")
+    kept = ns.load(tmp_path / "design.json")
+    assert (kept.worst_over, kept.worst_at) == (WINDOW, tuned().worst_at)
+    curve = kept.plot().axes[1].lines[1].get_ydata()
     assert np.nanmax(curve) == pytest.approx(tuned().after["peak:x"], rel=1e-4)
     assert np.nanmax(curve) <= tuned().after["peak:x"] + 1e-9
-    proof = ns.certify(tuned().orbit)
-    assert set(proof.claims.values()) == {"proved"}
-    assert proof.stability == "stable"
 
 
 @pytest.mark.slow
@@ -180,7 +172,6 @@ def test_an_interrupted_design_goes_on_to_the_same_end() -> None:
     with pytest.raises(ns.Interrupted) as stopped:
         ns.design(damper(), **CUT_OFF, progress=stop)
     part = stopped.value.partial
-    assert isinstance(part, Design)
     assert part.message == "interrupted"
     assert not part.converged
     whole = ns.design(damper(), **CUT_OFF, resume=part)

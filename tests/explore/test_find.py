@@ -9,9 +9,8 @@ import sympy as sp
 
 from nonsmooth import InputError, chart, find_orbits, load, simulate, solve
 from nonsmooth.derive import RigidStop, oscillator
-from nonsmooth.runtime.explore.finding.outcomes import Outcome
-from nonsmooth.runtime.model.kernels import compiled_engine
 from tests.certified import edited as content_edited
+from tests.explore.listed import check_listed
 from tests.places import GALLERY
 from tests.two_masses import CHAIN, RUBBING, STICKING
 
@@ -82,16 +81,9 @@ def test_a_planted_attractor_is_found_from_a_box():
     np.testing.assert_allclose(near.box.mean(axis=1), target, atol=1e-12)
 
 
-@pytest.mark.parametrize("name", ["A", "B"])
-def test_shares_sum_to_one_and_orbits_are_in_order(name):
-    result = found(name)
-    assert sum(o.share for o in result.orbits) + sum(result.outcomes.values()) == (
-        pytest.approx(1, abs=1e-12)
-    )
-    assert [o.starts for o in result.orbits] == sorted((o.starts for o in result.orbits), reverse=1)
-    counts = [(result.labels == i).sum() for i in range(len(result.orbits))]
-    assert counts == [o.starts for o in result.orbits]
-    assert set(result.labels.tolist()) <= {*range(len(result.orbits)), *Outcome}
+@pytest.mark.parametrize("name", KNOWN)
+def test_what_is_listed_is_there_once(name):
+    check_listed("dry-friction", found(name))
 
 
 def test_names_tell_orbits_of_one_period_apart(tmp_path):
@@ -108,33 +100,6 @@ def test_names_tell_orbits_of_one_period_apart(tmp_path):
     assert any("mirror image of 1" in name for name in told)
 
 
-@pytest.mark.parametrize("name", ["A", "B"])
-def test_each_orbit_is_a_motion_that_goes_around_once_and_is_listed_once(name):
-    seen = []
-    for entry in found(name).orbits:
-        orbit, count = entry.orbit, len(entry.itinerary)
-        assert orbit.converged
-        assert orbit.residual < 1e-11
-        assert orbit.admissibility.verdict is True
-        assert (orbit.dwell_times > 0).all()
-        turned = (entry.itinerary[k:] + entry.itinerary[:k] for k in range(count))
-        assert entry.itinerary == min(turned), "it is told from elsewhere, and may be listed twice"
-        data = {n: str(v) for n, v in orbit.parameters.items()}
-        motion = simulate(
-            "dry-friction", data, orbit.states[0], entry.itinerary[0][0], transitions=count
-        )
-        assert list(motion.configurations[:-1]) == [c for c, _ in entry.itinerary]
-        assert list(motion.boundaries[1:]) == [(b,) for _, b in entry.itinerary]
-        np.testing.assert_allclose(np.diff(motion.times), orbit.dwell_times, rtol=0, atol=1e-10)
-        np.testing.assert_allclose(motion.states[-1], orbit.states[0], rtol=0, atol=1e-10)
-        for length in (n for n in range(1, count) if count % n == 0):
-            turns = orbit.dwell_times.reshape(-1, length)
-            assert np.ptp(turns, axis=0).max() > 1e-6, "it goes around more than once"
-        key = (entry.itinerary, *orbit.dwell_times.round(6).tolist())
-        assert key not in seen
-        seen.append(key)
-
-
 def test_labels_are_where_the_starts_lead():
     result = found("B")
     for place in range(0, len(result.starts), 11):
@@ -149,21 +114,23 @@ def test_labels_are_where_the_starts_lead():
 
 @pytest.mark.slow
 def test_equal_seeds_give_equal_results():
-    one, same, other = (
-        find_orbits("dry-friction", RUBBING, 30, transitions=600, rng=seed, threads=threads)
-        for seed, threads in ((4, 1), (4, 2), (5, 1))
+    """As do generators of random numbers, whatever the threads."""
+    sources = (4, np.random.SeedSequence(4), np.random.default_rng(4), 5)
+    one, *same, other = (
+        find_orbits("dry-friction", RUBBING, 30, transitions=600, rng=rng, threads=threads)
+        for rng, threads in zip(sources, (1, 2, 1, 1), strict=True)
     )
-    np.testing.assert_array_equal(one.starts, same.starts)
-    np.testing.assert_array_equal(one.labels, same.labels)
-    assert [o.period for o in one.orbits] == [o.period for o in same.orbits]
-    assert not np.array_equal(one.starts, other.starts)
+    for again in same:
+        np.testing.assert_array_equal(one.starts, again.starts)
+        np.testing.assert_array_equal(one.labels, again.labels)
+        assert [o.period for o in one.orbits] == [o.period for o in again.orbits]
+    assert (one.starts != other.starts).all()
     assert {round(o.period, 8) for o in one.orbits if o.verdict == "stable"} == {
         round(o.period, 8) for o in other.orbits if o.verdict == "stable"
     }
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(compiled_engine() is None, reason="the engine is not compiled")
 def test_both_engines_find_the_same(monkeypatch):
     results = []
     for backend in ("c", "numpy"):
@@ -173,16 +140,6 @@ def test_both_engines_find_the_same(monkeypatch):
         assert {round(o.period, 6) for o in result.orbits if o.starts} <= {9.598694, 19.409498}
     np.testing.assert_array_equal(results[0].starts, results[1].starts)
     np.testing.assert_array_equal(results[0].labels, results[1].labels)
-
-
-def test_a_generator_of_random_numbers_gives_what_its_seed_gives():
-    sources = (2, np.random.SeedSequence(2), np.random.default_rng(2), 3)
-    drawn = [
-        find_orbits("dry-friction", RUBBING, 2, transitions=20, rng=rng).starts for rng in sources
-    ]
-    np.testing.assert_array_equal(drawn[0], drawn[1])
-    np.testing.assert_array_equal(drawn[0], drawn[2])
-    assert (drawn[0] != drawn[3]).all()
 
 
 def drawn_from(system, data, box=None):
@@ -219,23 +176,6 @@ def test_progress_is_told_in_words():
     find_orbits("dry-friction", STICKING, 5, transitions=200, progress=told.append)
     assert told[0] == "following 5 starts"
     assert len(told) == 3
-
-
-@pytest.mark.slow
-def test_impacts_that_lose_energy_end():
-    result = find_orbits(
-        "rigid-stop", CHAIN | {"r": "0.5"}, 3, transitions=3000, box={"x1": (-1, 1)}
-    )
-    assert not any(o.starts for o in result.orbits)
-    # without damping it goes on below the stop, as one of a family of motions
-    assert result.share(Outcome.FAMILY) > 0.5
-    assert sum(result.outcomes.values()) == pytest.approx(1)
-    place = int(np.flatnonzero(result.labels == Outcome.FAMILY)[0])
-    motion = simulate("rigid-stop", CHAIN | {"r": "0.5"}, result.starts[place], transitions=10_000)
-    assert motion.status.name == "QUIET"
-    # it goes on for ever without the stop: x1 keeps below 1
-    later = simulate("rigid-stop", CHAIN | {"r": "0.5"}, motion.states[-1], until=500)
-    assert later(np.linspace(1, 500, 3000))[:, 0].max() < 1 + 1e-9
 
 
 def test_starts_inside_the_stop_are_drawn_again():
@@ -282,19 +222,14 @@ def saved(tmp_path_factory):
     return path
 
 
-def test_what_is_saved_comes_back(saved, tmp_path):
+def test_what_is_saved_comes_back(saved):
     wanted, loaded = found("B"), load(saved)
     assert json.loads(json.dumps(loaded.to_json())) == wanted.to_json()
-    for one, other in zip(loaded.orbits, wanted.orbits, strict=True):
-        assert (one.orbit.unknowns, one.period) == (other.orbit.unknowns, other.period)
-    one = load(f"{saved}:1")
-    first = wanted.orbits[0]
-    assert (one.unknowns, one.itinerary) == (first.orbit.unknowns, first.itinerary)
+    for number, entry in enumerate(wanted.orbits, 1):
+        for one in (loaded.orbits[number - 1].orbit, load(f"{saved}:{number}")):
+            assert (one.unknowns, one.itinerary) == (entry.orbit.unknowns, entry.itinerary)
     with pytest.raises(InputError, match="holds no orbit 99"):
         load(f"{saved}:99")
-    again = tmp_path / "again.json"
-    loaded.save(again)
-    assert load(again).orbits[0].orbit.unknowns == wanted.orbits[0].orbit.unknowns
 
 
 def edited(path, edit, other):
@@ -318,66 +253,65 @@ def test_signed_nonsense_is_refused_too(saved, tmp_path, edit):
         load(edited(saved, edit, tmp_path / "nonsense.json"))
 
 
-@pytest.mark.parametrize(
-    ("edit", "reason"),
-    [
-        (lambda c: c["orbits"][0]["dwell_times"].__setitem__(0, "1.5"), "not a solution"),
-        (lambda c: c["orbits"][0]["dwell_times"].pop(), "do not belong together"),
-        (lambda c: c["orbits"][0]["states"].pop(), "none of the states"),
-        (lambda c: [row.pop() for row in c["orbits"][0]["states"]], "none of the states"),
-        (lambda c: c["orbits"][0]["itinerary"][0].__setitem__(1, "none"), "none"),
-        (lambda c: c["orbits"][0].update(itinerary=[]), "none of the states"),
-    ],
-)
-def test_an_orbit_that_is_none_of_its_system_is_refused_when_asked_for(
-    saved, tmp_path, edit, reason
+def of_first(kind, **entries):
+    return lambda content: content[kind][0].update(entries)
+
+
+def moved(content):
+    state = content["equilibria"][0]["state"]
+    content["equilibria"][0]["state"] = {n: repr(float(x) + 0.5) for n, x in state.items()}
+
+
+def renamed(content):
+    state = content["equilibria"][0]["state"]
+    content["equilibria"][0]["state"] = {f"{n}0": x for n, x in state.items()}
+
+
+NOT_OF_IT = [
+    ("orbits", lambda c: c["orbits"][0]["dwell_times"].__setitem__(0, "1.5"), "not a solution"),
+    ("orbits", lambda c: c["orbits"][0]["dwell_times"].pop(), "do not belong together"),
+    ("orbits", lambda c: c["orbits"][0]["states"].pop(), "none of the states"),
+    ("orbits", lambda c: [row.pop() for row in c["orbits"][0]["states"]], "none of the states"),
+    ("orbits", lambda c: c["orbits"][0]["itinerary"][0].__setitem__(1, "none"), "none"),
+    ("orbits", of_first("orbits", itinerary=[]), "none of the states"),
+    ("orbits", of_first("orbits", mirror=2), ""),
+    ("equilibria", of_first("equilibria", configuration="none"), ""),
+    ("equilibria", of_first("equilibria", configuration="stick-stick"), ""),
+    ("equilibria", moved, ""),
+    ("equilibria", lambda c: c["equilibria"][0]["state"].popitem(), ""),
+    ("equilibria", renamed, ""),
+    ("equilibria", of_first("equilibria", mirror=2), ""),
+    ("orbits equilibria", lambda c: c["parameters"].update(chi="0.41"), ""),
+]
+
+
+@pytest.mark.parametrize(("kinds", "edit", "reason"), NOT_OF_IT)
+def test_what_is_none_of_its_system_is_refused_and_leaves_the_rest(
+    saved, tmp_path, kinds, edit, reason
 ):
-    path = edited(saved, edit, tmp_path / "other.json")
-    entry = load(path).orbits[0]
-    for asked in (lambda: entry.orbit, lambda: solve(f"{path}:1")):
-        with pytest.raises(InputError, match=rf"other\.json: orbit 1, of period .*{reason}"):
-            asked()
-
-
-def test_what_is_none_of_its_system_leaves_the_rest(saved, tmp_path):
-    wanted, path = found("B"), tmp_path / "other.json"
-    orbits, steady = wanted.orbits, wanted.equilibria
-    first = len(orbits) + 1  # number of the first equilibrium
-
-    def given(edit):
-        return load(edited(saved, edit, path))
-
-    def refused(loaded, kind, told):
-        entry, known = getattr(loaded, kind)[0], getattr(wanted, kind)[0]
-        with pytest.raises(InputError, match=rf"other\.json: {told}"):
-            _ = entry.orbit if kind == "orbits" else entry.equilibrium
-        assert (entry.starts, entry.share) == (known.starts, known.share)
-        assert "refused" in str(loaded)
-        assert told in loaded._repr_html_()
-        with pytest.raises(InputError, match=r"other\.json: "):
-            loaded.save(tmp_path / "again.json")
-
-    names, state = steady[0].equilibrium.names, steady[0].equilibrium.state.tolist()
-    for edit in (
-        {"configuration": "none"},
-        {"configuration": "stick-stick"},
-        {"state": {name: repr(x + 0.5) for name, x in zip(names, state, strict=True)}},
-        {"state": {names[0]: repr(state[0])}},
-        {"state": {f"{name}0": repr(x) for name, x in zip(names, state, strict=True)}},
-        {"mirror": 2},
+    wanted, path = found("B"), edited(saved, edit, tmp_path / "other.json")
+    loaded, first = load(path), len(wanted.orbits) + 1  # number of the first equilibrium
+    numbers = {
+        "orbits": lambda entry: [*entry.orbit.unknowns.values()],
+        "equilibria": lambda entry: entry.equilibrium.state.tolist(),
+    }
+    for kind, words in (
+        ("orbits", "orbit 1, of period "),
+        ("equilibria", f"equilibrium {first}, in "),
     ):
-        loaded = given(lambda c, edit=edit: c["equilibria"][0].update(edit))
-        refused(loaded, "equilibria", f"equilibrium {first}, in ")
-        for kept, entry in zip(loaded.orbits, orbits, strict=True):
-            assert kept.orbit.unknowns == entry.orbit.unknowns
-        assert solve(f"{path}:1").period == pytest.approx(orbits[0].period, rel=1e-12)
-    told = "orbit 1, of period "
-    loaded = given(lambda c: c["orbits"][0].update(mirror=2))
-    refused(loaded, "orbits", told)
-    for kept, entry in zip(loaded.equilibria, steady, strict=True):
-        np.testing.assert_array_equal(kept.equilibrium.state, entry.equilibrium.state)
-    with pytest.raises(InputError, match=rf"other\.json: {told}"):
-        solve(f"{path}:1")
-    loaded = given(lambda c: c["parameters"].update(chi="0.41"))
-    refused(loaded, "orbits", told)
-    refused(loaded, "equilibria", f"equilibrium {first}, in ")
+        entries, known = getattr(loaded, kind), getattr(wanted, kind)
+        if kind not in kinds:
+            assert [*map(numbers[kind], entries)] == [*map(numbers[kind], known)]
+            continue
+        asked = [lambda kind=kind, entry=entries[0]: numbers[kind](entry)]
+        asked += [lambda: solve(f"{path}:1")] * (kind == "orbits")
+        for ask in asked:
+            with pytest.raises(InputError, match=rf"other\.json: {words}.*{reason}"):
+                ask()
+        assert (entries[0].starts, entries[0].share) == (known[0].starts, known[0].share)
+        assert words in loaded._repr_html_()
+    assert "refused" in str(loaded)
+    with pytest.raises(InputError, match=r"other\.json: "):
+        loaded.save(tmp_path / "again.json")
+    if "orbits" not in kinds:
+        assert solve(f"{path}:1").period == pytest.approx(wanted.orbits[0].period, rel=1e-12)

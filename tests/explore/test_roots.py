@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from unittest.mock import Mock
 
 import pytest
 
@@ -19,18 +20,11 @@ from nonsmooth.runtime.explore.continuation.locating import _root
         (lambda x: 1 / (x - 0.3001), None, 20),
         (lambda x: math.nan if 0 < x < 1 else x - 0.5, None, 1),
     ],
-    ids=["simple", "rounded", "pole", "undefined"],
 )
 def test_a_root_is_where_the_sign_changes_and_no_pole(
     function: Callable[[float], float], wanted: float | None, most: int
 ) -> None:
-    calls = []
-
-    def counted(x: float) -> float:
-        calls.append(x)
-        return function(x)
-
-    before, after = function(0.0), function(1.0)
-    found = _root(counted, 0.0, 1.0, before, after, 1e-13 * max(abs(before), abs(after)))
+    ends, counted = (function(0.0), function(1.0)), Mock(side_effect=function)
+    found = _root(counted, 0.0, 1.0, *ends, 1e-13 * max(map(abs, ends)))
     assert found == (None if wanted is None else pytest.approx(wanted, abs=2e-13))
-    assert len(calls) <= most
+    assert counted.call_count <= most

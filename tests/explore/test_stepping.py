@@ -13,8 +13,6 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.runtime.explore.continuation.branch import Branch
-from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.explore.test_continuation_forced import R, W, branch, closed_forms, struck_at
 
 D = 1e-2
@@ -24,7 +22,7 @@ STEP = 0.01
 
 
 @cache
-def first() -> Orbit:
+def first() -> Any:
     """The orbit at q = 0 on one side of the fold."""
     fold, sigma = closed_forms()[0], branch().parameter_values
     near = branch().orbit_at(int(np.argmin(abs(sigma - fold - D))))
@@ -34,7 +32,7 @@ def first() -> Orbit:
     return ns.solve(system, data, guess, itinerary=near.itinerary)
 
 
-def followed(kind: str, stop: int | None = None, **options: Any) -> Branch:
+def followed(kind: str, stop: int | None = None, **options: Any) -> Any:
     """The branch, or what it has when so many points were told."""
 
     def progress(done: int, *_: int) -> None:
@@ -50,7 +48,7 @@ def followed(kind: str, stop: int | None = None, **options: Any) -> Branch:
 
 
 @cache
-def whole(kind: str) -> Branch:
+def whole(kind: str) -> Any:
     return followed(kind)
 
 
@@ -60,7 +58,7 @@ def points_of(step: float) -> int:
     return len(followed("closed", step=step))
 
 
-def turned(found: Branch) -> np.ndarray:
+def turned(found: Any) -> np.ndarray:
     """Angles around the middle of the ellipse from each point to the next, in one direction."""
     across = whole("closed").quantity("v0")
     middle, size = (across.max() + across.min()) / 2, np.ptp(across) / 2

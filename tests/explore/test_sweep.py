@@ -49,6 +49,15 @@ def test_along_the_branch_a_sweep_gives_the_orbit(place):
             np.testing.assert_allclose(taken, states[place, 0], rtol=0, atol=1e-8)
 
 
+def taken(value, start, transient):
+    """Nine samples of a single motion, and where it ends."""
+    given = STICK | {"V": value}
+    motion = simulate("dry-friction", given, start, transitions=transient + 9)
+    inside = np.array(motion.configurations[-9:]) == "slip-stick"
+    assert inside.any()
+    return np.where(inside, motion.states[-9:, 0], np.nan), motion.states[-1]
+
+
 @pytest.mark.parametrize(
     "backend",
     [
@@ -59,31 +68,17 @@ def test_along_the_branch_a_sweep_gives_the_orbit(place):
 def test_a_sweep_is_its_single_motions(backend, monkeypatch):
     monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
     diagram = swept(transient=15, samples=9, follow=False)
-    assert diagram.samples.shape == (5, 9)
-    for value, row in zip(diagram.values, diagram.samples, strict=True):
-        motion = simulate("dry-friction", STICK | {"V": value}, REST, transitions=24)
-        wanted = [
-            state[0]
-            for name, state in zip(motion.configurations[16:], motion.states[16:], strict=True)
-            if name == "slip-stick"
-        ]
-        assert wanted
-        np.testing.assert_allclose(row[np.isfinite(row)], wanted, rtol=0, atol=1e-10)
+    wanted = [taken(value, REST, 15)[0] for value in diagram.values]
+    np.testing.assert_allclose(diagram.samples, wanted, rtol=0, atol=1e-10)
 
 
 def test_following_continues_from_chunk_to_chunk():
     values, told = np.linspace(0.9, 1.1, 66), []
     diagram = swept(values=values, transient=5, samples=9, progress=told.append)
     assert told == [64, 66]
-    before = simulate("dry-friction", STICK | {"V": values[63]}, REST, transitions=14)
-    for place in (64, 65):
-        motion = simulate(
-            "dry-friction", STICK | {"V": values[place]}, before.states[-1], transitions=14
-        )
-        wanted = np.where(
-            np.array(motion.configurations[6:]) == "slip-stick", motion.states[6:, 0], np.nan
-        )
-        np.testing.assert_allclose(diagram.samples[place], wanted, rtol=0, atol=1e-11)
+    _, last = taken(values[63], REST, 5)
+    wanted = [taken(value, last, 5)[0] for value in values[64:]]
+    np.testing.assert_allclose(diagram.samples[64:], wanted, rtol=0, atol=1e-11)
     anew = swept(values=values, transient=5, samples=9, follow=False)
     np.testing.assert_array_equal(anew.samples[:64], diagram.samples[:64])
     assert not np.array_equal(anew.samples[64:], diagram.samples[64:], equal_nan=True)
@@ -95,15 +90,11 @@ def test_what_comes_to_rest_leaves_no_points():
     # the stop takes all the energy: after a few impacts no boundary is reached
     start = {"x1": 0, "x2": 0, "v1": 2, "v2": 0}
     data = {"m1": 1, "m2": 2, "k2": 5, "r": "0.5"}
-    diagram = sweep(
-        "rigid-stop", data, "k1", [1.0], start, state="v1", configuration="free",
-        transient=10_000, samples=10_000,
-    )  # fmt: skip
+    asked = ("rigid-stop", data, "k1", [1.0], start)
+    given = {"state": "v1", "configuration": "free"}
+    diagram = sweep(*asked, **given, transient=10_000, samples=10_000)
     assert not np.isfinite(diagram.samples).any()
-    short = sweep(
-        "rigid-stop", data, "k1", [1.0], start, state="v1", configuration="free",
-        transient=0, samples=3,
-    )  # fmt: skip
+    short = sweep(*asked, **given, transient=0, samples=3)
     assert np.isfinite(short.samples).any()
 
 

@@ -56,7 +56,6 @@ RIGHT: dict[str, Callable[[], Any] | None] = {
     "certify.region.boxes": lambda: 64,
     "certify.region.region": lambda: {"x2": (2, 13)},
     "certify.doubling.tiles": lambda: 1,
-    "chart.parameters": None,
     "chart.start": None,
     "chart.transitions": None,
     "chart.V": lambda: [1, 1.01],

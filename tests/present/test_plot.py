@@ -453,7 +453,7 @@ def test_files_are_reproducible(ending: str, tmp_path: Path) -> None:
         (orbit, "time", {"masses": [-1]}, r"masses = \[-1\]"),
         (orbit, "time", {"masses": []}, r"masses = \[\]"),
         (orbit, "time", {"periods": 0}, "periods = 0"),
-        (few, "time", {"points": 0}, "points = 0 is not a positive integer"),
+        (few, "time", {"points": 0}, "points = 0 is not an integer from 1"),
         (few, "time", {"axes": axes_of(2)}, "'time' is drawn into 1 Axes; given: 2 Axes"),
         (few, "phase", {"axes": axes_of(3)}, "'phase' is drawn into 1 or 2 Axes"),
         (few, "all", {"axes": axes_of(4)}, "'all' is drawn into 5 Axes"),

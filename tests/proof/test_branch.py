@@ -242,7 +242,7 @@ def test_a_torus_is_an_event_and_a_neutral_saddle_is_none(tmp_path: Path) -> Non
 def test_what_is_asked_wrongly_is_told(branch: Any, found: Any) -> None:
     with pytest.raises(InputError, match="branch takes"):
         ns.certify.branch(branch.orbit)
-    with pytest.raises(InputError, match="positive integer"):
+    with pytest.raises(InputError, match="not an integer from 1"):
         ns.certify.branch(branch, tiles=0)
     with pytest.raises(InputError, match="is not in"):
         ns.certify.branch(branch, interval=("1.2", "1.3"))

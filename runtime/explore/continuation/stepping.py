@@ -14,7 +14,7 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.errors import InputError, check_integer
 
 __all__ = [
     "INTERRUPTED",
@@ -321,5 +321,4 @@ def check_steps(step: float, points: int) -> None:
     """Refuse a largest step (in the curve's units) or a number of points that is not positive."""
     if not (math.isfinite(step) and step > 0):
         raise InputError(f"step = {step} is not positive")
-    if points < 1:
-        raise InputError(f"points = {points} is not a positive integer")
+    check_integer("points", points, 1)

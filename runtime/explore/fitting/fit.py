@@ -203,13 +203,6 @@ class Fit(Kept):
         return lost | {name: "at its bound" for name in self.at_bound}
 
     @Told
-    def correlation(self) -> AnyTable:
-        """Correlations of the estimates, (q, q)."""
-        errors = self.standard_errors
-        with np.errstate(invalid="ignore"):
-            return np.asarray(self.covariance / np.outer(errors, errors))
-
-    @Told
     def residuals(self) -> AnyRow:
         """Measured minus fitted, in standard deviations, of all series in order, (m,)."""
         parts = [series.residuals for each in self.experiments for series in each.series]
