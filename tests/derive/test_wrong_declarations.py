@@ -160,7 +160,8 @@ def test_texts_of_formulas_are_what_they_say(text: str, expression: sp.Expr) -> 
     [
         np.matrix([[2.0, 1], [1, 3]]), np.array([[2, 1], [1, 3]], dtype=object),
         [["2", 1], (1, "3")],
-        np.array([["2", "1"], ["1", "3"]]), np.array([["2", "1"], ["1", "3"]]).astype(np.dtypes.StringDType()),
+        np.array([["2", "1"], ["1", "3"]]),
+        np.array([["2", "1"], ["1", "3"]]).astype(np.dtypes.StringDType()),
         sp.Matrix([[2, 1], [1, 3]]), sp.Array([[2, 1], [1, 3]]),
         sp.Identity(2) + sp.Matrix([[1, 1], [1, 2]]), csc_array(np.array([[2.0, 1], [1, 3]])),
         sp.BlockMatrix([[sp.Matrix([[2, 1]])], [sp.Matrix([[1, 3]])]]),
