@@ -11,7 +11,6 @@ import sympy as sp
 from scipy.optimize import lsq_linear
 
 from nonsmooth.derive import (
-    DeclarationError,
     FirstOrder,
     Friction,
     Harmonic,
@@ -261,35 +260,6 @@ def test_the_force_of_a_stop_without_a_damper_vanishes_as_the_gap_opens(damping:
     system = oscillator("clearance", ["x"], [[1]], [[1]], elements=[stop])
     regimes = {"free", "contact", "released"} if sp.sympify(damping) else {"free", "contact"}
     assert {configuration.name for configuration in system.configurations} == regimes
-
-
-C, D = sp.symbols("c d", positive=True)
-
-
-@pytest.mark.parametrize(
-    ("damping", "domains"),
-    [
-        (sp.Symbol("c", nonnegative=True), ()),
-        ("c", (Parameter("c", "", closed=True),)),
-        ("c", (Parameter("c", "", -1, 1),)),
-        (C - D, ()),
-        ((C - D) ** 2, ()),
-    ],
-)
-def test_a_damper_that_may_vanish_is_released_with_the_gap(damping: Any, domains: Any) -> None:
-    stops = {name: SoftStop("x", 1, 10, damping, released=name) for name in ("gap", "force")}
-    oscillator("gap", ["x"], [[1]], [[1]], elements=[stops["gap"]], parameters=domains)
-    with pytest.raises(DeclarationError, match=r"may be zero.*leaves out 0.*released='gap'"):
-        oscillator("force", ["x"], [[1]], [[1]], elements=[stops["force"]], parameters=domains)
-
-
-@pytest.mark.parametrize("damping", [C, C * D, 2 * C / (1 + D), C + D])
-def test_a_damper_that_does_not_vanish_is_released_by_its_force(damping: Any) -> None:
-    stop = SoftStop("x", 1, 10, damping, released="force")
-    system = oscillator("force", ["x"], [[1]], [[1]], elements=[stop])
-    assert {configuration.name for configuration in system.configurations} == {
-        "free", "contact", "released",
-    }  # fmt: skip
 
 
 def test_domains_are_inferred() -> None:

@@ -8,9 +8,6 @@ import sympy as sp
 from numpy.testing import assert_allclose, assert_array_equal
 from scipy.linalg import expm
 
-from nonsmooth.derive import RigidStop, chain_matrices, oscillator
-from nonsmooth.derive.codegen.simulation_form import SimulationForm
-from nonsmooth.derive.flows.modal import TIME, derive_flows
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import load_system
@@ -171,32 +168,3 @@ def test_numbers_of_many_points_are_those_of_each(name):
         one = piecewise_at(kernels, point)
         parts = (one.fields, one.rows, one.resets, *one.exponents, *one.flows)
         assert_array_equal(row, np.concatenate([p.ravel() for p in parts]))
-
-
-# --- a system without modes in closed form
-
-
-def form_of(size):
-    """So many masses in a row, the first in front of a stop."""
-    names = [f"x{i}" for i in range(1, size + 1)]
-    mass, stiffness, _ = chain_matrices(range(1, size + 1), [sp.Symbol("k")] * size)
-    system = oscillator("row", names, mass, stiffness, elements=[RigidStop("x1", 1, 1)])
-    return SimulationForm(system, *derive_flows(system))
-
-
-def test_two_masses_have_modes():
-    found = form_of(2)
-    assert found.table()["modes"] is not None
-    modes = found.modes["free"]
-    assert [(m.oscillates, m.length) for m in modes if m.oscillates] == [(True, 1)] * 2
-    assert modes[0].terms == (sp.Integer(1),)
-    for mode in modes[1:]:
-        assert mode.terms == (sp.cos(mode.frequency * TIME), sp.sin(mode.frequency * TIME))
-
-
-def test_entire_functions_are_no_modes():
-    found = form_of(3)
-    assert found.flows["free"].modes is None
-    assert found.modes is None
-    assert found.table()["modes"] is None
-    assert [kernel.name for kernel in found.kernels()] == ["fields", "rows", "resets"]

@@ -84,13 +84,6 @@ def free(*values: Any) -> Case:
     )
 
 
-def called(first: str, second: str) -> Case:
-    """Two coordinates whose parameters have names that the spectrum gives."""
-    one, two = Parameter(first, ""), Parameter(second, "")
-    k = one.symbol
-    return masses([[2 * k, -k], [-k, 3 * k]], [two.symbol, 0], numbers={one: "1.7", two: "0.6"})
-
-
 CASES = {
     "spring": masses([[s]], [1], numbers={POSITIVE: F(7, 3)}),
     "spring of a mass": masses([[s]], [1], [[q]], numbers={POSITIVE: 2, PULL: "0.6"}),
@@ -129,10 +122,6 @@ CASES = {
     "three and defective": masses([[2, 1, 0], [0, 2, 1], [0, 0, 2]], [1, 0, 2]),
     "three and negative": masses([[-1, 1, 0], [0, 2, 1], [0, 0, -3]], [1, 0, 2]),
     "three and complex": masses([[1, 2, 0], [-3, 1, 1], [0, 0, 2]], [1, 0, 2]),
-    **{
-        f"called {names}": called(*names.split())
-        for names in ("omega1 gap1", "p1 omega2", "t1 t0", "h0 mean1", "x0 lambda1")
-    },
 }
 
 ZETA, OMEGA = Parameter("zeta", "", closed=True), Parameter("Omega", "")

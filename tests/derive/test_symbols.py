@@ -1,6 +1,8 @@
 """Symbols carry their meaning: no name of a declaration is taken for one of the derivation."""
 
 import ctypes
+import pickle
+from itertools import permutations
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -28,6 +30,7 @@ from nonsmooth.derive.document.hypertext import to_markdown
 from nonsmooth.derive.document.view import naming_of
 from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.equations.program import evaluate
+from nonsmooth.derive.symbols import Symbol, derivative
 from nonsmooth.runtime.core.arithmetic import FLOATS
 from tests.compiled_c import library_of, needs_compiler, pointer
 
@@ -155,3 +158,21 @@ def test_kernels_are_right_whatever_the_user_calls_things(
         for results in (found if len(arrays) > 1 else [found], arrays):
             flat = np.concatenate([np.ravel(each) for each in results])
             np.testing.assert_allclose(flat, expected, rtol=1e-12, atol=1e-12, err_msg=kernel.name)
+
+
+def test_symbols_of_one_name_are_told_apart_by_what_they_mean() -> None:
+    x, by = sp.Symbol("x", real=True), sp.Symbol("y_2", real=True)
+    meant = (
+        Symbol("state", sp.Symbol("x_1_by_y", real=True), 2),
+        derivative(Symbol("state", x, 1), by),
+        derivative(sp.Symbol("x_1", real=True), by),
+        sp.Symbol("x_1_by_y_2", real=True),
+    )
+    for a, b in permutations(meant, 2):
+        assert a.name == b.name
+        assert a != b
+        assert a + b == b + a
+        assert a.compare(b) == -b.compare(a) != 0
+        assert sp.expand((a + b) ** 2) == a**2 + 2 * a * b + b**2
+    for symbol in meant:
+        assert pickle.loads(pickle.dumps(symbol)) - symbol == 0
