@@ -60,9 +60,9 @@ def check_rows(name, found, declared, values):
 
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.usefixtures("backend")
-def test_boundaries_constraints_and_contacts_are_the_declared_ones(name):
+def test_fields_boundaries_constraints_and_contacts_are_the_declared_ones(name):
     system, structure, declared = declaration(name).system, structure_of(name), []
-    states, size = system.states, len(system.states) // 2
+    states, size, fields = system.states, len(system.states) // 2, []
     assert [*structure.configurations] == [c.name for c in system.configurations]
     for place, configuration in enumerate(system.configurations):
         held = configuration.dynamics.held
@@ -70,6 +70,8 @@ def test_boundaries_constraints_and_contacts_are_the_declared_ones(name):
         functions += configuration.constraints
         declared += zip(structure.constraints[place], functions, strict=True)
         assert structure.held[place] == tuple(map(states.index, held))
+        matrix, offset = configuration.dynamics.field(states)
+        fields.append(matrix * sp.Matrix(states) + offset)
         for shape, boundary in zip(
             structure.boundaries[place], configuration.boundaries, strict=True
         ):
@@ -83,34 +85,10 @@ def test_boundaries_constraints_and_contacts_are_the_declared_ones(name):
         declared += [(shape.velocity, contact.velocity), (shape.surface, contact.surface)]
         declared += [(row, contact.forces[where]) for where, row in forces.items()]
     for values in points(name):
-        check_rows(name, at(name, values), declared, values)
-
-
-@pytest.mark.parametrize("name", NAMES)
-@pytest.mark.usefixtures("backend")
-def test_fields_are_the_equations_of_motion(name):
-    system = declaration(name).system
-    size = len(system.states) // 2
-    for values in points(name, 2):
-        substitution = {p.symbol: values[p.name] for p in system.parameters}
         found = at(name, values)
-        for place, configuration in enumerate(system.configurations):
-            dynamics, field = configuration.dynamics, found.fields[place]
-
-            def in_floats(matrix, substitution=substitution):
-                return np.array(sp.Matrix(matrix).subs(substitution).tolist(), dtype=float)
-
-            mass, stiffness = in_floats(dynamics.mass), in_floats(dynamics.stiffness)
-            load = in_floats(dynamics.load).ravel()
-            held = [system.states.index(x) for x in dynamics.held]
-            free = [i for i in range(size) if i not in held]
-            assert_array_equal(field[:size, size:-1], np.eye(size))
-            state = np.random.default_rng(place).normal(size=2 * size)
-            rate = field[:, :-1] @ state + field[:, -1]
-            # M a + K x = load in the free coordinates; the held ones have no acceleration
-            missed = mass @ rate[size:] + stiffness @ state[:size] - load
-            assert_allclose(missed[free], 0, atol=1e-13)
-            assert not rate[[size + i for i in held]].any()
+        check_rows(name, found, declared, values)
+        for field, rates in zip(found.fields, fields, strict=True):
+            assert_allclose(field, numbers(name, rates, values), rtol=1e-14, atol=1e-15)
 
 
 @pytest.mark.slow
