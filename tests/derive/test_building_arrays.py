@@ -87,23 +87,3 @@ def test_masses_are_taken_if_they_are_positive_definite_exactly():
         else:
             with pytest.raises(DeclarationError, match="mass is not positive definite"):
                 oscillator("s", names, dense, np.eye(size))
-
-
-def test_a_hundred_coordinates_with_four_stops():
-    """By direct assembly: what moves in contact is what moves free, less the held coordinates."""
-    size, at = 100, [24, 49, 74, 99]
-    stiffness = 2 * np.eye(size) - np.eye(size, k=1) - np.eye(size, k=-1)
-    mass = np.diag(np.linspace(1, 2, size))
-    names = [f"x{i}" for i in range(size)]
-    system = oscillator(
-        "chain", names, mass, stiffness, 0.01 * stiffness,
-        elements=[SoftStop(names[i], at=1, stiffness=8.0, name=f"stop{i}") for i in at],
-    )  # fmt: skip
-    assert len(system.configurations) == 16
-    for configuration in system.configurations:
-        pressed = ["contact" in regime for regime in configuration.name.split("-")]
-        added = np.zeros((size, size))
-        added[at, at] = 8.0 * np.array(pressed)
-        dynamics = configuration.dynamics
-        assert (np.array(dynamics.stiffness.tolist(), dtype=float) == stiffness + added).all()
-        assert (np.array(dynamics.mass.tolist(), dtype=float) == mass).all()

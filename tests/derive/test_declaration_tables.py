@@ -6,10 +6,8 @@ import numpy as np
 import pytest
 import sympy as sp
 from numpy.testing import assert_allclose, assert_array_equal
-from scipy.linalg import expm
 
 from nonsmooth.derive.systems import SYSTEMS, declaration
-from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at
 from nonsmooth.runtime.model.structure import structure_of
@@ -117,24 +115,6 @@ def test_transitions_and_resets_are_the_declared_ones(name):
                     assert structure.configurations[along] == condition.along
                     assert holds is condition.holds
                     check_rows(name, found, [(row, condition.function)], values)
-
-
-@pytest.mark.parametrize("name", NAMES)
-@pytest.mark.usefixtures("backend")
-def test_flows_of_modes_are_matrix_exponentials(name):
-    random = np.random.default_rng(4)
-    times = np.array([0.0, 1e-6, 0.3, 2.0, 9.0])
-    for values in points(name, 3):
-        system = at(name, values)
-        for place in range(len(system.structure.configurations)):
-            field = system.fields[place]
-            start = random.normal(size=field.shape[0])
-            found = flow_states(system, place, times, start)
-            for time, state in zip(times, found, strict=True):
-                generator = np.vstack([field, np.zeros(field.shape[1])])
-                wanted = (expm(generator * time) @ np.append(start, 1.0))[:-1]
-                scale = max(1.0, np.abs(wanted).max())
-                assert_allclose(state, wanted, rtol=0, atol=2e-12 * scale)
 
 
 @pytest.mark.parametrize("name", NAMES)

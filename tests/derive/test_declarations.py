@@ -56,6 +56,17 @@ def test_declarations_are_frozen_and_floats_are_decimals() -> None:
         boundary.name = "other"
 
 
+def test_affine_functions_have_a_gradient_and_a_constant() -> None:
+    only = Configuration("only", SecondOrder([[1]], [[KS]]), ())
+    system = System("one", "", (X, V), (K,), (only,), ())
+    for function in (
+        KS * X + 2 * V - 3, KS * (X - 1) + X, X - X / KS, (X + V) * KS / 2 + KS, sp.S(4), X, -V,
+    ):  # fmt: skip
+        row, constant = system.gradient(function)
+        assert row == sp.Matrix([function]).jacobian((X, V)).applyfunc(sp.expand)
+        assert sp.expand(constant - function.subs({X: 0, V: 0})) == 0
+
+
 # --- signs on whole domains -------------------------------------------------------------
 
 DOMAINS = (
@@ -96,7 +107,7 @@ def test_positive_on_the_whole_domain_is_shown(expression: sp.Expr) -> None:
     "expression",
     [
         C, B - A, A - 1, D, F, F**2, -B, 2 * A - 1, 2 - B, B * C, M, M + 2,
-        (A - sp.Rational(1, 2)) ** 2, sp.sqrt(B) - 1, D + 1, 1 / (A - 2),
+        (A - sp.Rational(1, 2)) ** 2, sp.sqrt(B) - 1, D + 1, 1 / (A - 2), 1 / (1 - 2 * A),
     ],
     ids=str,
 )  # fmt: skip

@@ -27,11 +27,12 @@ from nonsmooth.derive import (
     System,
     Transition,
     derive_equations,
+    dry_friction,
 )
 from nonsmooth.derive.codegen.kernels import orbit_kernels, spectrum_kernel
-from nonsmooth.derive.systems import dry_friction, elastic_stop, rigid_stop
 from nonsmooth.runtime.core.arithmetic import Mpmath
 from tests.compiled_c import executed
+from tests.declared import elastic_stop, rigid_stop
 
 LIB = Mpmath(60)
 MP = LIB.mp

@@ -35,7 +35,7 @@ from nonsmooth.derive import (
     chain_matrices,
     oscillator,
 )
-from nonsmooth.derive.codegen.derived import derive_system
+from nonsmooth.derive.codegen.emit import emit_system
 from nonsmooth.derive.systems import declaration
 
 Make = Callable[[], Any]
@@ -132,7 +132,9 @@ def referred(parameters: Any, guess: Any) -> Make:
     def derive() -> object:
         kicked = alone(replace(BOUNCE, reset={V: -V / 2 - 1}))()
         phases, reference = (("free", "hits", "T"),), Reference(parameters, guess)
-        return derive_system(kicked, (Itinerary("loop", kicked, phases, reference=reference),))
+        return emit_system(
+            kicked, [Itinerary("loop", kicked, phases, reference=reference)], "tests"
+        )
 
     return derive
 

@@ -25,8 +25,9 @@ from nonsmooth.derive import (
     System,
     Transition,
     derive_equations,
+    dry_friction,
 )
-from nonsmooth.derive.systems import dry_friction, elastic_stop, rigid_stop
+from tests.declared import elastic_stop, rigid_stop
 from tests.derive.test_equations import MP, Derived
 from tests.latex_reader import ORBITS as WHOLE
 from tests.latex_reader import written_of
