@@ -89,34 +89,6 @@ def test_fields_boundaries_constraints_and_contacts_are_the_declared_ones(name):
             assert_allclose(field, numbers(name, rates, values), rtol=1e-14, atol=1e-15)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("name", NAMES)
-@pytest.mark.usefixtures("backend")
-def test_transitions_and_resets_are_the_declared_ones(name):
-    system, structure = declaration(name).system, structure_of(name)
-    assert sum(map(len, structure.transitions)) == len(system.transitions)
-    for values in points(name, 1):
-        found = at(name, values)
-        assert_array_equal(found.resets[0], np.eye(len(system.states), 5))
-        for place, configuration in enumerate(system.configurations):
-            # in the order of the declaration: the first whose conditions hold is taken
-            wanted = [t for t in system.transitions if t.source == configuration.name]
-            for shape, transition in zip(structure.transitions[place], wanted, strict=True):
-                names = {structure.boundaries[place][b].name for b in shape.boundaries}
-                assert names == transition.boundaries
-                assert structure.configurations[shape.target] == transition.target
-                rules = dict(transition.reset.items())
-                column = [rules.get(s, s) for s in system.states]
-                jump = found.resets[shape.reset]
-                assert_allclose(jump, numbers(name, column, values), atol=1e-15)
-                for (row, along, holds), condition in zip(
-                    shape.conditions, transition.conditions, strict=True
-                ):
-                    assert structure.configurations[along] == condition.along
-                    assert holds is condition.holds
-                    check_rows(name, found, [(row, condition.function)], values)
-
-
 @pytest.mark.parametrize("name", NAMES)
 def test_numbers_of_many_points_are_those_of_each(name):
     kernels = load_system(name)

@@ -107,7 +107,7 @@ def test_positive_on_the_whole_domain_is_shown(expression: sp.Expr) -> None:
     "expression",
     [
         C, B - A, A - 1, D, F, F**2, -B, 2 * A - 1, 2 - B, B * C, M, M + 2,
-        (A - sp.Rational(1, 2)) ** 2, sp.sqrt(B) - 1, D + 1, 1 / (A - 2), 1 / (1 - 2 * A),
+        (A - sp.Rational(1, 2)) ** 2, sp.sqrt(B) - 1, D + 1, 1 / (A - 2), 1 / (2 * A - 1),
     ],
     ids=str,
 )  # fmt: skip

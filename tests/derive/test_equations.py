@@ -293,25 +293,24 @@ def solved(name: str, rotation: int = 0) -> Solved:
     return Solved(name, rotation)
 
 
-# two masses take long: of these orbits few are not slow, and only from their own start
-LARGE = ("dry-friction", "symmetric", "solution-ii", "one-contact", "pair")
-# of the declared orbits one rotation is enough for derivatives
-DECLARED = ("symmetric", "solution-ii", "one-impact", "one-contact")
+# two masses take long
+SLOW = ("symmetric", "solution-ii", "one-contact")
 
 
-def started(*quick: str, other: tuple[str, ...] = ()) -> Any:
-    """Give each example with each start, of `other` ones with the first alone."""
+def started(*first: str) -> Any:
+    """Give each example with each start, of some with the first alone."""
     cases = [
-        pytest.param(name, k, marks=[pytest.mark.slow] if name in LARGE and slow else [])
+        pytest.param(name, k, marks=[pytest.mark.slow] if name in slow else [])
         for name, example in EXAMPLES.items()
-        for k in range(1 if name in other else len(example.itinerary().phases))
-        for slow in [k > 0 or name not in quick]
+        for k in range(1 if name in first else len(example.itinerary().phases))
+        for slow in [(*SLOW, "dry-friction", "pair") if k else SLOW]
     ]
     return pytest.mark.parametrize(("name", "rotation"), cases)
 
 
-every_start = started("dry-friction", "one-contact", "pair")
-most_starts = started("dry-friction", "pair", other=DECLARED)
+every_start = started()
+# of the paper's orbits one start is enough for derivatives
+most_starts = started(*SLOW, "one-impact")
 
 
 def close(found: Any, expected: Any, digits: int) -> bool:

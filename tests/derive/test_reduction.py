@@ -99,10 +99,7 @@ def test_a_free_beam_moves_as_a_rigid_body():
     whole = frequencies(mass, stiffness)
     assert_allclose(reduced.frequencies[2:5], whole[2:5], rtol=1e-4)
     assert (reduced.frequencies[:2] < 1e-3).all()
-    # without the residual answers the ends would be stiffer
     truncated = reduce_structure(mass, stiffness, keep=[], modes=5, method="free-interface")
-    ends = np.linalg.inv(reduced.stiffness[:2, :2])
-    assert ends.shape == (2, 2)
     assert truncated.coordinates == ("q1", "q2", "q3", "q4", "q5")
     with pytest.raises(DeclarationError, match="not positive definite where all kept"):
         reduce_structure(mass, stiffness, keep=[0], modes=2)
