@@ -7,12 +7,15 @@ root finding.
 
 from __future__ import annotations
 
+import ctypes
 import random
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
+from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 import sympy as sp
 
@@ -29,9 +32,10 @@ from nonsmooth.derive import (
     derive_equations,
     dry_friction,
 )
+from nonsmooth.derive.codegen.emit import emit_library
 from nonsmooth.derive.codegen.kernels import orbit_kernels, spectrum_kernel
 from nonsmooth.runtime.core.arithmetic import Mpmath
-from tests.compiled_c import executed
+from tests.compiled_c import executed, library_of, needs_compiler, pointer
 from tests.declared import elastic_stop, rigid_stop
 
 LIB = Mpmath(60)
@@ -349,6 +353,59 @@ def test_every_start_gives_the_same_orbit_and_multipliers(name: str, rotation: i
     assert close(turned.multipliers(), base.multipliers(), 30)
     poincare = turned.poincare
     assert close(turned.at("trace"), sum((poincare[i, i] for i in range(poincare.rows)), 0), 40)
+
+
+@pytest.mark.parametrize("name", ["bounce", "clock", "bilinear"])
+def test_the_monodromy_matrix_keeps_the_field_and_has_all_multipliers(name: str) -> None:
+    example = solved(name)
+    states = example.orbit.system.states
+    matrix, offset = example.orbit.chain.links[0].configuration.dynamics.field(states)
+    field = table(matrix, example.known) * MP.matrix(example.states[0]) + table(
+        offset, example.known
+    )
+    monodromy = MP.matrix(example.at("monodromy"))
+    assert MP.norm(monodromy * field - field, MP.inf) < MP.mpf(10) ** -45
+    for multiplier in (*example.multipliers(), 1):
+        assert abs(MP.det(monodromy - multiplier * MP.eye(len(states)))) < MP.mpf(10) ** -25
+
+
+# --- the solver in C --------------------------------------------------------------------
+
+
+def in_c(orbit: EquationSystem, folder: Path) -> Callable[..., tuple[int, list[float]]]:
+    """The emitted solver, compiled: status and unknowns from parameters and a guess."""
+    system, name = orbit.system.name.replace("-", "_"), orbit.itinerary.name.replace("-", "_")
+    for file, text in emit_library(orbit.itinerary.system, [orbit.itinerary], "tests").items():
+        (folder / file).write_text(text, encoding="utf-8")
+    solver = library_of(folder / f"{system}.c", include=folder)[f"{system}_{name}_solve"]
+
+    def solve(*given: Sequence[Any]) -> tuple[int, list[float]]:
+        taken = [np.array(numbers, dtype=float) for numbers in given if len(numbers)]
+        unknowns = np.zeros(len(orbit.unknowns))
+        codes = np.zeros((2, 1), np.int32)
+        arrays = (*taken, unknowns, np.zeros(1), np.zeros(1), *codes)
+        solver(ctypes.c_ssize_t(1), *map(pointer, arrays))
+        return int(codes[1, 0]), unknowns.tolist()
+
+    return solve
+
+
+@needs_compiler
+@pytest.mark.parametrize(
+    "name", ["pair", "belt", pytest.param("one-contact", marks=pytest.mark.slow)]
+)
+def test_the_solver_in_c_finds_the_orbit(name: str, tmp_path: Path) -> None:
+    """And tells of a dwell time that is negative, though it is no unknown: the period's rest."""
+    example = solved(name)
+    solve = in_c(example.orbit, tmp_path)
+    status, unknowns = solve(example.values, [u * MP.mpf("1.1") for u in example.reduced])
+    assert status == 0
+    assert unknowns == pytest.approx([float(u) for u in example.unknowns], rel=1e-12, abs=1e-13)
+    if name == "one-contact":
+        values = dict(m1=1, m2=2, k1=1, k2=5, k3=1, T=6)
+        status, unknowns = solve([values[n] for n in example.derived.names], [24.4])
+        assert status == 3
+        assert unknowns[-1] > 6
 
 
 # --- derivatives ------------------------------------------------------------------------

@@ -39,7 +39,7 @@ from nonsmooth.derive.codegen.kernels import flow_kernels, spectrum_kernel
 from nonsmooth.derive.equations.program import Kernel
 from nonsmooth.derive.flows.modal import derive_flows
 from nonsmooth.runtime.core.arithmetic import FLOATS, Mpmath
-from tests.compiled_c import COMPILER, executed, library_of
+from tests.compiled_c import COMPILER, executed, library_of, pointer
 
 UNIT, DIGITS = 2.0**-53, 50
 property_test = settings(max_examples=8, phases=[Phase.generate])
@@ -135,36 +135,37 @@ def case(name: str) -> Case:
 
 
 @pytest.fixture(scope="module")
-def library(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL | None:
-    """All kernels, compiled; None without a compiler."""
-    if COMPILER is None:
-        return None
-    folder: Path = tmp_path_factory.mktemp("flows")
-    sources = [
-        c_kernel(kernel, name.replace(" ", "_"), None)
-        for name in SYSTEMS
-        for kernel in case(name).kernels
-    ]
-    (folder / "flows.c").write_text("\n".join(['#include "nonsmooth_differences.h"', *sources]))
-    return library_of(folder / "flows.c", "-O2")
+def library(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], ctypes.CDLL | None]:
+    """The kernels of a system, compiled; None without a compiler."""
+
+    @cache
+    def compiled_kernels(name: str) -> ctypes.CDLL | None:
+        if COMPILER is None:
+            return None
+        sources = [c_kernel(each, name.replace(" ", "_"), None) for each in case(name).kernels]
+        file: Path = tmp_path_factory.mktemp("flows") / "flows.c"
+        file.write_text("\n".join(['#include "nonsmooth_differences.h"', *sources]))
+        return library_of(file, "-O2")
+
+    return compiled_kernels
 
 
 def compiled(
     library: ctypes.CDLL, name: str, values: Mapping[str, float], t: float, state: Sequence[float]
 ) -> list[float]:
-    def doubles(numbers: Sequence[float]) -> Any:
-        return (ctypes.c_double * max(1, len(numbers)))(*numbers)
-
     def function(kernel: Kernel) -> Any:
         return library[f"{name} {kernel.name}".replace(" ", "_").replace("-", "_")]
 
     known = case(name)
     first, second = known.kernels
-    spectrum, derivatives = (doubles([0.0] * len(o.expressions)) for o in first.outputs)
-    function(first)(doubles([values[n] for n in known.spectrum]), spectrum, derivatives)
-    found = doubles([0.0] * len(state))
-    parameters = doubles([values[n] for n in known.parameters])
-    function(second)(parameters, spectrum, ctypes.c_double(t), doubles(state), found)
+    spectrum, derivatives = (np.zeros(len(o.expressions)) for o in first.outputs)
+    own, parameters = (
+        np.array([values[n] for n in names]) for names in (known.spectrum, known.parameters)
+    )
+    function(first)(*map(pointer, (own, spectrum, derivatives)))
+    begin, found = np.array(state), np.zeros(len(state))
+    given = pointer(parameters), pointer(spectrum), ctypes.c_double(t), pointer(begin)
+    function(second)(*given, pointer(found))
     return list(found)
 
 
@@ -264,4 +265,4 @@ def test_the_error_of_a_flow_is_bounded(
     library: Any, name: str, data: Any, periods: float, state: list[float]
 ) -> None:
     numbers, most = DRAWN[name]
-    assert worst(library, name, data.draw(numbers), periods, state) <= most
+    assert worst(library(name), name, data.draw(numbers), periods, state) <= most

@@ -186,7 +186,7 @@ def test_what_has_no_equations_is_refused(itinerary: Itinerary, message: str) ->
         (rigid_stop.one_impact, {"start": {"x2": "T"}}, "'T' has the name of something else"),
         (rigid_stop.one_impact, {"start": {"x2": "m1"}}, "'m1' has the name of something else"),
         (rigid_stop.one_impact, {"start": {"x2": "v1"}}, "'v1' has the name of something else"),
-        (rigid_stop.one_impact, {"start": {"x2": "2y"}}, "unknown '2y' is not an identifier"),
+        (rigid_stop.one_impact, {"start": {"x2": "lambda"}}, "'lambda' is not an identifier"),
         (
             elastic_stop.one_contact,
             {"period": Parameter("k3", "period")},
