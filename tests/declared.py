@@ -20,6 +20,8 @@ from nonsmooth.derive import Itinerary, Phase, SecondOrder
 from nonsmooth.derive.systems import declaration
 from nonsmooth.runtime.orbits.orbit import Orbit
 
+elastic_stop, rigid_stop = map(declaration, ("elastic-stop", "rigid-stop"))
+
 
 @cache
 def itinerary_of(name: str) -> Itinerary:

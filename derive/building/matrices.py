@@ -19,6 +19,7 @@ from nonsmooth.derive.errors import DeclarationError
 
 __all__ = ["chain_matrices", "is_array", "read_matrices", "square", "values_of_doubles"]
 
+_OF_WORDS = "OUT"  # kinds of arrays that hold objects or texts
 _MORE_LINKS = {"none": -1, "left": 0, "right": 0, "both": 1}
 
 
@@ -97,7 +98,7 @@ def is_array(given: Any) -> bool:
     """
     if np.ma.is_masked(given):
         raise DeclarationError(f"{shown(given)} has masked values")
-    return hasattr(given, "dtype") and hasattr(given, "shape") and given.dtype.kind not in "OU"
+    return hasattr(given, "dtype") and hasattr(given, "shape") and given.dtype.kind not in _OF_WORDS
 
 
 def values_of_doubles(given: Any, what: str) -> list[sp.Rational]:

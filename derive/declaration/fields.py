@@ -192,7 +192,10 @@ def rows_of(given: Any, what: str) -> sp.Matrix:
         if not isinstance(given, sp.MatrixBase):
             given = given.toarray() if hasattr(given, "toarray") else given
             given = np.asarray(given).tolist() if hasattr(given, "__array__") else given
-            rows = made(tuple[tuple[Any, ...], ...], given, what)
+            rows = [
+                (row,) if _is_matrix(row) else made(tuple[Any, ...], row, what)
+                for row in made(tuple[Any, ...], given, what)
+            ]
             given = sp.Matrix([[_block(entry, what) for entry in row] for row in rows])
         if all(entry.is_Rational for entry in given.todok().values()):
             return given
@@ -206,7 +209,12 @@ def rows_of(given: Any, what: str) -> sp.Matrix:
 
 def _block(entry: Any, what: str) -> Any:
     """An entry of a matrix, which may be a matrix itself."""
-    return rows_of(entry, what) if isinstance(entry, sp.MatrixBase | MatrixExpr) else exact(entry)
+    return rows_of(entry, what) if _is_matrix(entry) else exact(entry)
+
+
+def _is_matrix(given: Any) -> bool:
+    """Whether something is a matrix of SymPy, whose entries may be formulas."""
+    return isinstance(given, sp.MatrixBase | MatrixExpr)
 
 
 def _without_axes(given: Any) -> Any:

@@ -34,28 +34,39 @@ def _root(first: Any, *others: Any) -> Any:
         raise DeclarationError(f"root {first} of a polynomial is beyond its real ones") from None
 
 
+def _exponential(value: Any) -> Any:
+    """The exponential, which of a logarithm is a power."""
+    for term in sp.Add.make_args(value):
+        factor, inner = term.as_coeff_Mul()
+        if isinstance(inner, sp.log):
+            _power(inner.args[0], factor)
+    return sp.exp(value)
+
+
 _FUNCTIONS: dict[str, Callable[..., Any]] = {
     name: getattr(sp, name)
     for name in (
-        *("exp", "log", "ln", "sin", "cos", "tan", "cot", "sec", "csc"),
+        *("log", "ln", "sin", "cos", "tan", "cot", "sec", "csc"),
         *("asin", "acos", "atan", "acot", "asec", "acsc", "atan2", "sinh", "cosh", "tanh", "coth"),
         *("sech", "csch", "asinh", "acosh", "atanh", "acoth", "asech", "acsch"),
         *("Abs", "Max", "Min", "sign", "Rational", "Integer"),
     )
 } | {
     "abs": sp.Abs,
+    "exp": _exponential,
     "root": _root,
-    "sqrt": lambda value: sp.sqrt(value),
-    "cbrt": lambda value: sp.cbrt(value),
-    "S": lambda value: value,
+    "sqrt": sp.sqrt,
+    "cbrt": sp.cbrt,
+    "S": sp.S,
 }
+_OF_ONE = ("exp", "sqrt", "cbrt", "S")  # SymPy's own have options too
 
 
 def formula(text: str) -> sp.Expr:
     """The expression that a text says, in SymPy's words; a decimal is the double it stands for.
 
-    A name is a symbol, also where SymPy has a function or number of that name: E, S, N, gamma.
-    DeclarationError says what is not known in it.
+    A name is a symbol, but for the constants and functions above: also where SymPy has a function
+    or number of that name (E, N, gamma). DeclarationError says what is not known in it.
     """
     try:
         tokens = _tokens(text)
@@ -118,6 +129,8 @@ def _value(node: ast.expr, names: dict[str, str]) -> Any:
         case ast.Call(func=ast.Name(id=name)) if name not in _FUNCTIONS:
             raise DeclarationError(f"the function {name} is not known in it")
         case ast.Call(func=ast.Name(id=name), args=arguments, keywords=[]):
+            if name in _OF_ONE and len(arguments) != 1:
+                raise DeclarationError(f"the function {name} takes one value")
             value = _FUNCTIONS[name](*[_value(each, names) for each in arguments])
         case _:
             raise DeclarationError(f"{ast.unparse(node)!r} is not allowed in it")
@@ -127,11 +140,14 @@ def _value(node: ast.expr, names: dict[str, str]) -> Any:
 
 
 def _power(base: Any, exponent: Any) -> Any:
-    """A power; refused if it is an enormous number."""
-    if base.is_Rational and exponent.is_Rational:
-        bits = max(abs(int(part)).bit_length() for part in (base.p, base.q))
-        if bits * abs(exponent) > _LARGEST_POWER:
-            raise DeclarationError(f"the power {exponent} is too large")
+    """A power; refused if a number in it becomes enormous."""
+    for factor in sp.Mul.make_args(base):
+        number, inner = factor.as_base_exp()
+        power = inner * exponent
+        if number.is_Rational and power.is_Rational and abs(number) not in (0, 1):
+            bits = max(abs(int(part)).bit_length() for part in (number.p, number.q))
+            if bits * abs(power) > _LARGEST_POWER:
+                raise DeclarationError(f"the power {exponent} is too large")
     return base**exponent
 
 

@@ -22,6 +22,7 @@ from nonsmooth.derive.errors import DeclarationError
 __all__ = ["is_irrational", "map_numbers", "nearest_double", "number_text", "settled"]
 
 _FUNCTIONS = (sp.sin, sp.cos, sp.exp, sp.log, sp.asin, sp.acos, sp.atan)
+_EXPONENTIAL = (sp.exp, sp.sinh, sp.cosh, sp.tanh, sp.coth)
 _WRITTEN = (sp.Rational, sp.Pow, sp.Add, sp.Mul, sp.pi.func, sp.E.func, *_FUNCTIONS)
 _REWRITTEN = {
     sp.tan: sp.sin, sp.cot: sp.sin, sp.sec: sp.cos, sp.csc: sp.sin,
@@ -30,6 +31,9 @@ _REWRITTEN = {
 }  # fmt: skip
 _DIGITS = 60
 _NOISE = sp.Rational(10) ** -(_DIGITS - 15)
+_MOST_DIGITS = 4000  # of the whole numbers in a number; Python writes 4300
+_LARGEST_LOGARITHM = 745  # of a number that a double holds, in size
+_LARGEST_EXPANDED = 200  # power of a sum
 _LARGEST_DENOMINATOR = 10**6  # of a rational number that is written with irrational ones
 _X = sp.Dummy("x")
 
@@ -75,6 +79,9 @@ def settled(expression: Any) -> Any:
     """
     if expression.is_Atom and not expression.is_number:
         return expression
+    for number in expression.atoms(sp.Rational):
+        if max(abs(number.p), number.q) > 10**_MOST_DIGITS:
+            raise DeclarationError(f"it has a number of more than {_MOST_DIGITS} digits")
     return map_numbers(expression, _settled, _is_closed)
 
 
@@ -89,7 +96,9 @@ def _is_closed(expression: Any) -> bool:
 def _settled(number: Any) -> Any:
     if number.is_real is False and not number.has(sp.I):
         raise DeclarationError(f"{number} is no real number")
-    found = sp.expand(number.replace(lambda e: e.func in _REWRITTEN, _rewritten), func=True)
+    largest = _largest_power(number)
+    found = number.replace(lambda e: e.func in _REWRITTEN, _rewritten)
+    found = sp.expand(found, func=True, multinomial=largest <= _LARGEST_EXPANDED)
     value = sp.N(found, _DIGITS)
     if found.has(sp.I) or not isinstance(value, sp.Float | sp.Rational):
         found, value = _as_root(number, found, value)
@@ -102,6 +111,26 @@ def _settled(number: Any) -> Any:
     number_text(found)
     nearest_double(found)
     return found
+
+
+def _largest_power(number: Any) -> Any:
+    """The largest exponent, in size, in a number.
+
+    DeclarationError refuses a power that no double comes near; inner ones are looked at first.
+    """
+    largest = sp.S.Zero
+    for part in sp.postorder_traversal(number):
+        if part.func in _EXPONENTIAL and part.is_number:
+            logarithm = sp.N(part.args[0], 15)
+        elif isinstance(part, sp.Pow) and part.is_number:
+            base, exponent = (sp.N(each, 15) for each in part.args)
+            largest = max(largest, abs(exponent))
+            logarithm = exponent * sp.log(abs(base))
+        else:
+            continue
+        if abs(logarithm).is_finite and abs(logarithm) > _LARGEST_LOGARITHM:
+            raise DeclarationError(f"{part} is beyond the range of doubles")
+    return largest
 
 
 def nearest_double(number: Any) -> float:

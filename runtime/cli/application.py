@@ -29,7 +29,6 @@ __all__ = [
     "PURPOSES",
     "UNANSWERED",
     "WRONG_INPUT",
-    "Commands",
     "app",
     "fail",
     "is_unread",
@@ -54,20 +53,7 @@ PURPOSES = {
 }
 
 
-class Commands(TyperGroup):
-    """A group of commands that says where one is that it has not."""
-
-    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
-        """Find the command of the first word."""
-        name = args[0] if args else ""
-        proofs: Any = ctx.find_root().command.commands.get("certify", self)
-        if name not in self.commands and name in proofs.commands:
-            place = f"nonsmooth certify {name}"
-            raise _UsageError(f"no such command '{name}'; in its place: {place}", ctx)
-        return super().resolve_command(ctx, args)
-
-
-class _Door(Commands):
+class _Door(TyperGroup):
     """The group of all commands; whatever exception stops a command leaves through `fail`."""
 
     def list_commands(self, ctx: Any) -> list[str]:
@@ -190,9 +176,6 @@ def _elsewhere(problem: Any) -> str:
     if name is None or problem.ctx is None:
         return ""
     every = dict(_commands(problem.ctx.find_root().command, "nonsmooth"))
-    word = f"nonsmooth certify {name.lstrip('-')}"
-    if word in every:
-        return f"; in its place: {word}"
     having = [path for path, one in every.items() if any(name in p.opts for p in one.params)]
     return f"; it is one of {', '.join(having)}" if having else ""
 

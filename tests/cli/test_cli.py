@@ -18,9 +18,9 @@ from typer.main import get_command
 from typer.testing import CliRunner
 
 import nonsmooth
+from nonsmooth.derive import dry_friction
 from nonsmooth.derive.codegen import regenerate as generation
 from nonsmooth.derive.document import describe
-from nonsmooth.derive.systems import dry_friction
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.files import write_files
 from nonsmooth.runtime.model.kernels import load_orbit, orbit_names

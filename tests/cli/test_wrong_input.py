@@ -26,7 +26,6 @@ CHART = f"chart {STICK} V=0.9:1.1:3 --out c.zarr"
 BOX, BRANCH = f"certify box {STICK} V=0.99:1.01", f"certify branch {SYMMETRIC} V=0.9:1.2"
 DESIGN = f"design {SYMMETRIC} V=0.6:1.3"
 FIT = "fit identification.py impacts.csv c=0.05 h=0.2 w=2.1 k=2.3:2.7 r=0.7:1 --from x=-0.6,v=0.1"
-ELSEWHERE = "; in its place: nonsmooth"
 # of commands, and what each is told
 ORBITS = [
     ("dry-friction/global-stik", "did you mean 'dry-friction/global-stick'?"),
@@ -135,8 +134,6 @@ WRONG = [
     (f"certify {STICK} --save .", "it is a folder"),
     (f"certify {STICK} --overwrite", "--overwrite"),
     (f"certify {STICK} --tiles 3", "--tiles"),
-    (f"certify {STICK} --all", f"{ELSEWHERE} certify all"),
-    (f"basin {STICK}", f"{ELSEWHERE} certify basin"),
     ("certify check nowhere.json", "nowhere.json"),
     ("certify check a.json --tiles 3", "--tiles"),
     ("certify box --branch", "--branch"),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import product
 from typing import Any
 
 import numpy as np
@@ -11,7 +10,6 @@ import sympy as sp
 from scipy.optimize import lsq_linear
 
 from nonsmooth.derive import (
-    DeclarationError,
     FirstOrder,
     Friction,
     Harmonic,
@@ -23,11 +21,12 @@ from nonsmooth.derive import (
     System,
     Transition,
     chain_matrices,
+    dry_friction,
     oscillator,
 )
-from nonsmooth.derive.systems import dry_friction, elastic_stop, rigid_stop
 from nonsmooth.runtime.events.transition_choice import Decider
 from nonsmooth.runtime.model.piecewise import piecewise
+from tests.declared import elastic_stop, rigid_stop
 
 chi, eta, V, us1, ur1, us2, ur2, r = sp.symbols("chi eta V us1 ur1 us2 ur2 r")
 m1, m2, k1, k2, k3 = sp.symbols("m1 m2 k1 k2 k3")
@@ -97,15 +96,18 @@ def test_the_built_in_systems_are_built_again(name: str) -> None:
     }
 
 
-def energy_of(mass: np.ndarray, velocities: np.ndarray) -> float:
-    return float(velocities @ mass @ velocities / 2)
-
-
 def after(system: System, transition: Transition, velocities: np.ndarray) -> np.ndarray:
     size = len(velocities)
     state = sp.Matrix([0] * size + [sp.Rational(str(v)) for v in velocities])
     found = transition.reset_of(state, system.states)
     return np.array([float(value) for value in found[size:]])
+
+
+def struck(velocities: np.ndarray, row: np.ndarray, restitution: float) -> np.ndarray:
+    """Velocities behind an impact along a row, whose impulse acts along it too."""
+    inverse = np.linalg.inv(FULL[: len(row), : len(row)])
+    impulse = (1 + restitution) * (row @ velocities) / (row @ inverse @ row)
+    return velocities - impulse * (inverse @ row)
 
 
 @pytest.mark.parametrize("direction", ["x2", {"x1": -1, "x3": 1}])
@@ -117,13 +119,8 @@ def test_an_impact_obeys_newton_along_the_inverse_mass(direction: Any, side: str
     impact = next(t for t in system.transitions if t.source == t.target == "free")
     velocities = np.round(np.random.default_rng(3).normal(size=3), 6)
     velocities *= np.sign(row @ velocities) * (1 if side == "upper" else -1)
-    behind = after(system, impact, velocities)
-    assert row @ behind == pytest.approx(-0.6 * (row @ velocities), abs=1e-14)
-    impulse = FULL @ (behind - velocities)
-    assert np.allclose(impulse, (impulse @ row) / (row @ row) * row, atol=1e-13)
-    lost = energy_of(FULL, velocities) - energy_of(FULL, behind)
-    effective = 1 / (row @ np.linalg.inv(FULL) @ row)
-    assert lost == pytest.approx(effective * (1 - 0.6**2) * (row @ velocities) ** 2 / 2, rel=1e-13)
+    wanted = struck(velocities, row, 0.6)
+    assert np.allclose(after(system, impact, velocities), wanted, atol=1e-14)
 
 
 def test_two_stops_at_one_instant_act_one_after_another() -> None:
@@ -132,11 +129,8 @@ def test_two_stops_at_one_instant_act_one_after_another() -> None:
     both = {"x1-upper-reaches-stop", "x2-upper-reaches-stop"}
     impact = next(t for t in system.transitions if t.source == "free-free" and t.boundaries == both)
     velocities = np.array([0.25, 2.0])
-    inverse = np.linalg.inv(FULL[:2, :2])
-    expected = velocities.copy()
-    for row in np.eye(2):
-        expected -= 1.5 * (row @ expected) / (row @ inverse @ row) * (inverse @ row)
-    assert np.allclose(after(system, impact, velocities), expected, atol=1e-14)
+    wanted = struck(struck(velocities, np.array([1, 0]), 0.5), np.array([0, 1]), 0.5)
+    assert np.allclose(after(system, impact, velocities), wanted, atol=1e-14)
 
 
 def decided(system: System, source: str, boundaries: set[str], state: np.ndarray) -> str:
@@ -207,6 +201,7 @@ def test_forcing_adds_two_states_each_and_sliders_one() -> None:
         forcing=[Harmonic(w, {"x2": 3}), Harmonic(2, sine=(1, 0))],
         elements=[Slider({"x2": 1, "x1": -1}, stiffness=4, limit=1, name="joint")],
     )  # fmt: skip
+    assert system.description == "oscillator with 2 coordinates"
     assert " ".join(map(str, system.states)) == "x1 x2 v1 v2 c1 s1 c2 s2 s_joint"
     assert [(str(c), str(s)) for c, s in system.forcing] == [("c1", "s1"), ("c2", "s2")]
     x1, x2, v1, v2, c1, s1, _, s2, joint = system.states
@@ -231,65 +226,13 @@ def test_a_chain_stores_the_energy_of_its_springs(fixed: str, links: int) -> Non
     assert damping.is_zero_matrix
 
 
-@pytest.mark.slow
-def test_every_product_has_transitions_for_all_sets_of_boundaries() -> None:
-    mass, stiffness, damping = chain_matrices([m1, m2], [k1, k2], sp.symbols("d1 d2"))
-    elements = [
-        Friction("x1", us1, ur1, V),
-        Friction("x2", us2, ur2, V),
-        RigidStop("x1", 1, r),
-        SoftStop("x2", 1, k3),
-    ]
-    system = oscillator("many", ["x1", "x2"], mass, stiffness, damping, elements=elements)
-    names = {c.name for c in system.configurations}
-    assert "slip-stick-contact-free" in names
-    # a mass that the belt carries cannot rest at a stop
-    assert not any(n.startswith(("stick", "overshoot")) and "-contact-" in n for n in names)
-    sets = {(t.source, t.boundaries) for t in system.transitions}
-    assert len(sets) < 2000
-    for configuration in system.configurations:
-        for first, second in product(configuration.boundaries, repeat=2):
-            parts = {b.name.split("-", 1)[0] + b.name.split("-")[-1] for b in (first, second)}
-            if first == second or (len(parts) == 2 and first.name[:2] != second.name[:2]):
-                assert (configuration.name, frozenset({first.name, second.name})) in sets
-
-
-@pytest.mark.parametrize("damping", [0, "0", sp.Integer(0), sp.Rational(1, 5)])
+@pytest.mark.parametrize("damping", [0, sp.Rational(1, 5)])
 def test_the_force_of_a_stop_without_a_damper_vanishes_as_the_gap_opens(damping: Any) -> None:
     """A phase between the two would take no time."""
     stop = SoftStop("x", 1, 10, damping, released="force")
     system = oscillator("clearance", ["x"], [[1]], [[1]], elements=[stop])
-    regimes = {"free", "contact", "released"} if sp.sympify(damping) else {"free", "contact"}
+    regimes = {"free", "contact", "released"} if damping else {"free", "contact"}
     assert {configuration.name for configuration in system.configurations} == regimes
-
-
-C, D = sp.symbols("c d", positive=True)
-
-
-@pytest.mark.parametrize(
-    ("damping", "domains"),
-    [
-        (sp.Symbol("c", nonnegative=True), ()),
-        ("c", (Parameter("c", "", closed=True),)),
-        ("c", (Parameter("c", "", -1, 1),)),
-        (C - D, ()),
-        ((C - D) ** 2, ()),
-    ],
-)
-def test_a_damper_that_may_vanish_is_released_with_the_gap(damping: Any, domains: Any) -> None:
-    stops = {name: SoftStop("x", 1, 10, damping, released=name) for name in ("gap", "force")}
-    oscillator("gap", ["x"], [[1]], [[1]], elements=[stops["gap"]], parameters=domains)
-    with pytest.raises(DeclarationError, match=r"may be zero.*leaves out 0.*released='gap'"):
-        oscillator("force", ["x"], [[1]], [[1]], elements=[stops["force"]], parameters=domains)
-
-
-@pytest.mark.parametrize("damping", [C, C * D, 2 * C / (1 + D), C + D])
-def test_a_damper_that_does_not_vanish_is_released_by_its_force(damping: Any) -> None:
-    stop = SoftStop("x", 1, 10, damping, released="force")
-    system = oscillator("force", ["x"], [[1]], [[1]], elements=[stop])
-    assert {configuration.name for configuration in system.configurations} == {
-        "free", "contact", "released",
-    }  # fmt: skip
 
 
 def test_domains_are_inferred() -> None:
@@ -298,6 +241,7 @@ def test_domains_are_inferred() -> None:
         "domains", ["x"], [[m1]], [[k1]], [[drag]], [load],
         elements=[RigidStop("x", 1, r)], parameters=[Parameter("k1", "stiffness", upper=2)],
     )  # fmt: skip
+    assert system.description == "oscillator with 1 coordinate"
     domains = {p.name: (p.lower, p.upper, p.closed, p.upper_closed) for p in system.parameters}
     assert domains == {
         "k1": (0, 2, False, False),
@@ -306,9 +250,3 @@ def test_domains_are_inferred() -> None:
         "load": (-sp.oo, sp.oo, False, False),
         "r": (0, 1, True, True),
     }
-
-
-@pytest.mark.parametrize(("names", "words"), [("x", "1 coordinate"), ("xy", "2 coordinates")])
-def test_a_system_says_how_many_coordinates_it_has(names: str, words: str) -> None:
-    unit = np.eye(len(names), dtype=int).tolist()
-    assert oscillator("plain", [*names], unit, unit).description == f"oscillator with {words}"

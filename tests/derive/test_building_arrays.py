@@ -15,7 +15,6 @@ from nonsmooth.derive import (
     SoftStop,
     oscillator,
 )
-from nonsmooth.derive.declaration.algebra import affine_terms
 
 NAMES = ["x1", "x2", "x3"]
 MASS = np.array([[2.0, 0.1, 0.0], [0.1, 1.0, 0.0], [0.0, 0.0, 3.0]])
@@ -88,37 +87,3 @@ def test_masses_are_taken_if_they_are_positive_definite_exactly():
         else:
             with pytest.raises(DeclarationError, match="mass is not positive definite"):
                 oscillator("s", names, dense, np.eye(size))
-
-
-def test_terms_of_affine_functions():
-    x, v, k = sp.symbols("x v k", real=True)
-    states = frozenset({x, v})
-    for function in (
-        k * x + 2 * v - 3, k * (x - 1) + x, x - x / k, (x + v) * k / 2 + k, sp.S(4), x, -v,
-    ):  # fmt: skip
-        slopes, rest = affine_terms(function, states)
-        for s in states:
-            assert sp.expand(slopes.get(s, 0) - sp.diff(function, s)) == 0
-        assert sp.expand(rest - function.subs({x: 0, v: 0})) == 0
-    slopes, _ = affine_terms(k * x**2 + v * sp.sin(v), states)
-    assert all(slope.free_symbols & states for slope in slopes.values())
-
-
-def test_a_hundred_coordinates_with_four_stops():
-    """By direct assembly: what moves in contact is what moves free, less the held coordinates."""
-    size, at = 100, [24, 49, 74, 99]
-    stiffness = 2 * np.eye(size) - np.eye(size, k=1) - np.eye(size, k=-1)
-    mass = np.diag(np.linspace(1, 2, size))
-    names = [f"x{i}" for i in range(size)]
-    system = oscillator(
-        "chain", names, mass, stiffness, 0.01 * stiffness,
-        elements=[SoftStop(names[i], at=1, stiffness=8.0, name=f"stop{i}") for i in at],
-    )  # fmt: skip
-    assert len(system.configurations) == 16
-    for configuration in system.configurations:
-        pressed = ["contact" in regime for regime in configuration.name.split("-")]
-        added = np.zeros((size, size))
-        added[at, at] = 8.0 * np.array(pressed)
-        dynamics = configuration.dynamics
-        assert (np.array(dynamics.stiffness.tolist(), dtype=float) == stiffness + added).all()
-        assert (np.array(dynamics.mass.tolist(), dtype=float) == mass).all()

@@ -10,8 +10,8 @@ import sympy as sp
 
 from nonsmooth import solve
 from nonsmooth.derive import DerivationError, Itinerary, Reference, derive_equations
-from nonsmooth.derive.systems import rigid_stop
 from nonsmooth.runtime.model.loading.declared import declaration_in
+from tests.declared import rigid_stop
 from tests.derive.test_equations import MP, Derived
 from tests.places import GALLERY
 

@@ -6,13 +6,8 @@ import numpy as np
 import pytest
 import sympy as sp
 from numpy.testing import assert_allclose, assert_array_equal
-from scipy.linalg import expm
 
-from nonsmooth.derive import RigidStop, chain_matrices, oscillator
-from nonsmooth.derive.codegen.simulation_form import SimulationForm
-from nonsmooth.derive.flows.modal import TIME, derive_flows
 from nonsmooth.derive.systems import SYSTEMS, declaration
-from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at
 from nonsmooth.runtime.model.structure import structure_of
@@ -63,9 +58,9 @@ def check_rows(name, found, declared, values):
 
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.usefixtures("backend")
-def test_boundaries_constraints_and_contacts_are_the_declared_ones(name):
+def test_fields_boundaries_constraints_and_contacts_are_the_declared_ones(name):
     system, structure, declared = declaration(name).system, structure_of(name), []
-    states, size = system.states, len(system.states) // 2
+    states, size, fields = system.states, len(system.states) // 2, []
     assert [*structure.configurations] == [c.name for c in system.configurations]
     for place, configuration in enumerate(system.configurations):
         held = configuration.dynamics.held
@@ -73,6 +68,8 @@ def test_boundaries_constraints_and_contacts_are_the_declared_ones(name):
         functions += configuration.constraints
         declared += zip(structure.constraints[place], functions, strict=True)
         assert structure.held[place] == tuple(map(states.index, held))
+        matrix, offset = configuration.dynamics.field(states)
+        fields.append(matrix * sp.Matrix(states) + offset)
         for shape, boundary in zip(
             structure.boundaries[place], configuration.boundaries, strict=True
         ):
@@ -86,80 +83,10 @@ def test_boundaries_constraints_and_contacts_are_the_declared_ones(name):
         declared += [(shape.velocity, contact.velocity), (shape.surface, contact.surface)]
         declared += [(row, contact.forces[where]) for where, row in forces.items()]
     for values in points(name):
-        check_rows(name, at(name, values), declared, values)
-
-
-@pytest.mark.parametrize("name", NAMES)
-@pytest.mark.usefixtures("backend")
-def test_fields_are_the_equations_of_motion(name):
-    system = declaration(name).system
-    size = len(system.states) // 2
-    for values in points(name, 2):
-        substitution = {p.symbol: values[p.name] for p in system.parameters}
         found = at(name, values)
-        for place, configuration in enumerate(system.configurations):
-            dynamics, field = configuration.dynamics, found.fields[place]
-
-            def in_floats(matrix, substitution=substitution):
-                return np.array(sp.Matrix(matrix).subs(substitution).tolist(), dtype=float)
-
-            mass, stiffness = in_floats(dynamics.mass), in_floats(dynamics.stiffness)
-            load = in_floats(dynamics.load).ravel()
-            held = [system.states.index(x) for x in dynamics.held]
-            free = [i for i in range(size) if i not in held]
-            assert_array_equal(field[:size, size:-1], np.eye(size))
-            state = np.random.default_rng(place).normal(size=2 * size)
-            rate = field[:, :-1] @ state + field[:, -1]
-            # M a + K x = load in the free coordinates; the held ones have no acceleration
-            missed = mass @ rate[size:] + stiffness @ state[:size] - load
-            assert_allclose(missed[free], 0, atol=1e-13)
-            assert not rate[[size + i for i in held]].any()
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", NAMES)
-@pytest.mark.usefixtures("backend")
-def test_transitions_and_resets_are_the_declared_ones(name):
-    system, structure = declaration(name).system, structure_of(name)
-    assert sum(map(len, structure.transitions)) == len(system.transitions)
-    for values in points(name, 1):
-        found = at(name, values)
-        assert_array_equal(found.resets[0], np.eye(len(system.states), 5))
-        for place, configuration in enumerate(system.configurations):
-            # in the order of the declaration: the first whose conditions hold is taken
-            wanted = [t for t in system.transitions if t.source == configuration.name]
-            for shape, transition in zip(structure.transitions[place], wanted, strict=True):
-                names = {structure.boundaries[place][b].name for b in shape.boundaries}
-                assert names == transition.boundaries
-                assert structure.configurations[shape.target] == transition.target
-                rules = dict(transition.reset.items())
-                column = [rules.get(s, s) for s in system.states]
-                jump = found.resets[shape.reset]
-                assert_allclose(jump, numbers(name, column, values), atol=1e-15)
-                for (row, along, holds), condition in zip(
-                    shape.conditions, transition.conditions, strict=True
-                ):
-                    assert structure.configurations[along] == condition.along
-                    assert holds is condition.holds
-                    check_rows(name, found, [(row, condition.function)], values)
-
-
-@pytest.mark.parametrize("name", NAMES)
-@pytest.mark.usefixtures("backend")
-def test_flows_of_modes_are_matrix_exponentials(name):
-    random = np.random.default_rng(4)
-    times = np.array([0.0, 1e-6, 0.3, 2.0, 9.0])
-    for values in points(name, 3):
-        system = at(name, values)
-        for place in range(len(system.structure.configurations)):
-            field = system.fields[place]
-            start = random.normal(size=field.shape[0])
-            found = flow_states(system, place, times, start)
-            for time, state in zip(times, found, strict=True):
-                generator = np.vstack([field, np.zeros(field.shape[1])])
-                wanted = (expm(generator * time) @ np.append(start, 1.0))[:-1]
-                scale = max(1.0, np.abs(wanted).max())
-                assert_allclose(state, wanted, rtol=0, atol=2e-12 * scale)
+        check_rows(name, found, declared, values)
+        for field, rates in zip(found.fields, fields, strict=True):
+            assert_allclose(field, numbers(name, rates, values), rtol=1e-14, atol=1e-15)
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -171,32 +98,3 @@ def test_numbers_of_many_points_are_those_of_each(name):
         one = piecewise_at(kernels, point)
         parts = (one.fields, one.rows, one.resets, *one.exponents, *one.flows)
         assert_array_equal(row, np.concatenate([p.ravel() for p in parts]))
-
-
-# --- a system without modes in closed form
-
-
-def form_of(size):
-    """So many masses in a row, the first in front of a stop."""
-    names = [f"x{i}" for i in range(1, size + 1)]
-    mass, stiffness, _ = chain_matrices(range(1, size + 1), [sp.Symbol("k")] * size)
-    system = oscillator("row", names, mass, stiffness, elements=[RigidStop("x1", 1, 1)])
-    return SimulationForm(system, *derive_flows(system))
-
-
-def test_two_masses_have_modes():
-    found = form_of(2)
-    assert found.table()["modes"] is not None
-    modes = found.modes["free"]
-    assert [(m.oscillates, m.length) for m in modes if m.oscillates] == [(True, 1)] * 2
-    assert modes[0].terms == (sp.Integer(1),)
-    for mode in modes[1:]:
-        assert mode.terms == (sp.cos(mode.frequency * TIME), sp.sin(mode.frequency * TIME))
-
-
-def test_entire_functions_are_no_modes():
-    found = form_of(3)
-    assert found.flows["free"].modes is None
-    assert found.modes is None
-    assert found.table()["modes"] is None
-    assert [kernel.name for kernel in found.kernels()] == ["fields", "rows", "resets"]

@@ -3,11 +3,11 @@
 import pytest
 import sympy as sp
 
+from nonsmooth.derive import dry_friction
 from nonsmooth.derive.document.blocks import Heading, Paragraph
 from nonsmooth.derive.document.printer import Notation
 from nonsmooth.derive.document.sections.template import compose, sentence
 from nonsmooth.derive.document.wording import Naming
-from nonsmooth.derive.systems import dry_friction
 
 _NAMING = Naming(Notation(dry_friction.system.states, ()), dry_friction.system)
 _X = sp.Symbol("x", real=True)

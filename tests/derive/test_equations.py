@@ -30,12 +30,13 @@ from nonsmooth.derive import (
     System,
     Transition,
     derive_equations,
+    dry_friction,
 )
 from nonsmooth.derive.codegen.emit import emit_library
 from nonsmooth.derive.codegen.kernels import orbit_kernels, spectrum_kernel
-from nonsmooth.derive.systems import dry_friction, elastic_stop, rigid_stop
 from nonsmooth.runtime.core.arithmetic import Mpmath
 from tests.compiled_c import executed, library_of, needs_compiler, pointer
+from tests.declared import elastic_stop, rigid_stop
 
 LIB = Mpmath(60)
 MP = LIB.mp
@@ -296,25 +297,24 @@ def solved(name: str, rotation: int = 0) -> Solved:
     return Solved(name, rotation)
 
 
-# two masses take long: of these orbits few are not slow, and only from their own start
-LARGE = ("dry-friction", "symmetric", "solution-ii", "one-contact", "pair")
-# of the declared orbits one rotation is enough for derivatives
-DECLARED = ("symmetric", "solution-ii", "one-impact", "one-contact")
+# two masses take long
+SLOW = ("symmetric", "solution-ii", "one-contact")
 
 
-def started(*quick: str, other: tuple[str, ...] = ()) -> Any:
-    """Give each example with each start, of `other` ones with the first alone."""
+def started(*first: str) -> Any:
+    """Give each example with each start, of some with the first alone."""
     cases = [
-        pytest.param(name, k, marks=[pytest.mark.slow] if name in LARGE and slow else [])
+        pytest.param(name, k, marks=[pytest.mark.slow] if name in slow else [])
         for name, example in EXAMPLES.items()
-        for k in range(1 if name in other else len(example.itinerary().phases))
-        for slow in [k > 0 or name not in quick]
+        for k in range(1 if name in first else len(example.itinerary().phases))
+        for slow in [(*SLOW, "dry-friction", "pair") if k else SLOW]
     ]
     return pytest.mark.parametrize(("name", "rotation"), cases)
 
 
-every_start = started("dry-friction", "one-contact", "pair")
-most_starts = started("dry-friction", "pair", other=DECLARED)
+every_start = started()
+# of the paper's orbits one start is enough for derivatives
+most_starts = started(*SLOW, "one-impact")
 
 
 def close(found: Any, expected: Any, digits: int) -> bool:
@@ -369,17 +369,6 @@ def test_the_monodromy_matrix_keeps_the_field_and_has_all_multipliers(name: str)
         assert abs(MP.det(monodromy - multiplier * MP.eye(len(states)))) < MP.mpf(10) ** -25
 
 
-def test_what_is_left_to_be_solved_for() -> None:
-    """Of the pair there is no map in one variable: it has two multipliers.
-
-    On the spring of `bounce` the dwell time depends on the speed of departure, so that the wall's
-    condition is not linear in that speed: both stay unknown.
-    """
-    pair, bounce = (solved(name).orbit.reduction for name in ("pair", "bounce"))
-    assert pair.start is None
-    assert len(solved("pair").multipliers()) == len(bounce.unknowns) == 2
-
-
 # --- the solver in C --------------------------------------------------------------------
 
 
@@ -402,7 +391,9 @@ def in_c(orbit: EquationSystem, folder: Path) -> Callable[..., tuple[int, list[f
 
 
 @needs_compiler
-@pytest.mark.parametrize("name", ["pair", "bilinear", "belt", "one-contact"])
+@pytest.mark.parametrize(
+    "name", ["pair", "belt", pytest.param("one-contact", marks=pytest.mark.slow)]
+)
 def test_the_solver_in_c_finds_the_orbit(name: str, tmp_path: Path) -> None:
     """And tells of a dwell time that is negative, though it is no unknown: the period's rest."""
     example = solved(name)

@@ -26,9 +26,10 @@ from nonsmooth.derive import (
     oscillator,
 )
 from nonsmooth.derive.codegen.kernels import flow_kernels, spectrum_kernel
-from nonsmooth.derive.codegen.simulation_form import SimulationForm
 from nonsmooth.derive.flows.modal import derive_flows
 from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
+from nonsmooth.runtime.model.flows import flow_states
+from nonsmooth.runtime.model.piecewise import piecewise
 from tests.compiled_c import executed
 
 DIGITS = 50
@@ -84,13 +85,6 @@ def free(*values: Any) -> Case:
     )
 
 
-def called(first: str, second: str) -> Case:
-    """Two coordinates whose parameters have names that the spectrum gives."""
-    one, two = Parameter(first, ""), Parameter(second, "")
-    k = one.symbol
-    return masses([[2 * k, -k], [-k, 3 * k]], [two.symbol, 0], numbers={one: "1.7", two: "0.6"})
-
-
 CASES = {
     "spring": masses([[s]], [1], numbers={POSITIVE: F(7, 3)}),
     "spring of a mass": masses([[s]], [1], [[q]], numbers={POSITIVE: 2, PULL: "0.6"}),
@@ -129,10 +123,6 @@ CASES = {
     "three and defective": masses([[2, 1, 0], [0, 2, 1], [0, 0, 2]], [1, 0, 2]),
     "three and negative": masses([[-1, 1, 0], [0, 2, 1], [0, 0, -3]], [1, 0, 2]),
     "three and complex": masses([[1, 2, 0], [-3, 1, 1], [0, 0, 2]], [1, 0, 2]),
-    **{
-        f"called {names}": called(*names.split())
-        for names in ("omega1 gap1", "p1 omega2", "t1 t0", "h0 mean1", "x0 lambda1")
-    },
 }
 
 ZETA, OMEGA = Parameter("zeta", "", closed=True), Parameter("Omega", "")
@@ -266,21 +256,13 @@ def test_balls_enclose_the_matrix_exponential(name: str) -> None:
 @pytest.mark.parametrize(
     "name", ["spring", "no spring", "all held", "coupled masses", "first held", "nothing but load"]
 )
-def test_the_modes_that_the_runtime_reads_are_the_flow(name: str) -> None:
-    case = CASES[name]
-    form = SimulationForm(case.system, *derive_flows(case.system))
-    (kernel,) = (k for k in form.kernels() if k.name == "modes")
-    exponents, coefficients = executed(kernel)(*numbers_of(name, float, FLOATS), lib=FLOATS)
-    for t in map(float, TIMES):
-        functions = []
-        for (_, frequency), mode in zip(exponents, form.table()["modes"]["only"], strict=True):
-            waves = (np.cos, np.sin) if mode["oscillates"] else (np.cos,)
-            for power in range(mode["length"]):
-                functions += [t**power * wave(frequency * t) for wave in waves]
-        shape = len(functions), len(case.system.states), -1
-        found = np.tensordot(functions, np.reshape(coefficients, shape), 1)
-        expected = np.array(reference(name, F(t)).tolist(), dtype=float)[:-1]
-        np.testing.assert_allclose(found, expected, rtol=0, atol=2e-14 * np.abs(expected).max())
+def test_the_runtime_has_the_same_flow(name: str) -> None:
+    system, values = CASES[name].system, map(float, CASES[name].values)
+    point = piecewise(system, {p.name: v for p, v in zip(system.parameters, values, strict=True)})
+    start = np.random.default_rng(2).normal(size=len(system.states))
+    (found,) = flow_states(point, 0, np.array([float(TIMES[0])]), start)
+    wanted = np.array(reference(name, TIMES[0]).tolist(), dtype=float)[:-1] @ [*start, 1]
+    np.testing.assert_allclose(found, wanted, rtol=0, atol=2e-13 * np.abs(wanted).max())
 
 
 def test_too_long_a_closed_form_is_refused_by_name() -> None:

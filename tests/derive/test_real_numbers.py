@@ -6,13 +6,18 @@ import mpmath
 import pytest
 import sympy as sp
 
-from nonsmooth.derive import DeclarationError
-from nonsmooth.derive.declaration.real_numbers import is_irrational, number_text, settled
+from nonsmooth.derive import Boundary, DeclarationError
+from nonsmooth.derive.declaration.real_numbers import number_text
 from nonsmooth.runtime.core.values import parse
 
 X, Y = sp.symbols("x y")
 IMAGINARY, PI, HALF = sp.I, sp.pi, sp.Rational(1, 2)
 CUBIC = sp.solve(X**3 - 3 * X + 1, X)[2]  # real, and written with the imaginary unit
+
+
+def declared(expression: Any) -> Any:
+    """The expression as a declaration has it."""
+    return Boundary("somewhere", expression).function
 
 
 @pytest.mark.parametrize(
@@ -27,9 +32,8 @@ CUBIC = sp.solve(X**3 - 3 * X + 1, X)[2]  # real, and written with the imaginary
     ],
 )  # fmt: skip
 def test_the_text_of_a_number_has_its_digits(number: Any) -> None:
-    found = settled(number)
     wanted, _ = sp.N(number, 60).as_real_imag()
-    value = parse(number_text(found)) if is_irrational(found) else found
+    value = parse(number_text(declared(number)))
     shown = sp.Rational(mpmath.nstr(value.mpf(60), 58))
     assert abs(shown / sp.Rational(str(wanted)) - 1) < sp.Rational(10) ** -40
 
@@ -44,8 +48,8 @@ def test_the_text_of_a_number_has_its_digits(number: Any) -> None:
     ],
 )  # fmt: skip
 def test_a_rational_number_is_written_as_one(number: Any, value: Any) -> None:
-    assert settled(number) == value
-    assert settled(number * X + Y) == value * X + Y
+    assert declared(number) == value
+    assert declared(number * X + Y) == value * X + Y
 
 
 @pytest.mark.parametrize(
@@ -59,5 +63,5 @@ def test_a_rational_number_is_written_as_one(number: Any, value: Any) -> None:
 def test_what_is_no_real_number_is_refused_in_one_line(number: Any) -> None:
     for expression in (number, number * X):
         with pytest.raises(DeclarationError) as refused:
-            settled(expression)
+            declared(expression)
         assert "\n" not in str(refused.value)

@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-import scipy.sparse
 import sympy as sp
 
 from nonsmooth.derive import (
@@ -36,7 +35,7 @@ from nonsmooth.derive import (
     chain_matrices,
     oscillator,
 )
-from nonsmooth.derive.codegen.derived import derive_system
+from nonsmooth.derive.codegen.emit import emit_system
 from nonsmooth.derive.systems import declaration
 
 Make = Callable[[], Any]
@@ -45,6 +44,7 @@ X1, X2, V1, V2 = PAIR = sp.symbols("x1 x2 v1 v2", real=True)
 K, G = Parameter("k", "stiffness"), Parameter("g", "gap")
 M, N = Parameter("m", "mass"), Parameter("n", "coupling", -1, 1)
 KS, GS, MS, NS = (p.symbol for p in (K, G, M, N))
+MAY_VANISH = Parameter("c", "damping", closed=True)
 STRANGER, A, T = sp.symbols("stranger a t")
 
 FREE = Configuration("free", SecondOrder([[1]], [[KS]]), (Boundary("hits", X - GS),))
@@ -132,7 +132,9 @@ def referred(parameters: Any, guess: Any) -> Make:
     def derive() -> object:
         kicked = alone(replace(BOUNCE, reset={V: -V / 2 - 1}))()
         phases, reference = (("free", "hits", "T"),), Reference(parameters, guess)
-        return derive_system(kicked, (Itinerary("loop", kicked, phases, reference=reference),))
+        return emit_system(
+            kicked, [Itinerary("loop", kicked, phases, reference=reference)], "tests"
+        )
 
     return derive
 
@@ -188,7 +190,6 @@ WRONG: list[tuple[Make, str]] = [
     (leading("free", {"hits"}, "rest", (), {X1: 0}), "'rest': reset of x1, which is not a state"),
     (lambda: Parameter("k 1", ""), "'k 1' is not an identifier"),
     (lambda: Parameter("lambda", ""), "'lambda' is not an identifier"),
-    (alone(BOUNCE, name="my system"), "system 'my system' is no name"),
     (alone(BOUNCE, name="../one"), "is no name: letters, digits and hyphens"),
     (lambda: system((replace(FREE, name="free 1"),), ()), "configuration 'free 1' is no name"),
     (
@@ -204,7 +205,6 @@ WRONG: list[tuple[Make, str]] = [
         "itinerary 'a loop' is no name",
     ),
     # symbols that are not declared, or otherwise; functions of another kind
-    (sprung(load=(STRANGER,)), "configuration 'free': symbol stranger is not a parameter"),
     (sprung(held={X: STRANGER}), "configuration 'free': symbol stranger is not a parameter"),
     (sprung(stiffness=[[X]]), "'free': symbol x is not a parameter"),
     (
@@ -220,7 +220,6 @@ WRONG: list[tuple[Make, str]] = [
         "symbol k has other assumptions than the declared k: use .* Parameter.symbol",
     ),
     (sprung([Boundary("far", X * V - 1)]), r"'free', boundary 'far': v\*x - 1 is not affine"),
-    (sprung([Boundary("far", abs(X) - 1)]), r"boundary 'far': Abs\(x\) - 1 is not affine"),
     (
         leading("free", {"hits"}, "rest", (Condition(V**2, "rest"),)),
         r"'free' -> 'rest': v\*\*2 is not affine",
@@ -228,12 +227,10 @@ WRONG: list[tuple[Make, str]] = [
     (leading("free", {"hits"}, "rest", (), {V: V**2}), "reset of v: .* is not affine"),
     # numbers and domains
     (lambda: Parameter("k", "", 1, 1), "k: the domain is empty"),
-    (lambda: Parameter("k", "", upper=-1), "k: the domain is empty"),
     (lambda: Parameter("k", "", math.nan), "k: the end nan .* not a real number"),
     (lambda: Parameter("k", "", sp.I), "lower of Parameter 'k': I is no real"),
     (lambda: Parameter("k", "", GS), "k: the end g .* not a real number"),
     (lambda: SecondOrder([[math.nan]], [[1]]), "mass holds nan, which is no finite"),
-    (lambda: SecondOrder([[1]], [[math.inf]]), "stiffness holds oo"),
     (lambda: SecondOrder([[1]], [[1]], (-math.inf,)), "load holds -oo"),
     (lambda: SecondOrder([[1]], [[1]], damping=[[1j]]), "damping: I is no real number"),
     (lambda: SecondOrder([[1]], [[1]], held={X: math.nan}), "velocity of x holds nan"),
@@ -245,10 +242,6 @@ WRONG: list[tuple[Make, str]] = [
         "reset of v holds oo, which is no finite real number",
     ),
     # masses
-    (
-        sprung(mass=[[-1]]),
-        "'free': mass is not positive definite: its leading minor of order 1 is -1",
-    ),
     (
         moving(lambda: SecondOrder([[1, 2], [2, 1]], EYE), PAIR),
         "'free': mass is not positive definite: its leading minor of order 2 is -3",
@@ -274,7 +267,6 @@ WRONG: list[tuple[Make, str]] = [
         alone(BOUNCE, BOUNCE),
         "'free' -> 'free' by hits never applies: the one to 'free' before it applies whenever",
     ),
-    (alone(BOUNCE, replace(BOUNCE, conditions=(REACHED,))), "'free' by hits never applies"),
     (
         alone(
             replace(BOUNCE, conditions=(REACHED,)),
@@ -288,10 +280,6 @@ WRONG: list[tuple[Make, str]] = [
         r"'free' -> 'free': behind it boundary 'hits' is passed already \(its function is 1, not",
     ),
     (
-        alone(replace(BOUNCE, reset={X: 2 * X})),
-        "'hits' is passed already .its function is g, not negative",
-    ),
-    (
         landing(REST, {X: -GS}),
         "'free' -> 'rest': behind it boundary 'goes' is passed already .its function is g,",
     ),
@@ -303,7 +291,6 @@ WRONG: list[tuple[Make, str]] = [
     (looping(), "itinerary 'loop' has no phases"),
     (looping(HITS, (*GOES[:2], "ta")), "'ta' is named twice"),
     (looping(("jump", "hits", "ta")), "no configuration 'jump'"),
-    (looping(("free", "goes", "ta"), GOES), "'free' has no boundary 'goes'"),
     (looping(HITS), "no transition leads from 'free' by 'hits' to 'free'"),
     (looping((*HITS[:2], "x"), GOES), "'x' has the name"),
     (looping((*HITS[:2], "k"), GOES), "'k' has the name"),
@@ -325,7 +312,6 @@ WRONG: list[tuple[Make, str]] = [
         sourced(equations={"phase 5": "(1)"}),
         r"place of 'phase 5', which is unknown \(known: .*end",
     ),
-    (sourced(equations={"flow free": "(1)"}), "place of 'flow free', which is unknown"),
     (sourced(flows={"free": "H"}), "letter for the flow of 'free', which is unknown"),
     (
         sourced(states=tuple("abcdef")),
@@ -347,6 +333,10 @@ WRONG: list[tuple[Make, str]] = [
     (lambda: Slider("x1", sp.oo, 1), "stiffness of 'x1' is not a real number: oo"),
     (lambda: RigidStop("x1", 1, 1, "above"), "side of RigidStop .*is 'above'"),
     (lambda: SoftStop("x1", 1, 1, released="late"), "released of SoftStop .*is 'late'"),
+    (
+        of_one(elements=[SoftStop("x", 1, 9, "c", released="force")], parameters=[MAY_VANISH]),
+        "may be zero.*leaves out 0.*released='gap'",
+    ),
     (of_two(Friction("x1", 1), Friction("x1", 2, velocity=1)), "'x1' is declared twice"),
     (of_two(Friction("x1", 1, normal=sp.Symbol("x2") ** 2)), "'x1'.*not affine"),
     (of_two(Friction("x1", 1, velocity=sp.Symbol("v2"))), "'x1': the velocity of the belt"),
@@ -356,7 +346,6 @@ WRONG: list[tuple[Make, str]] = [
     (rubbing(Friction("x", 1, normal=-A)), "'x': its normal load -a is not positive"),
     (rubbing(Friction("x", 1, normal=0)), "'x': its normal load 0 is not positive"),
     (rubbing(Friction("x", 1, normal="wall")), "the rigid stop 'wall' is no normal load"),
-    (rubbing(Friction("x", 1, normal=RigidStop("x", 2, 1))), "is no soft stop"),
     (rubbing(Friction("x", 1, normal="wal")), r"'wal' is no soft stop .*known: none"),
     (rubbing(Friction("x", 1 + sp.Symbol("x"))), "kinetic friction depends on the state"),
     (rubbing(Friction("x", 1, falling=sp.Symbol("x"))), "slope of falling friction depends on the"),
@@ -373,13 +362,11 @@ WRONG: list[tuple[Make, str]] = [
         "element 'stop' holds an entry that is not finite",
     ),
     # oscillators
-    (of_two(mass=[[1]]), "mass is 1 x 1, not 2 x 2"),
     (of_two(stiffness=WIDE), "stiffness is 3 x 3, not 2 x 2"),
     (of_two(damping=[[1]]), "damping is 1 x 1, not 2 x 2"),
     (of_two(load=[1]), "load has 1 values for 2 coordinates"),
     (of_two(forcing=[Harmonic(1, (1,))]), "cosine amplitudes has 1 values"),
     (of_two(mass=[[1, 0.5], [0, 1]]), "mass is not symmetric"),
-    (of_two(mass=[[1, 2], [2, 1]]), "mass is not positive definite"),
     (of_two(coordinates=["x1", "x1"]), "coordinate 'x1' is declared twice"),
     (lambda: chain_matrices([1, 1], [1]), "has 2 springs, not 1"),
     (lambda: chain_matrices([1, 1], [1, 1], []), "has 2 dampers, not 0"),
@@ -396,27 +383,15 @@ WRONG: list[tuple[Make, str]] = [
     (lambda: oscillator("s", ["t"], [[1]], [[1]]), "'t' is kept for the time: choose"),
     # arrays
     (of_arrays(mass=np.eye(3)[:2]), "^mass is 2 x 3, not 3 x 3 as there are coordinates$"),
-    (
-        of_arrays(mass=scipy.sparse.eye_array(4)),
-        "^mass is 4 x 4, not 3 x 3 as there are coordinates$",
-    ),
     (of_arrays(mass=np.ones(3)), r"^mass is no matrix: its shape is \(3,\)$"),
     (of_arrays(mass=1j * np.eye(3)), "^mass holds what is no real number$"),
-    (of_arrays(mass=np.diag([1, -1, 1])), "^mass is not positive definite: its"),
     (of_arrays(mass=np.ones((3, 3))), "^mass is not positive definite: its"),
-    (of_arrays(mass=np.eye(3) + np.eye(3, k=1) / 4), "^mass is not symmetric: "),
     (
         of_arrays(stiffness=np.diag([1, np.inf, 1])),
         "^stiffness holds an entry that is not finite$",
     ),
-    (of_arrays(damping=np.diag([1, np.nan, 1])), "^damping holds an entry that is not finite$"),
-    (of_arrays(load=np.ones(2)), "^load has 2 values for 3 coordinates$"),
     (of_arrays(load=np.ones((3, 1))), r"^load is no row of numbers: its shape is \(3, 1\)$"),
     (of_arrays(load=np.array([1, 0, np.nan])), "^load holds an entry that is not finite$"),
-    (
-        of_arrays(elements=[SoftStop("tip", at=1, stiffness=1)]),
-        r"^element 'tip-upper': unknown coordinate 'tip' \(known: x1, x2, x3\)$",
-    ),
     (
         lambda: oscillator(
             "s", [f"x{i}" for i in range(200)], np.eye(200), np.eye(200), load={"tip": 1}

@@ -14,9 +14,8 @@ import pytest
 from numpy.testing import assert_array_equal
 
 from nonsmooth.derive.codegen.emit import emit_library
-from nonsmooth.derive.systems import rigid_stop
 from nonsmooth.runtime.model.kernels import load_orbit
-from tests.declared import random_points
+from tests.declared import random_points, rigid_stop
 from tests.places import CHECKOUT
 
 ORBIT = "dry-friction/global-stick"

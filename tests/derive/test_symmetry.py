@@ -25,8 +25,9 @@ from nonsmooth.derive import (
     System,
     Transition,
     derive_equations,
+    dry_friction,
 )
-from nonsmooth.derive.systems import dry_friction, elastic_stop, rigid_stop
+from tests.declared import elastic_stop, rigid_stop
 from tests.derive.test_equations import MP, Derived
 from tests.latex_reader import ORBITS as WHOLE
 from tests.latex_reader import written_of
@@ -92,6 +93,7 @@ def test_a_reversor_is_written_out_where_a_state_is_named_after_it() -> None:
     assert ratio != 0
 
 
+@pytest.mark.slow
 def test_a_reference_for_another_start_does_not_mislead() -> None:
     """Guesses of other unknowns leave the choice of equations to their order."""
     turned = elastic_stop.one_contact.rotated(1)
@@ -155,11 +157,7 @@ def test_what_has_no_equations_is_refused(itinerary: Itinerary, message: str) ->
             {"start": {"x1": "a"}},
             "start of 'x1', which is not declared",  # the presentation calls it z1
         ),
-        (
-            rigid_stop.one_impact,
-            {"reversor": {V: -V}},
-            "reversor of 'v', which is not declared",
-        ),
+        (rigid_stop.one_impact, {"reversor": {V: -V}}, "reversor of 'v', which is not declared"),
         (
             dry_friction.solution_ii,
             {"vanishing": ("tb",)},
@@ -188,7 +186,6 @@ def test_what_has_no_equations_is_refused(itinerary: Itinerary, message: str) ->
         (rigid_stop.one_impact, {"start": {"x2": "T"}}, "'T' has the name of something else"),
         (rigid_stop.one_impact, {"start": {"x2": "m1"}}, "'m1' has the name of something else"),
         (rigid_stop.one_impact, {"start": {"x2": "v1"}}, "'v1' has the name of something else"),
-        (rigid_stop.one_impact, {"start": {"x2": "2y"}}, "unknown '2y' is not an identifier"),
         (rigid_stop.one_impact, {"start": {"x2": "lambda"}}, "'lambda' is not an identifier"),
         (
             elastic_stop.one_contact,
@@ -199,11 +196,6 @@ def test_what_has_no_equations_is_refused(itinerary: Itinerary, message: str) ->
             elastic_stop.one_contact,
             {"period": Parameter("tau", "period")},
             "period 'tau' has the name of something else",
-        ),
-        (
-            elastic_stop.one_contact,
-            {"phases": (Phase("contact", "first-leaves-stop", "tau"),) * 2},
-            "dwell time 'tau' is named twice",
         ),
         (
             dry_friction.solution_ii,
@@ -258,6 +250,7 @@ def test_a_reference_is_not_needed() -> None:
     assert [e for _, e in bare.equations] == [e for _, e in full.equations]
 
 
+@pytest.mark.slow
 def test_a_reference_need_not_be_whole() -> None:
     cut = replace(elastic_stop.one_contact, reference=Reference({"m1": "1"}, {"tau": "2"}))
     assert derive_equations(cut).reduction.unknowns == (sp.Symbol("tau", positive=True),)

@@ -47,7 +47,8 @@ PROGRAMS = (
     RUN, "open(5)", "x.free_symbols", "x[0]", "exec(x)", "x := 2", "'x'", "(chr)(65)", "sqrt(2)(3)",
     "lambda: x", "x if x else 2", "__x__", "x or 2", "2j", "2 x", "sqrt(x, y)", "sqrt", "True",
     "x(2)", "", "(1, 2)", "9**9**9", "1e400", "1e-400", "root(5, 1, 0, -2)", "µ + μ",
-    "(" * 5000, "-" * 9000 + "1", "x" * 50_000 + "!",
+    "sqrt(2)**10**10", "exp(10**6*log(2))", "(2*x)**10**6", "(1 + sqrt(2))**-100000", "exp(10**7)",
+    "10**5000", "(" * 5000, "-" * 9000 + "1", "x" * 50_000 + "!",
 )  # fmt: skip
 WRONG = (
     NEVER, None, True, 5, 2.5, "x y!", b"x", [], {}, (), [5], ["x", 5], [(sp.Symbol("z"),)],
@@ -147,6 +148,7 @@ def test_texts_of_formulas_are_no_programs(text: str) -> None:
         ("root(1, 1, 0, -2)", sp.sqrt(2)), ("root(8, 3)", sp.Integer(2)),
         ("+".join("x" * 900), 900 * X), ("E*x - S", sp.Symbol("E") * X - sp.Symbol("S")),
         ("µ - ϕ", sp.Symbol("µ") - sp.Symbol("ϕ")), ("0.0e-400 + x", X),
+        ("1**300000 + 0**300000 + (-1)**300001", sp.S.Zero), ("exp(x + 3*log(2))", 8 * sp.exp(X)),
     ],
 )  # fmt: skip
 def test_texts_of_formulas_are_what_they_say(text: str, expression: sp.Expr) -> None:
@@ -158,10 +160,13 @@ def test_texts_of_formulas_are_what_they_say(text: str, expression: sp.Expr) -> 
     [
         np.matrix([[2.0, 1], [1, 3]]), np.array([[2, 1], [1, 3]], dtype=object),
         [["2", 1], (1, "3")],
-        np.array([["2", "1"], ["1", "3"]]), sp.Matrix([[2, 1], [1, 3]]), sp.Array([[2, 1], [1, 3]]),
+        np.array([["2", "1"], ["1", "3"]]),
+        np.array([["2", "1"], ["1", "3"]]).astype(np.dtypes.StringDType()),
+        sp.Matrix([[2, 1], [1, 3]]), sp.Array([[2, 1], [1, 3]]),
         sp.Identity(2) + sp.Matrix([[1, 1], [1, 2]]), csc_array(np.array([[2.0, 1], [1, 3]])),
         sp.BlockMatrix([[sp.Matrix([[2, 1]])], [sp.Matrix([[1, 3]])]]),
-        [sp.Matrix([[2, 1]]), np.array([1.0, 3.0])], {(2, 1): 0, (1, 3): 0}.keys(),
+        [sp.Matrix([[2, 1]]), np.array([1.0, 3.0])], [sp.Matrix([[2, 1], [1, 3]])],
+        {(2, 1): 0, (1, 3): 0}.keys(),
         [[np.array(2.0), np.int64(1)], [np.float64(1), 3]],
     ],
     ids=lambda given: type(given).__name__,

@@ -22,14 +22,14 @@ import pytest
 
 import nonsmooth
 from nonsmooth import InputError, simulate, solve
-from nonsmooth.derive import DeclarationError
+from nonsmooth.derive import DeclarationError, dry_friction
 from nonsmooth.derive.codegen import python_file
 from nonsmooth.derive.codegen.emit import emit_package, emit_system
-from nonsmooth.derive.systems import dry_friction, rigid_stop
 from nonsmooth.runtime.model.kernels import load_orbit, load_system
 from nonsmooth.runtime.model.loading import background, caching
 from nonsmooth.runtime.model.loading import load as loading
 from nonsmooth.runtime.model.loading.declared import declaration_in
+from tests.declared import rigid_stop
 from tests.user_systems import DAMPED, KICKED, declare
 
 

@@ -15,10 +15,9 @@ from scipy.optimize import brentq
 
 from nonsmooth import NoConvergence, solve
 from nonsmooth.derive import Configuration, SecondOrder, System, derive_equations
-from nonsmooth.derive.systems import elastic_stop, rigid_stop
 from nonsmooth.runtime.model.kernels import load_orbit
 from nonsmooth.runtime.orbits.orbit import Orbit
-from tests.declared import random_points
+from tests.declared import elastic_stop, random_points, rigid_stop
 
 RIGID, ELASTIC = "rigid-stop/one-impact", "elastic-stop/one-contact"
 PAPER = {"m1": 1.0, "m2": 2.0, "k1": 1.0, "k2": 5.0}

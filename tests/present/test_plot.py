@@ -15,8 +15,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 import nonsmooth
 from nonsmooth import InputError, observe, simulate, sweep
-from nonsmooth.derive import derive_equations
-from nonsmooth.derive.systems import dry_friction
+from nonsmooth.derive import derive_equations, dry_friction
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 from tests.cli.test_cli import run

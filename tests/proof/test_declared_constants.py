@@ -15,7 +15,7 @@ import sympy as sp
 import nonsmooth as ns
 from nonsmooth.derive import Friction, Harmonic, Itinerary, Parameter, RigidStop, System, oscillator
 from nonsmooth.derive.codegen.emit import emit_system
-from nonsmooth.derive.declaration.real_numbers import number_text, settled
+from nonsmooth.derive.declaration.real_numbers import number_text
 from nonsmooth.runtime.core.values import parse
 from nonsmooth.runtime.model.piecewise import piecewise
 from tests.certified import believed, content_of
@@ -58,7 +58,9 @@ def both(constants: dict[str, Any], left: tuple[str, ...] = ()) -> tuple[System,
     parameters = {name: Parameter(name, name, lower=lower.get(name, 0)) for name in constants}
     symbols = {name: parameter.symbol for name, parameter in parameters.items()}
     own = {name: symbols[name] if name in left else number for name, number in constants.items()}
-    texts = {name: number_text(settled(number)) for name, number in constants.items()}
+    texts = {
+        name: number_text(Parameter(name, name, number).lower) for name, number in constants.items()
+    }
     declared = stopped(own, [parameters[name] for name in left])
     return declared, stopped(symbols, list(parameters.values())), texts
 

@@ -22,9 +22,9 @@ from nonsmooth.derive import (
     SoftStop,
     System,
     Transition,
+    dry_friction,
     oscillator,
 )
-from nonsmooth.derive.systems import dry_friction, elastic_stop, rigid_stop
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.state_sets.one_motion import OneMotion
 from nonsmooth.runtime.checker.state_sets.sets import TooWide
@@ -32,6 +32,7 @@ from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.exact_tables import exact_system
 from nonsmooth.runtime.proof.sets.sections import whole_system
 from tests.counting import calls_of
+from tests.declared import elastic_stop, rigid_stop
 from tests.declared_motion import DeclaredMotion, mp
 
 FIRST = dict(chi="0.5", eta="1", V="1", us1="1", us2="1", ur1="4.0195", ur2="1.4831")

@@ -24,10 +24,10 @@ from nonsmooth.derive import (
     Transition,
 )
 from nonsmooth.derive.equations.energy import energy_of, is_conservative
-from nonsmooth.derive.systems import SYSTEMS, declaration, rigid_stop
+from nonsmooth.derive.systems import SYSTEMS, declaration
 from nonsmooth.runtime.model.kernels import load_orbit
 from nonsmooth.runtime.orbits.orbit import Orbit
-from tests.declared import RANGES, Declared, itinerary_of, random_points, single
+from tests.declared import RANGES, Declared, itinerary_of, random_points, rigid_stop, single
 
 RIGID, ELASTIC = "rigid-stop/one-impact", "elastic-stop/one-contact"
 POINTS: list[tuple[str, dict[str, str]]] = [

@@ -9,12 +9,12 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import typer
+from typer.core import TyperGroup
 
 from nonsmooth.runtime.cli.application import (
     ANSWERED,
     UNANSWERED,
     WRONG_INPUT,
-    Commands,
     app,
     print_json,
 )
@@ -47,7 +47,7 @@ _SUBCOMMANDS = (
 EnclosedDigits = Annotated[int, option("--digits", "Decimals of the enclosures.", "N", min=1)]
 
 
-class _Certify(Commands):
+class _Certify(TyperGroup):
     """The group of `certify`: an orbit in place of a subcommand is that of `certify orbit`."""
 
     def list_commands(self, ctx: Any) -> list[str]:
