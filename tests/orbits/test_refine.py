@@ -61,8 +61,12 @@ def error(first, second):
 @pytest.mark.parametrize("digits", [1, 16, 50, 200])
 def test_digits_are_true(every, digits, arithmetic):
     for orbit in every:
-        found = refine(orbit, digits, arithmetic=arithmetic)
         check = refine(orbit, 2 * digits + 30, arithmetic=arithmetic)
+        assert 10 <= orbit.digits <= 15
+        assert error(orbit, check) <= mpmath.mpf(10) ** -orbit.digits
+        # on from doubles, and back from more digits
+        assert error(refine(check, digits), check) <= mpmath.mpf(10) ** -digits
+        found = refine(orbit, digits, arithmetic=arithmetic)
         assert found.digits == digits
         assert list(found.unknowns) == list(orbit.unknowns)
         assert error(found, check) <= mpmath.mpf(10) ** -digits
@@ -70,6 +74,9 @@ def test_digits_are_true(every, digits, arithmetic):
         assert found.residual < mpmath.mpf(10) ** -digits
         assert found.given == orbit.given
         assert found.converged
+        for number in (*found.unknowns.values(), found.period, found.trace):
+            assert abs(number / 3 * 3 - number) <= mpmath.mpf(10) ** -digits * abs(number)
+            assert len(str(number)) > digits or not number
 
 
 def test_both_are_compared_with_each_other(every, monkeypatch):
@@ -120,18 +127,6 @@ def test_the_trace_is_enclosed_of_the_one_orbit_in_a_box(every):
             assert ball is None or ball.contains(exact_ball(truth))
 
 
-def test_the_double_precision_orbit_has_the_digits_it_claims(every):
-    for orbit in every:
-        assert 10 <= orbit.digits <= 15
-        assert error(orbit, refine(orbit, 30)) <= mpmath.mpf(10) ** -orbit.digits
-
-
-def test_refining_again_goes_on_or_back(orbit):
-    precise = refine(orbit, 60)
-    for digits in (20, 150):
-        assert error(refine(precise, digits), refine(orbit, 200)) <= mpmath.mpf(10) ** -digits
-
-
 def test_exchanged_unknowns_keep_what_was_given(orbits):
     for orbit in orbits[2:]:
         found = refine(orbit, 60)
@@ -159,15 +154,6 @@ def test_a_float_means_its_shortest_decimal():
     assert 1e-18 < error(rounded, third) < 1e-14
 
 
-def test_numbers_carry_their_digits_into_arithmetic(orbit):
-    """mpmath numbers round to the precision of the context they come from."""
-    for arithmetic in ARITHMETICS:
-        found = refine(orbit, 80, arithmetic=arithmetic)
-        for number in (*found.unknowns.values(), found.period, found.trace):
-            assert abs(number / 3 * 3 - number) < mpmath.mpf(10) ** -80
-            assert len(str(number)) > 80
-
-
 # --- the derivatives and the stability of a refined orbit
 
 
@@ -193,9 +179,6 @@ def test_printed_digits_are_true(every):
             for text, longer in pairs:
                 size = max(1, abs(mpmath.mpf(longer)))
                 assert abs(mpmath.mpf(text) - mpmath.mpf(longer)) <= tolerance * size
-
-
-# --- convergence
 
 
 # --- refusals
