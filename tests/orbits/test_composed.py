@@ -19,7 +19,6 @@ SYMMETRIC_GUESS = [2.65, 2.24]
 CONTACT = [("contact", "first-leaves-stop"), ("free", "first-reaches-stop")]
 IMPACT = [("free", "first-reaches-stop")]
 MANY = STICKING | {"V": [1.0, 1.01]}
-TRACE = -0.980114981284158715
 
 
 def stick(**changes):
@@ -28,35 +27,6 @@ def stick(**changes):
 
 def turned(sequence, first):
     return [*sequence[first:], *sequence[:first]]
-
-
-@pytest.mark.parametrize("first", range(4))
-def test_global_stick_from_every_phase(first):
-    kernels = solve("dry-friction/global-stick")
-    orbit = solve(
-        "dry-friction",
-        STICKING,
-        turned(STICK_GUESS, first),
-        itinerary=turned(PHASES, first),
-    )
-    wanted = turned(kernels.dwell_times.tolist(), first)
-    assert orbit.converged
-    assert_allclose(orbit.dwell_times, wanted, rtol=0, atol=1e-13)
-    assert orbit.trace == pytest.approx(TRACE, abs=1e-13)
-    assert orbit.multipliers[0] == pytest.approx(TRACE, abs=1e-13)
-    assert not orbit.multipliers[1:].any()
-    assert np.trace(orbit.poincare_jacobian) == pytest.approx(TRACE, abs=1e-12)
-    assert orbit.stability.rank == 1
-    assert orbit.stability.verdict == "stable"
-    assert orbit.admissibility.verdict is True
-
-
-def test_many_phases():
-    once = solve("dry-friction", RUBBING, SYMMETRIC_GUESS, itinerary=SYMMETRIC)
-    orbit = solve("dry-friction", RUBBING, SYMMETRIC_GUESS * 15, itinerary=SYMMETRIC * 15)
-    assert orbit.converged
-    assert_allclose(orbit.dwell_times, np.tile(once.dwell_times, 15), atol=1e-12)
-    assert orbit.multipliers[0].real == pytest.approx(once.multipliers[0].real ** 15, rel=1e-11)
 
 
 def test_admissibility_is_the_kernels():
@@ -186,16 +156,16 @@ def test_many_points():
 @pytest.mark.parametrize("first", range(4))
 def test_a_guess_of_the_state_is_taken_where_the_orbit_starts(first):
     # the engine starts from another phase: an exact guess is exact there too
-    exact = solve(
-        "dry-friction",
-        STICKING,
-        turned(STICK_GUESS, first),
-        itinerary=turned(PHASES, first),
-    )
+    phases = turned(PHASES, first)
+    exact = solve("dry-friction", STICKING, turned(STICK_GUESS, first), itinerary=phases)
+    kernels = solve("dry-friction/global-stick")
+    assert_allclose(exact.dwell_times, turned(kernels.dwell_times.tolist(), first), atol=1e-13)
+    assert exact.multipliers[0] == pytest.approx(kernels.trace, abs=1e-13)
+    assert not exact.multipliers[1:].any()
     guess = [*exact.dwell_times, *exact.states[0]]
-    many = solve("dry-friction", STICKING, guess, itinerary=turned(PHASES, first))
-    assert many.converged
-    assert many.iterations == 1
+    again = solve("dry-friction", STICKING, guess, itinerary=phases)
+    assert again.converged
+    assert again.iterations == 1
 
 
 def test_no_points_and_lost_points():
@@ -235,6 +205,8 @@ def test_an_orbit_by_tables_is_the_one_of_the_kernels(
     assert abs(found.trace - kernels.trace) < 100 * limit
     assert found.residual < limit
     assert found.stability.verdict == kernels.stability.verdict
+    assert found.stability.rank == kernels.stability.rank
+    assert abs(np.trace(found.poincare_jacobian) - found.trace) < 1e-11 if period is None else True
     assert found.tables.family == (period is not None)
     for one, other in zip(found.stability.multipliers, kernels.stability.multipliers, strict=True):
         assert abs(one.real - other.real) + abs(one.imaginary - other.imaginary) < 100 * limit
@@ -248,20 +220,6 @@ def centre(values):
     return [(us1 + us2) / (1 - chi), (chi * us1 + us2) / (chi * (1 - chi)), 0, 0]
 
 
-@pytest.mark.parametrize(
-    ("system", "more", "itinerary", "guess"),
-    [("elastic-stop", {"k3": 1}, CONTACT, [2.1, 4.2]), ("rigid-stop", {"r": 1}, IMPACT, [6.2])],
-)
-def test_a_family_is_said_to_be_one(system, more, itinerary, guess):
-    orbit = solve(system, CHAIN | more, guess, itinerary=itinerary, digits=40, throw=False)
-    assert orbit.message.startswith("singular")
-    assert not orbit.converged
-    assert "give its period" in orbit.message
-    assert orbit.tables.family
-    assert orbit.residual < 1e-12  # a member of the family all the same
-    assert orbit.stability.verdict == "neutral"
-
-
 def test_units_change_no_verdict():
     # a thousand times heavier and a million million times stiffer: time in other units
     data = {"m1": 1e3, "m2": 2e3, "k1": 1e15, "k2": 5e15, "k3": 1e15}
@@ -270,8 +228,13 @@ def test_units_change_no_verdict():
     )
     assert orbit.converged
     assert orbit.stability.verdict == "neutral"
-    free = solve("elastic-stop", data, [2.1e-6, 4.2e-6], itinerary=CONTACT, throw=False)
+    free = solve("elastic-stop", data, [2.1e-6, 4.2e-6], itinerary=CONTACT, digits=40, throw=False)
     assert free.message.startswith("singular")
+    assert not free.converged
+    assert "give its period" in free.message
+    assert free.tables.family
+    assert free.residual < 1e-12 * 1e6  # a member of the family, whose speeds are that large
+    assert free.stability.verdict == "neutral"
 
 
 def test_a_period_that_no_orbit_has():
@@ -284,52 +247,6 @@ def test_a_period_that_no_orbit_has():
         _ = orbit.stability
     with pytest.raises(InputError, match="no orbit"):
         _ = orbit.admissibility
-
-
-@pytest.mark.parametrize(
-    ("changes", "match"),
-    [
-        ({"itinerary": []}, "no phase"),
-        ({"itinerary": [("stick-stick",)], "guess": [1]}, "itinerary takes"),
-        (
-            {"itinerary": [PHASES[0], PHASES[2]], "guess": [1, 1]},
-            "no transition from stick-stick to slip-slip",
-        ),
-        ({"itinerary": [("stik", "first-breaks-forward")], "guess": [1]}, "unknown configuration"),
-        ({"itinerary": [("stick-stick", "first-reaches-belt")], "guess": [1]}, "unknown boundary"),
-        ({"orbit": "dry-frictoin"}, "dry-friction"),
-        ({"parameters": {"chi": 0.5}}, "needs a value"),
-        ({"parameters": STICKING | {"chi": 2}}, "chi"),
-        ({"guess": None}, "takes a guess"),
-        ({"guess": [1, 2, 3]}, "3 values: it takes 4"),
-        ({"guess": [1, 2, 3, float("nan")]}, "finite"),
-        ({"guess": [1, 2, 3, -1]}, "positive"),
-        ({"guess": {"tau1": 1, "tau2": 2, "tau3": 1}}, "no tau4"),
-        ({"guess": {"tau": 1}}, "unknown variable"),
-        ({"guess": [*STICK_GUESS, 1, 2]}, "6 values: it takes 4"),
-        ({"guess": [*STICK_GUESS, 1, 2, 3, float("inf")]}, "finite"),
-        ({"digits": 0}, "digits"),
-        ({"given": {"period": -1}}, "period"),
-        ({"given": {"tau1": 1}}, "exchanged"),
-        ({"unknown": ["V"]}, "exchanged"),
-        ({"parameters": MANY | {"eta": [1, 2, 3]}}, "broadcast"),
-        ({"parameters": MANY | {"W": [1, 2]}}, "unknown parameter"),
-        ({"parameters": STICKING | {"V": ["a"]}}, "V"),
-        ({"parameters": {"V": [1.0]}}, "needs a value"),
-        ({"parameters": MANY, "guess": np.ones((3, 4))}, "broadcast"),
-        ({"parameters": MANY, "threads": 0}, "threads"),
-        ({"parameters": MANY, "given": {"period": -1.0}}, "period"),
-    ],
-)
-def test_bad_input(changes, match):
-    arguments = {
-        "orbit": "dry-friction",
-        "parameters": STICKING,
-        "itinerary": PHASES,
-        "guess": STICK_GUESS,
-    }
-    with pytest.raises(InputError, match=match):
-        solve(**(arguments | changes))
 
 
 @pytest.mark.compiled
@@ -351,14 +268,3 @@ def test_the_engine_checks_its_arrays():
             engine.compose(layout, cycle.packed, one, flat, *short, False)
     with pytest.raises(ValueError, match="numbers"):
         engine.compose(layout, cycle.packed, one, flat[:, 1:].copy(), *arrays, False)
-
-
-def test_the_motion_along_an_orbit_closes_and_can_be_observed():
-    orbit = stick()
-    motion = orbit.trajectory(3)
-    names = [configuration for configuration, _ in orbit.itinerary]
-    assert list(motion.configurations) == [*names * 3, names[0]]
-    assert_allclose(motion.times[::4], np.arange(4) * orbit.period, rtol=1e-13)
-    assert_allclose(motion.states[-1], orbit.states[0], atol=1e-12)
-    with pytest.raises(InputError, match="periods = 0"):
-        orbit.trajectory(0)

@@ -67,30 +67,6 @@ def test_an_orbit_is_where_the_motion_settles(guided: bool) -> None:
     assert not orbit.tables.family
 
 
-def test_multipliers_are_those_of_the_simulated_stroboscopic_map() -> None:
-    orbit = ns.solve(impact(), DATA, [3.14], itinerary=ONE)
-    # half a period behind the impact, where no event is near
-    begin = orbit.trajectory()(orbit.period / 2)
-
-    def after(state: np.ndarray) -> np.ndarray:
-        motion = ns.simulate(impact(), DATA, state, until=float(orbit.period))
-        return motion(motion.end)[:2]
-
-    step, columns = 1e-5, []
-    for k in range(2):
-        ahead, back = begin.copy(), begin.copy()
-        ahead[k] += step
-        back[k] -= step
-        columns.append((after(ahead) - after(back)) / (2 * step))
-    matrix = np.array(columns).T
-    wanted = np.sort_complex(np.linalg.eigvals(matrix).astype(complex))
-    assert_allclose(np.sort_complex(orbit.multipliers), wanted, atol=1e-7)
-    # areas shrink by damping and by the impact
-    product = 0.8**2 * np.exp(-2 * 0.05 * np.pi)
-    assert np.prod(orbit.multipliers).real == pytest.approx(product, rel=1e-12)
-    assert orbit.trace == pytest.approx(np.trace(matrix), abs=1e-7)
-
-
 def test_frequencies_keep_the_phase_they_began_with() -> None:
     """At 2 Omega the second forcing is at c = 1 whenever the first is."""
     system = impact(0.5)

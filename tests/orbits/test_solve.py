@@ -1,6 +1,5 @@
 """One orbit at one point: exchanges, searches and failures."""
 
-import math
 from itertools import combinations
 
 import numpy as np
@@ -140,40 +139,6 @@ def test_a_given_dwell_time_that_is_not_positive_is_no_orbit():
         orbit = solve(ORBIT, unknown=("e1",), given={"ta": time}, throw=False)
         assert not orbit.converged
         assert "dwell time is not positive" in orbit.message
-
-
-@pytest.mark.parametrize(
-    ("arguments", "named"),
-    [
-        ({"unknown": ("e3",), "given": {"ta": 1}}, "'e3'.*did you mean 'e[12]'"),
-        ({"unknown": ("e1",), "given": {"tao": 1}}, "'tao'.*did you mean 'ta'"),
-        ({"unknown": ("e1",), "given": {}}, "as many"),
-        ({"unknown": ("e1", "e2"), "given": {"ta": 1}}, "as many"),
-        ({"given": {"ta": 1}}, "as many"),
-        ({"unknown": ("e1", "e1"), "given": {"ta": 1, "tau": 2}}, "twice"),
-        ({"unknown": ("e1",), "given": {"ta": "one"}}, "ta"),
-        ({"unknown": ("e1",), "given": {"ta": math.nan}}, "ta"),
-        ({"unknown": ("e1",), "given": {"ta": 1}, "parameters": {"e1": 3}}, "e1 is both"),
-        ({"guess": [1, 2, 3]}, "3 values.*6 unknowns"),
-        ({"guess": [1] * 7}, "7 values"),
-        ({"guess": {"taus": 1}}, "'taus'"),
-        ({"guess": [1, 2, 3, 4, 5, math.inf]}, "not"),
-        ({"parameters": {"etta": 1}}, "did you mean 'eta'"),
-        ({"parameters": {"chi": 1}}, r"chi = 1 is outside its domain \(0, 1\)"),
-        ({"parameters": {"V": math.nan}}, "V"),
-        ({"parameters": {"e2": -1e-9}}, "e2 = -1e-09 is outside"),
-        ({"orbit": "dry-friction/global-stuck"}, "did you mean 'dry-friction/global-stick'"),
-        ({"orbit": "dry-friction"}, "unknown orbit"),
-        ({"orbit": ""}, "unknown orbit"),
-    ],
-)
-def test_wrong_input_is_named_on_one_line(arguments, named):
-    with pytest.raises(InputError, match=named) as caught:
-        solve(**({"orbit": ORBIT} | arguments))
-    assert "\n" not in str(caught.value)
-
-
-# --- without a guess
 
 
 def is_motion(orbit):
