@@ -204,7 +204,7 @@ def test_polynomials_find_their_first_root_or_prove_there_is_none(seed):
         ((1j, -1j), ((0.3 + 0.7j,), (-0.3 + 0.7j,)), 50.0, "never"),
         ((), (), math.inf, "never"),
         ((0j, -0.5 + 3j), ((-1 + 0j,), (1.99j,)), 1e4, "never"),
-        ((0j, -0.1 + 1j), ((-2.0 + 0j, 0j, 0j), (1 + 0j, 0j)), 10.0, "never"),
+        ((0j, -0.1 + 1j), ((-2.0 + 0j, -0.1 + 0j, 0j), (1 + 0j, 0j)), 10.0, "never"),
         ((1j,), ((-1 + 0j,),), 1.0, None),
     ],
 )

@@ -169,8 +169,13 @@ def test_a_guess_of_the_state_is_taken_where_the_orbit_starts(first):
 
 
 def test_no_points_and_lost_points():
-    none = solve("dry-friction", STICKING | {"V": []}, STICK_GUESS, itinerary=PHASES)
-    assert none.dwell_times.shape == (0, 4)
+    for shape in ((0,), (2, 0), (0, 3)):
+        empty = {"V": np.empty(shape)}
+        none = solve("dry-friction", STICKING | empty, STICK_GUESS, itinerary=PHASES)
+        declared = solve(f"{GALLERY}/piecewise_stiffness.py:subharmonic", {"w": np.empty(shape)})
+        assert none.dwell_times.shape == (*shape, 4)
+        for found in (none, declared):
+            assert found.status.shape == found.admissible.shape == found.trace.shape == shape
     lost = solve("dry-friction", STICKING | {"V": [-1, 1]}, STICK_GUESS, itinerary=PHASES)
     assert lost.converged.tolist() == [False, True]
     assert np.isnan(lost.dwell_times[0]).all()

@@ -109,9 +109,9 @@ def closed_form(w: np.ndarray, sigma: np.ndarray, r: np.ndarray) -> tuple[np.nda
 
 
 def test_of_both_roots_the_motion_is_found() -> None:
-    values = points_in(ONE_PERIOD, 3000, seed=8)
+    values = points_in(ONE_PERIOD, 1000, seed=8)
     # beside the resonance w = 2 one impact is many times as hard as at the reference
-    values["w"][:300] = np.random.default_rng(9).uniform(2.02, 2.06, 300)
+    values["w"][:100] = np.random.default_rng(9).uniform(2.02, 2.06, 100)
     found = ns.solve(ONE_PERIOD, values)
     with np.errstate(invalid="ignore"):
         roots = np.stack(closed_form(values["w"], values["sigma"], values["r"]))
@@ -200,16 +200,6 @@ def test_parameters_that_decide_nothing_have_domains_and_names_of_functions_in_c
     with pytest.raises(InputError, match="unknown parameter 'near'"):
         ns.solve(orbit, {"near": 0.5})
     assert ns.solve(orbit, {"M_PI": "1/2", "cos": [2]}).converged.all()
-
-
-@pytest.mark.parametrize("shape", [(0,), (2, 0), (0, 3)])
-def test_no_points_have_the_shape_of_any(
-    shape: tuple[int, ...], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    values = {"w": np.empty(shape)}
-    for found in (ns.solve(SUBHARMONIC, values), by_tables(SUBHARMONIC, monkeypatch, values)):
-        assert found.status.shape == found.admissible.shape == found.trace.shape == shape
-        assert found.starts.shape[: len(shape)] == shape
 
 
 @pytest.mark.parametrize(
