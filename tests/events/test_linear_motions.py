@@ -12,8 +12,9 @@ import numpy as np
 import pytest
 from flint import arb, arb_mat, ctx
 
-from nonsmooth.runtime.events.quasi_polynomials import ModeFunctions, functions_along
+from nonsmooth.runtime.events.quasi_polynomials import ConfigurationTable
 from nonsmooth.runtime.model.modes.numeric_modes import numeric_modes
+from tests.large_systems import by_tables
 from tests.places import CHECKOUT
 
 compiler = shutil.which("gcc") or shutil.which("cc")
@@ -80,9 +81,12 @@ class LinearMotion(NamedTuple):
 
 def along(motion, row):
     """Give a function of a motion by the modes of its field."""
-    modes, start = numeric_modes(motion.field), np.append(motion.start, 1.0)
-    functions, rows = ModeFunctions(modes.shapes, modes.exponents), np.array([row], dtype=float)
-    (found,) = functions_along(functions, modes.flows, rows, start, abs(start))
+    modes, start = numeric_modes(motion.field), [*motion.start.tolist(), 1.0]
+    system = by_tables(
+        "motion", motion.field[None], np.array([row]), np.eye(*motion.field.shape)[None],
+        [[("row", 0, True)]], [[]], [(modes.shapes, modes.exponents, modes.flows)],
+    )  # fmt: skip
+    (found,) = ConfigurationTable(system, 0).along(start, [*map(abs, start)])
     return found
 
 

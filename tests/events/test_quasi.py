@@ -96,13 +96,14 @@ def test_errors_and_bounds_hold(kind):
             assert errors[order] <= 2.0**-46 * function.bound(order, 0.0, 0.0)
 
 
-def fourier(half, factor, odd):
-    """-(1 - cos t)^half (1 - factor (1 - cos t)), times sin t if odd: exact in doubles."""
+def fourier(half, factors, odd):
+    """-(1 - cos t)^half, times 1 - factor (1 - cos t) for each, and sin t if odd."""
     wave = np.array([-0.5, 1.0, -0.5])  # 1 - cos t by powers of e^(it)
     value = np.array([-1.0])
     for _ in range(half):
         value = np.convolve(value, wave)
-    value = np.convolve(value, np.array([0.0, 1.0, 0.0]) - factor * wave)
+    for factor in factors:
+        value = np.convolve(value, np.array([0.0, 1.0, 0.0]) - factor * wave)
     value = value.astype(complex)
     if odd:
         value = np.convolve(value, np.array([0.5j, 0, -0.5j]))  # sin t
@@ -115,7 +116,7 @@ def fourier(half, factor, odd):
 @pytest.mark.parametrize("factor", [1.0, 3.0, 64.0, 4096.0, 2.0**20])
 @pytest.mark.parametrize(("half", "odd"), [(0, True), (1, False), (1, True), (2, False)])
 def test_a_start_at_zero_is_left_and_the_way_back_is_relative(half, odd, factor):
-    function = fourier(half, factor, odd)
+    function = fourier(half, [factor], odd)
     values, errors = zip(*islice(function.taylor(), 2 * half + odd + 1), strict=True)
     assert all(abs(v) <= e for v, e in pairwise((*values[:-1], 0.0)) if e == 0)
     assert abs(values[-1]) > errors[-1]
@@ -124,6 +125,16 @@ def test_a_start_at_zero_is_left_and_the_way_back_is_relative(half, odd, factor)
     # the coefficients of these derivatives round, absolutely: a small root feels it
     assert found.time == pytest.approx(expected, rel=1e-13)
     assert abs(found.time - expected) <= found.error + 4 * math.ulp(expected)
+
+
+@pytest.mark.parametrize("order", [1, 2, 3, 4])
+def test_a_short_way_beyond_zero_is_not_passed_over(order):
+    """Two roots next to each other behind a start that is a root of some order."""
+    generator = np.random.default_rng(order)
+    for factor in 2.0 ** generator.uniform(1, 10, 15):
+        other = factor / (1 + 10 ** generator.uniform(-3, 0))
+        found = first_crossing(fourier(order // 2, [factor, other], bool(order % 2)), 3.0)
+        assert found.time == pytest.approx(math.acos(1 - 1 / factor), rel=1e-6)
 
 
 @pytest.mark.parametrize("power", [-3, -6, -9, -11])
@@ -175,20 +186,17 @@ def test_a_touch_beside_a_later_crossing():
     assert early.time == pytest.approx(2.0, abs=1e-6)
 
 
-@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("seed", range(20))
 def test_polynomials_find_their_first_root_or_prove_there_is_none(seed):
-    """Far apart, or next to each other behind a start that is a root of some order too."""
-    generator, order = np.random.default_rng(seed), seed % 4
+    generator = np.random.default_rng(seed)
     roots = np.sort(10 ** generator.uniform(-6, 6, 3))
-    if order:
-        roots = roots[0] * np.cumprod(1 + 10 ** generator.uniform(-1, 0, 3))
-    shape = np.polynomial.polynomial.polyfromroots([*roots, *[0.0] * order])
+    shape = np.polynomial.polynomial.polyfromroots(roots)
     rising = plain_sum((0j,), (tuple(complex(c) for c in shape),))
     found = first_crossing(rising, math.inf)
     slope = abs(exact(rising, roots[0], 1))
     allowed = float(rising.rounding(roots[0]) / slope) + 8 * math.ulp(roots[0])
     assert found.time == pytest.approx(roots[0], abs=allowed)
-    falling = np.polynomial.polynomial.polyfromroots([*-roots, *[0.0] * order])
+    falling = np.polynomial.polynomial.polyfromroots(-roots)
     none = plain_sum((0j,), (tuple(complex(-c) for c in falling),))
     assert first_crossing(none, math.inf) == (None, 0.0, (), True)
 

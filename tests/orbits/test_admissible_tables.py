@@ -10,6 +10,7 @@ from numpy.random import default_rng
 
 import nonsmooth as ns
 from nonsmooth.derive import Friction, Harmonic, SoftStop, oscillator
+from tests.one_mass import one_mass
 
 STIFF = SoftStop("x", at="0.03", stiffness=100_000, damping=500, released="force", name="bump")
 
@@ -17,10 +18,7 @@ STIFF = SoftStop("x", at="0.03", stiffness=100_000, damping=500, released="force
 @cache
 def released():
     """An orbit that leaves a damped stop where its force, of some thousands, vanishes."""
-    system = oscillator(
-        "released", ["x"], [[300]], [[20_000]], [[800]],
-        forcing=[Harmonic(9, cosine=[600])], elements=[STIFF],
-    )  # fmt: skip
+    system = one_mass("released", STIFF, forces={9: 600}, mass=300, stiffness=20_000, damping=800)
     motion = ns.simulate(system, {}, {"x": 0, "v": 0}, until=60)
     orbit = ns.solve(system, {}, itinerary=ns.itinerary_of(motion))
     assert [name for name, _ in orbit.itinerary] == ["free", "contact", "released"]

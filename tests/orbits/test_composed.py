@@ -5,12 +5,21 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from nonsmooth import InputError, NoConvergence, refine, solve
-from nonsmooth.derive import RigidStop, oscillator
+from nonsmooth.derive import RigidStop
 from nonsmooth.runtime.model.engine_layout import layout_of, numbers_of
 from nonsmooth.runtime.model.kernels import compiled_engine
 from tests.engines import with_both
+from tests.one_mass import one_mass
 from tests.places import GALLERY
-from tests.shifting_systems import PULLED, SLED, settled_orbit
+from tests.shifting_systems import (
+    CAPSULE,
+    GEARED,
+    PULLED,
+    SHAKEN,
+    SLED,
+    TURNED,
+    settled_orbit,
+)  # fmt: skip
 from tests.two_masses import CHAIN, PHASES, RUBBING, STICKING
 
 STICK_GUESS = [1.02, 2.0, 1.57, 3.28]
@@ -106,10 +115,8 @@ def test_either_solver_gives_every_status(backend, system, data, itinerary, gues
 @pytest.mark.compiled
 def test_what_is_lost_at_the_very_last_step_is_said_to_be_lost():
     """Dwell times grow fourfold at each step, exponential motions along them beyond any number."""
-    falling = oscillator(
-        "falling", ["x"], mass=[[1]], stiffness=[[-1]],
-        elements=[RigidStop("x", at=1, restitution=1, name="wall")],
-    )  # fmt: skip
+    wall = RigidStop("x", at=1, restitution=1, name="wall")
+    falling = one_mass("falling", wall, stiffness=-1)
     guesses = [[dwell, 1.0, -1e-3] for dwell in np.geomspace(1e-17, 1e-15, 40)]
     phases = [("free", "wall-reaches-stop")]
     found, python = with_both(solve, falling, {}, guesses, itinerary=phases, given={"period": 1e4})
@@ -120,29 +127,44 @@ def test_what_is_lost_at_the_very_last_step_is_said_to_be_lost():
 
 
 def itineraries():
-    """Orbits by tables, with what is varied: two stick, one turns on, one is symmetric."""
+    """Orbits by tables, with what is varied.
+
+    Two masses stick, one is pulled or turns on, a box goes on as its mass strikes it, wheels turn
+    along a direction of which a parameter tells, one orbit is symmetric, one of a family.
+    """
     sled = settled_orbit(SLED, PULLED, [0, 1, 0, 0.4])
     gear = solve(f"{GALLERY}/backlash_gear.py:rattle")
-    varied = {"eta": np.linspace(0.95, 1.05, 3)[:, None], "V": [0.98, 1.02]}
-    turning = solve(f"{GALLERY}/two_stops.py:symmetric"), {"r": [0.79, 0.8]}
-    shifted = (sled, {"V": [0.5, 0.51]}), (gear, {"c": [0.0998, 0.1, 0.1002]})
-    return [(stick(), varied), *shifted, turning]
+    soft = solve("elastic-stop/one-contact")
+    return [
+        (stick(), {"eta": np.linspace(0.95, 1.05, 3)[:, None], "V": [0.98, 1.02]}),
+        (sled, {"V": [0.5, 0.51]}),
+        (gear, {"c": [0.0998, 0.1, 0.1002]}),
+        (solve(f"{GALLERY}/two_stops.py:symmetric"), {"r": [0.79, 0.8]}),
+        (soft.problem.by_tables(soft), {"k3": [1.0, 1.001], "m1": 1.001}),
+        (settled_orbit(CAPSULE, SHAKEN), {"k": [0.5, 0.4999], "r": 0.4999}),
+        (settled_orbit(GEARED, TURNED), {"i": [1.5, 1.5001], "w": 1.1}),
+    ]
 
 
-@pytest.mark.compiled  # two of its orbits are found by simulation
-def test_many_points():
+@pytest.mark.compiled  # some of its orbits are found by simulation
+@pytest.mark.parametrize("engine", ["c", pytest.param("numpy", marks=pytest.mark.slow)])
+def test_many_points(engine, monkeypatch):
     for orbit, varied in itineraries():
-        system, phases = orbit.problem.system, orbit.itinerary
+        system, phases, by = orbit.problem.system, orbit.itinerary, list(varied)
         data = {name: float(value) for name, value in orbit.parameters.items()} | varied
         guess = [*map(float, orbit.dwell_times), *map(float, orbit.states[0])]
-        many = solve(system, data, guess, itinerary=phases, multipliers=True)
+        options = {"given": {"period": float(orbit.period)} if orbit.tables.family else {}}
+        options["itinerary"] = phases
+        monkeypatch.setenv("NONSMOOTH_BACKEND", engine)
+        many = solve(system, data, guess, multipliers=True, derivatives=by, **options)
         shape = np.broadcast_shapes(*(np.shape(array) for array in varied.values()))
+        assert many.converged.all()
         assert many.converged.shape == many.admissible.shape == shape
         assert many.dwell_times.shape == (*shape, len(phases))
         assert many.starts.shape == (*shape, len(phases), len(orbit.states[0]))
         for place in np.ndindex(shape):
             point = {n: float(np.broadcast_to(a, shape)[place]) for n, a in data.items()}
-            one = solve(system, point, guess, itinerary=phases)
+            one = solve(system, point, guess, **options)
             assert_allclose(many.dwell_times[place], one.dwell_times, rtol=1e-10)
             assert_allclose(many.starts[place], one.states, atol=1e-9)
             assert many.trace[place] == pytest.approx(one.trace, abs=1e-8)
@@ -151,6 +173,13 @@ def test_many_points():
             assert_allclose(many.multipliers[place], mine, atol=1e-8)
             assert many.margin[place] == pytest.approx(one.stability.margin, abs=1e-9)
             assert bool(many.admissible[place]) is one.admissibility.verdict
+            wanted = one.derivatives(by)
+            for quantity, rates in many.derivatives.items():
+                mine = [rates[name][place] for name in by]
+                expected = wanted.quantity(quantity)[1]
+                assert_allclose(mine, expected, rtol=1e-8, atol=1e-8, err_msg=quantity)
+        assert {"determinant", "spectral_radius"} <= {*many.derivatives}
+        monkeypatch.delenv("NONSMOOTH_BACKEND")
 
 
 @pytest.mark.parametrize("first", range(4))
@@ -172,10 +201,8 @@ def test_no_points_and_lost_points():
     for shape in ((0,), (2, 0), (0, 3)):
         empty = {"V": np.empty(shape)}
         none = solve("dry-friction", STICKING | empty, STICK_GUESS, itinerary=PHASES)
-        declared = solve(f"{GALLERY}/piecewise_stiffness.py:subharmonic", {"w": np.empty(shape)})
         assert none.dwell_times.shape == (*shape, 4)
-        for found in (none, declared):
-            assert found.status.shape == found.admissible.shape == found.trace.shape == shape
+        assert none.status.shape == none.admissible.shape == none.trace.shape == shape
     lost = solve("dry-friction", STICKING | {"V": [-1, 1]}, STICK_GUESS, itinerary=PHASES)
     assert lost.converged.tolist() == [False, True]
     assert np.isnan(lost.dwell_times[0]).all()

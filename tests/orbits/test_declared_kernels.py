@@ -13,13 +13,14 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 import nonsmooth as ns
 from nonsmooth import InputError
-from nonsmooth.derive import Harmonic, Itinerary, Parameter, Reference, RigidStop, oscillator
+from nonsmooth.derive import Itinerary, Parameter, Reference, RigidStop
 from nonsmooth.runtime.explore.charting.chart import chart_problem
 from nonsmooth.runtime.model.kernels import load_orbit
 from nonsmooth.runtime.model.loading import background
 from nonsmooth.runtime.model.loading.caching import cache_folder
 from nonsmooth.runtime.model.loading.load import load_path, many_points_key
 from nonsmooth.runtime.orbits.solve import declared_kernels
+from tests.one_mass import one_mass
 from tests.places import GALLERY
 
 pytestmark = pytest.mark.skipif(background.lacking() is not None, reason=str(background.lacking()))
@@ -150,6 +151,8 @@ def test_where_kernels_find_no_motion_tables_look_for_one(monkeypatch: pytest.Mo
         assert_allclose(row[lost], tables.unknowns[name][lost], rtol=1e-12)
         assert_array_equal(row[~lost], kernels.unknowns[name][~lost])
     # they are looked for where nobody asks for the verdicts, too
+    empty = ns.solve(SUBHARMONIC, {"w": np.empty((0, 3))})
+    assert empty.status.shape == empty.admissible.shape == (0, 3)
     plain = ns.solve(SUBHARMONIC, values, admissibility=False)
     assert plain.admissible is None
     assert plain.trace.tobytes() == both.trace.tobytes()
@@ -160,19 +163,11 @@ def two_stops() -> Itinerary:
     """The restitution of the stop that is far away decides nothing; C has both names."""
     far = Parameter("M_PI", "restitution of the other", lower=0, upper=1, upper_closed=True)
     w = Parameter("cos", "frequency")
-    system = oscillator(
-        "two-sided",
-        ["x"],
-        mass=[[1]],
-        stiffness=[[1]],
-        damping=[["0.1"]],
-        forcing=[Harmonic(w.symbol, cosine=[1])],
-        elements=[
-            RigidStop("x", at=0, restitution="0.8", name="near"),
-            RigidStop("x", at=-50, restitution=far.symbol, side="lower", name="other"),
-        ],
-        parameters=[far, w],
-    )
+    system = one_mass(
+        "two-sided", RigidStop("x", at=0, restitution="0.8", name="near"),
+        RigidStop("x", at=-50, restitution=far.symbol, side="lower", name="other"),
+        forces={w.symbol: 1}, damping="0.1", parameters=[far, w],
+    )  # fmt: skip
     return Itinerary(
         "one",
         system,

@@ -10,6 +10,7 @@ from numpy.testing import assert_allclose
 import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, SoftStop, System, oscillator
+from tests.one_mass import one_mass
 
 ONE = [("free", "stop-reaches-stop")]
 DATA = {"zeta": "0.05", "Omega": 2, "r": "0.8"}
@@ -21,19 +22,10 @@ def impact(second: float = 0.0) -> System:
     zeta = Parameter("zeta", "damping", lower=0, closed=True)
     speed = Parameter("Omega", "frequency")
     r = Parameter("r", "restitution", lower=0, upper=1, closed=True, upper_closed=True)
-    forcing = [Harmonic(speed.symbol, cosine=[1])]
-    if second:
-        forcing.append(Harmonic(2 * speed.symbol, cosine=[second]))
-    return oscillator(
-        "forced",
-        ["x"],
-        [[1]],
-        [[1]],
-        [[2 * zeta.symbol]],
-        forcing=forcing,
-        elements=[RigidStop("x", 0, r.symbol, name="stop")],
-        parameters=[zeta, speed, r],
-    )
+    forces = {speed.symbol: 1} | ({2 * speed.symbol: second} if second else {})
+    stop = RigidStop("x", 0, r.symbol, name="stop")
+    known = [zeta, speed, r]
+    return one_mass("forced", stop, forces=forces, damping=2 * zeta.symbol, parameters=known)
 
 
 def settled(system: System, data: dict, transitions: int = 800) -> Any:
