@@ -62,7 +62,7 @@ def by_tables(orbit: Any, monkeypatch: pytest.MonkeyPatch, values: Any, **option
             orbit,
             id=orbit.rpartition("/")[-1],
             # kernels that no other test needs are compiled first
-            marks=[] if orbit in (ONE_PERIOD, SUBHARMONIC) else [pytest.mark.slow],
+            marks=[] if orbit == ONE_PERIOD else [pytest.mark.slow],
         )
         for orbit in BOXES
     ],
@@ -89,7 +89,13 @@ def test_verdicts_are_those_of_the_tables(orbit: str, monkeypatch: pytest.Monkey
         assert other.unknowns[name].tobytes() == row.tobytes(), name
 
 
-@pytest.mark.parametrize("orbit", [ONE_PERIOD, SUBHARMONIC], ids=["kernels alone", "tables too"])
+@pytest.mark.parametrize(
+    "orbit",
+    [
+        pytest.param(ONE_PERIOD, id="kernels alone"),
+        pytest.param(SUBHARMONIC, id="tables too", marks=pytest.mark.slow),
+    ],
+)
 def test_a_point_has_the_bits_of_itself(orbit: str) -> None:
     """Not of the others, of their number, or of how often it was asked for."""
     values = points_in(orbit, 40)
@@ -136,6 +142,7 @@ def test_of_both_roots_the_motion_is_found() -> None:
         assert one.admissibility.verdict is False
 
 
+@pytest.mark.slow
 def test_where_kernels_find_no_motion_tables_look_for_one(monkeypatch: pytest.MonkeyPatch) -> None:
     """Newton's method on fewer unknowns ends at another root there."""
     values = {"w": np.linspace(3.4, 3.9, 8), "gap": np.full(8, 0.2)}
