@@ -10,7 +10,6 @@ from numpy.random import default_rng
 
 import nonsmooth as ns
 from nonsmooth.derive import Friction, Harmonic, SoftStop, oscillator
-from nonsmooth.runtime.orbits.equations import equations_of
 from tests.one_mass import one_mass
 
 STIFF = SoftStop("x", at="0.03", stiffness=100_000, damping=500, released="force", name="bump")
@@ -42,11 +41,6 @@ def test_a_boundary_that_is_missed_by_rounding_is_not_crossed_behind_it(phase, l
 
 def test_a_boundary_that_is_missed_by_more_is_crossed_behind_it():
     assert verdict(released(), [0, -1e-3, 0]) is False
-
-
-def test_of_no_orbit_whose_phases_last_admissibility_is_told():
-    equations = equations_of(released())
-    assert not equations.admissible(-equations.values[None]).any()
 
 
 @pytest.mark.slow

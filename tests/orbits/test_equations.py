@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
+from nonsmooth.runtime.orbits.equations import equations_of
 from tests.handmade import DATA, MIRROR, two_stops
 from tests.places import GALLERY
 
@@ -64,3 +65,24 @@ def test_a_branch_is_admissible_where_given_forces_hold_its_orbits() -> None:
     told = [branch.orbit_at(k).admissibility.verdict for k in range(len(branch))]
     assert branch.admissible.tolist() == told
     assert {*told} == {True, False}
+
+
+@pytest.mark.parametrize("name", [*NAMES, f"{GALLERY}/backlash_gear.py:rattle"])
+def test_linearised_equations_tell_how_an_orbit_moves(name: str) -> None:
+    """By the implicit function theorem; sixty digits hold an orbit's derivatives elsewhere."""
+    for orbit in records(name):
+        equations, by = equations_of(orbit), (NAMES | DECLARED)[name][1]
+        missed, jacobian = equations.linearised(equations.values, equations.names.index(by))
+        assert missed == pytest.approx(0, abs=1e-9)
+        moved, *_ = np.linalg.lstsq(jacobian[:, :-1], -jacobian[:, -1], rcond=None)
+        rates = orbit.derivatives(by).unknowns
+        wanted = np.array([rates[unknown][0] for unknown in equations.unknowns])
+        assert moved == pytest.approx(wanted, rel=1e-8, abs=1e-8)
+
+
+def test_a_point_of_a_family_whose_phases_do_not_last_is_no_motion() -> None:
+    for orbit in records(STICK):
+        equations = equations_of(orbit)
+        short = [-1.0 if name in equations.dwell_names else 1.0 for name in equations.names]
+        points = np.stack([equations.values, equations.values * short])
+        assert equations.admissible(points).tolist() == [True, False]
