@@ -146,6 +146,12 @@ class Declared:
         piece, _, end = self.steps[-1]
         return piece.jump @ end
 
+    @property
+    def missed(self) -> Any:
+        """By how much a phase misses its boundary, or a turn its start, at most."""
+        ends = [abs((piece.normal @ end).item()) for piece, _, end in self.steps]
+        return max(*ends, abs(self.end - self.start).max())
+
     def saltations(self) -> list[Any]:
         """Saltation matrix of each transition, without the last row and column."""
         following = [*self.pieces[1:], self.pieces[0]]

@@ -6,7 +6,6 @@ import sympy as sp
 
 import nonsmooth as ns
 from nonsmooth.derive import Friction, Harmonic, RigidStop, System, oscillator
-from nonsmooth.runtime.orbits.orbit import Orbit
 
 A, V, c, e, g, i, k, r, u, w = sp.symbols("A V c e g i k r u w")
 GROUND = Friction("x", kinetic=u, static=u, velocity=0, name="ground")
@@ -46,7 +45,7 @@ SLED = pulled("sled", [[0, 0], [0, 1]])
 PULLED = {"u": "1", "e": "0.3", "V": "0.5"}
 
 
-def settled_orbit(system: System, data: Any, start: Any = (0, 0, 0, 0, 1, 0)) -> Orbit:
+def settled_orbit(system: System, data: Any, start: Any = (0, 0, 0, 0, 1, 0)) -> Any:
     """The orbit on which a motion settles."""
     motion = ns.simulate(system, data, start, transitions=800)
     return ns.solve(system, data, itinerary=ns.itinerary_of(motion))

@@ -147,18 +147,16 @@ def test_units_do_not_matter(scale):
     assert maximum(slow, 5.0 * scale) == pytest.approx((value, time * scale), rel=1e-7)
 
 
-sound = trigonometric(1.0, 1.0, (1.0,), (1.0,), (1.0,))
-
-
-@pytest.mark.parametrize("duration", [math.nan, -1.0, math.inf, 1.001e5])
-def test_windows_without_a_guarantee_are_refused(duration):
-    with pytest.raises(ValueError, match="duration"):
-        maximum(sound, duration)
-
-
-def test_a_floor_that_is_no_number_is_refused():
-    with pytest.raises(ValueError, match="floor"):
-        maximum(sound, 1.0, math.nan)
+@pytest.mark.parametrize(
+    ("window", "told"),
+    [
+        ((math.nan,), "duration"), ((-1.0,), "duration"), ((math.inf,), "duration"),
+        ((1.001e5,), "duration"), ((1.0, math.nan), "floor"),
+    ],
+)  # fmt: skip
+def test_windows_without_a_guarantee_and_floors_that_are_none_are_refused(window, told):
+    with pytest.raises(ValueError, match=told):
+        maximum(trigonometric(1.0, 1.0, (1.0,), (1.0,), (1.0,)), *window)
 
 
 @pytest.mark.parametrize(

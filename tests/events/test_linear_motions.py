@@ -1,4 +1,4 @@
-"""The compiled search for maxima along linear motions: against ball arithmetic, and Python's."""
+"""The compiled search for maxima along linear motions, against ball arithmetic."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 from flint import arb, arb_mat, ctx
 
-from nonsmooth.runtime.events.crossings_and_maxima import maximum
-from nonsmooth.runtime.events.quasi_polynomials import ModeFunctions, functions_along
+from nonsmooth.runtime.events.quasi_polynomials import ConfigurationTable
 from nonsmooth.runtime.model.modes.numeric_modes import numeric_modes
+from tests.large_systems import by_tables
 from tests.places import CHECKOUT
 
 compiler = shutil.which("gcc") or shutil.which("cc")
@@ -81,9 +81,12 @@ class LinearMotion(NamedTuple):
 
 def along(motion, row):
     """Give a function of a motion by the modes of its field."""
-    modes, start = numeric_modes(motion.field), np.append(motion.start, 1.0)
-    functions, rows = ModeFunctions(modes.shapes, modes.exponents), np.array([row], dtype=float)
-    (found,) = functions_along(functions, modes.flows, rows, start, abs(start))
+    modes, start = numeric_modes(motion.field), [*motion.start.tolist(), 1.0]
+    system = by_tables(
+        "motion", motion.field[None], np.array([row]), np.eye(*motion.field.shape)[None],
+        [[("row", 0, True)]], [[]], [(modes.shapes, modes.exponents, modes.flows)],
+    )  # fmt: skip
+    (found,) = ConfigurationTable(system, 0).along(start, [*map(abs, start)])
     return found
 
 
@@ -123,29 +126,20 @@ def exactly(motion, row, times):
 
 
 def test_maxima_are_attained_and_not_exceeded(search):
-    for motion, rows in motions(25, 1):
-        maxima, times, roundings, _ = search(motion, rows, [-math.inf] * len(rows))
-        for row, value, time, error in zip(rows, maxima, times, roundings, strict=True):
+    for motion, rows in motions(40, 1):
+        found = search(motion, rows, [-math.inf] * len(rows))
+        for row, value, time, error, rises in zip(rows, *found, strict=True):
             *values, there = exactly(motion, row, [*np.linspace(0, motion.duration, 60), time])
             assert max(values) <= value + error
             assert abs(there - value) <= error
-
-
-@pytest.mark.slow
-def test_the_compiled_search_is_that_of_python(search):
-    for motion, rows in motions(300, 2):
-        functions = [along(motion, row) for row in rows]
-        for floors in ([-math.inf, -math.inf], [0.0, 0.5]):
-            maxima, times, roundings, rises = search(motion, rows, floors)
-            for function, floor, *found in zip(
-                functions, floors, maxima, times, roundings, rises, strict=True
-            ):
-                value, time, rounding, rise = found
-                expected = maximum(function, motion.duration, floor)
-                error = rounding + 2 * function.rounding(motion.duration)
-                assert abs(value - expected.value) <= error
-                assert math.isnan(time) == (value == floor)
-                assert bool(rise) == function.rises(0.0)
+            terms = row[:-1, None] * motion.field * np.append(motion.start, 1.0)
+            if abs(terms.sum()) > 1e-9 * abs(terms).sum():
+                assert bool(rises) == (terms.sum() > 0)
+            # a floor cuts off what lies below
+            floor = value + np.random.default_rng(3).choice([-1, 1]) * abs(value) / 2
+            (cut,), (time,), *_ = search(motion, [row], [floor])
+            assert abs(cut - max(value, floor)) <= 2 * error
+            assert math.isnan(time) == (cut == floor)
 
 
 @pytest.mark.parametrize("exponent", range(5, 13))
@@ -155,12 +149,10 @@ def test_grazing_peaks_are_found(search, exponent):
     for _ in range(20):
         motion = LinearMotion(FORCED, drawn.normal(size=4), float(drawn.uniform(3, 12)))
         row = np.array([1.0, 0, 0, 0, 0])
-        free = maximum(along(motion, row), motion.duration)
+        free = search(motion, [row], [-math.inf])[0][0]
         for peak, found in ((10.0**-exponent, True), (-(10.0**-exponent), False)):
-            shifted = np.append(row[:-1], peak - free.value)
-            maxima, *_ = search(motion, [shifted], [0.0])
-            assert bool(maxima[0] > 0) is found
-            assert (maximum(along(motion, shifted), motion.duration, 0.0).value > 0) is found
+            shifted = np.append(row[:-1], peak - free)
+            assert bool(search(motion, [shifted], [0.0])[0][0] > 0) is found
 
 
 def test_a_bump_between_flat_ends_is_found(search):
@@ -180,7 +172,6 @@ def test_a_bump_between_flat_ends_is_found(search):
     slopes = [motion.field @ np.append(values(t)[:-1], 1.0) for t in (0.0, 0.5)]
     conditions = np.array([*ends, *(np.append(s, 0.0) for s in slopes), values(0.25)])
     row, *_ = np.linalg.lstsq(conditions, [0, 0, 0, 0, 1.0], rcond=None)
-    assert maximum(along(motion, row), 0.5, 0.9).value == pytest.approx(1.0)
     assert search(motion, [row], [0.9])[0][0] == pytest.approx(1.0)
 
 

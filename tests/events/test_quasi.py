@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from nonsmooth import InputError
-from nonsmooth.runtime.events.crossings_and_maxima import Start, _Search, first_crossing
+from nonsmooth.runtime.events.crossings_and_maxima import first_crossing
 from tests.sums import plain_sum
 
 HIGH = mp.MPContext()
@@ -96,13 +96,14 @@ def test_errors_and_bounds_hold(kind):
             assert errors[order] <= 2.0**-46 * function.bound(order, 0.0, 0.0)
 
 
-def fourier(half, factor, odd):
-    """-(1 - cos t)^half (1 - factor (1 - cos t)), times sin t if odd: exact in doubles."""
+def fourier(half, factors, odd):
+    """-(1 - cos t)^half, times 1 - factor (1 - cos t) for each, and sin t if odd."""
     wave = np.array([-0.5, 1.0, -0.5])  # 1 - cos t by powers of e^(it)
     value = np.array([-1.0])
     for _ in range(half):
         value = np.convolve(value, wave)
-    value = np.convolve(value, np.array([0.0, 1.0, 0.0]) - factor * wave)
+    for factor in factors:
+        value = np.convolve(value, np.array([0.0, 1.0, 0.0]) - factor * wave)
     value = value.astype(complex)
     if odd:
         value = np.convolve(value, np.array([0.5j, 0, -0.5j]))  # sin t
@@ -115,7 +116,7 @@ def fourier(half, factor, odd):
 @pytest.mark.parametrize("factor", [1.0, 3.0, 64.0, 4096.0, 2.0**20])
 @pytest.mark.parametrize(("half", "odd"), [(0, True), (1, False), (1, True), (2, False)])
 def test_a_start_at_zero_is_left_and_the_way_back_is_relative(half, odd, factor):
-    function = fourier(half, factor, odd)
+    function = fourier(half, [factor], odd)
     values, errors = zip(*islice(function.taylor(), 2 * half + odd + 1), strict=True)
     assert all(abs(v) <= e for v, e in pairwise((*values[:-1], 0.0)) if e == 0)
     assert abs(values[-1]) > errors[-1]
@@ -126,31 +127,14 @@ def test_a_start_at_zero_is_left_and_the_way_back_is_relative(half, odd, factor)
     assert abs(found.time - expected) <= found.error + 4 * math.ulp(expected)
 
 
-def starting_at_zero(generator):
-    """A polynomial, or waves, that leave zero downwards with a root of a random order."""
-    order = generator.integers(1, 4)
-    if generator.random() < 0.5:
-        return fourier(order // 2, 2.0 ** generator.uniform(0, 8), bool(order % 2))
-    rest = generator.normal(size=generator.integers(1, 6))
-    shape = np.concatenate([np.zeros(order), [-abs(rest[0])], rest[1:]])
-    return plain_sum((0j,), (tuple(complex(c) for c in shape),))
-
-
-def test_no_step_behind_a_start_at_zero_passes_the_way_back():
-    """Until a start is left g is negative, and nowhere is it bent more than its series says."""
-    generator = np.random.default_rng(30)
-    for _ in range(60):
-        function = starting_at_zero(generator)
-        start = Start.of(function)
-        assert start.sign < 0
-        series, window = start.series, min(3.0, start.series.radius)
-        until = _Search(function, window, series, False).leave(window)
-        assert until > 0
-        for t in generator.uniform(0, until, 8):
-            assert exact(function, t) < 0
-        for end in window * 10.0 ** generator.uniform(-4, 0, 4):
-            for t in generator.uniform(0, end, 4):
-                assert abs(exact(function, t, 2)) <= series.bend(end)
+@pytest.mark.parametrize("order", [1, 2, 3, 4])
+def test_a_short_way_beyond_zero_is_not_passed_over(order):
+    """Two roots next to each other behind a start that is a root of some order."""
+    generator = np.random.default_rng(order)
+    for factor in 2.0 ** generator.uniform(1, 10, 15):
+        other = factor / (1 + 10 ** generator.uniform(-3, 0))
+        found = first_crossing(fourier(order // 2, [factor, other], bool(order % 2)), 3.0)
+        assert found.time == pytest.approx(math.acos(1 - 1 / factor), rel=1e-6)
 
 
 @pytest.mark.parametrize("power", [-3, -6, -9, -11])
@@ -161,23 +145,6 @@ def test_a_short_flight_keeps_its_digits(power):
     # -v sin t + (1 - cos t): the root of tan(t/2) = v
     swing = plain_sum((0j, 1j), ((1 + 0j,), (complex(-1, velocity),)))
     assert first_crossing(swing, 3.0).time == pytest.approx(2 * math.atan(velocity), rel=1e-3)
-
-
-def test_a_start_that_rises_is_reached_at_once():
-    for function in (
-        plain_sum((0j, 1j), ((-1 + 0j,), (1 - 0.5j,))),
-        plain_sum((0j, 1j), ((1 + 0j,), (-1 + 0j,))),
-        plain_sum((0j,), ((0.25 + 0j,),)),
-    ):
-        assert first_crossing(function, 1.0).time == 0.0
-
-
-def test_zero_throughout_never_crosses():
-    pair = plain_sum((1j, -1j), ((0.3 + 0.7j,), (-0.3 + 0.7j,)))
-    found = first_crossing(pair, 50.0)
-    assert found.time is None
-    assert found.never
-    assert first_crossing(plain_sum((), ()), math.inf).never
 
 
 @pytest.mark.parametrize("at", [0.83, 1.7, 2.4])
@@ -210,11 +177,6 @@ def test_a_touch_is_reported_or_an_event_and_a_crossing_is_found(at, rate):
 
 
 def test_a_touch_beside_a_later_crossing():
-    # -(1 - cos(t - 1)) touches at 1 and, with a drift from then on, would cross later
-    turn = complex(math.cos(1), -math.sin(1))
-    function = plain_sum((0j, 1j, 0.5j), ((-1 + 0j,), (turn,), (0j,)))
-    assert len(first_crossing(function, 6.0).touched) == 1
-    assert len(first_crossing(function, 8.0).touched) == 2
     shape = np.polynomial.polynomial.polyfromroots([2.0, 2.0, 5.0])
     cubic = plain_sum((0j,), (tuple(complex(c) for c in shape),))
     found = first_crossing(cubic, math.inf)
@@ -234,17 +196,30 @@ def test_polynomials_find_their_first_root_or_prove_there_is_none(seed):
     slope = abs(exact(rising, roots[0], 1))
     allowed = float(rising.rounding(roots[0]) / slope) + 8 * math.ulp(roots[0])
     assert found.time == pytest.approx(roots[0], abs=allowed)
-    falling = np.polynomial.polynomial.polyfromroots([-roots[0], -roots[1], -roots[2]])
+    falling = np.polynomial.polynomial.polyfromroots(-roots)
     none = plain_sum((0j,), (tuple(complex(-c) for c in falling),))
     assert first_crossing(none, math.inf) == (None, 0.0, (), True)
 
 
-def test_what_cannot_follow_is_proved():
-    decaying = plain_sum((0j, -0.5 + 3j), ((-1 + 0j,), (1.99j,)))
-    found = first_crossing(decaying, 1e4)
-    assert found.time is None
-    assert found.never
-    assert not first_crossing(plain_sum((1j,), ((-1 + 0j,),)), 1.0).never
+@pytest.mark.parametrize(
+    ("exponents", "polynomials", "window", "time"),
+    [
+        # a start that rises is reached at once
+        ((0j, 1j), ((-1 + 0j,), (1 - 0.5j,)), 1.0, 0.0),
+        ((0j, 1j), ((1 + 0j,), (-1 + 0j,)), 1.0, 0.0),
+        ((0j,), ((0.25 + 0j,),), 1.0, 0.0),
+        # zero throughout, below zero for ever, or within the window alone
+        ((1j, -1j), ((0.3 + 0.7j,), (-0.3 + 0.7j,)), 50.0, "never"),
+        ((), (), math.inf, "never"),
+        ((0j, -0.5 + 3j), ((-1 + 0j,), (1.99j,)), 1e4, "never"),
+        ((0j, -0.1 + 1j), ((-2.0 + 0j, -0.1 + 0j, 0j), (1 + 0j, 0j)), 10.0, "never"),
+        ((1j,), ((-1 + 0j,),), 1.0, None),
+    ],
+)
+def test_a_crossing_is_at_once_or_never(exponents, polynomials, window, time):
+    found = first_crossing(plain_sum(exponents, polynomials), window)
+    assert found.time == (None if time == "never" else time)
+    assert time == 0.0 or found.never == (time == "never")
 
 
 def test_windows_and_overflow():
@@ -259,12 +234,6 @@ def test_windows_and_overflow():
     assert first_crossing(half, at * 1.001).time == pytest.approx(at, rel=1e-15)
     with pytest.raises(OverflowError):
         first_crossing(plain_sum((1 + 0j,), ((-1 + 0j,),)), 1e4)
-
-
-def test_a_ceiling_passes_over_powers_that_do_not_occur():
-    function = plain_sum((0j, -0.1 + 1j), ((-2.0 + 0j, 0j, 0j), (1 + 0j, 0j)))
-    assert function.ceiling(0.0) == pytest.approx(-1)
-    assert function.ceiling(10.0) == pytest.approx(-2 + math.exp(-1))
 
 
 @pytest.mark.parametrize("frequency", [0.0, 2.0])

@@ -1,35 +1,17 @@
-"""Admissibility of global-stick orbits: open forces, violations that sampling would miss."""
+"""Admissibility of global-stick orbits: roundings, dwell times, and forces that are left open."""
 
 from dataclasses import replace
 
-import mpmath
 import numpy as np
 import pytest
-from numpy.testing import assert_allclose
 
-from nonsmooth import InputError, refine, solve
+from nonsmooth import InputError, solve
 from nonsmooth.runtime.model.kernels import backend
-from tests.declared import Declared, single
+from tests.declared import single
 
 ORBIT = "dry-friction/global-stick"
 PARAMETERS = ("chi", "eta", "V", "e1", "e2")
-LOWER, UPPER = np.array([0.3, 0.6, 0.7, 2.3, 0.3]), np.array([0.7, 1.6, 1.3, 3.8, 0.9])
 CONFIGURATIONS = ("stick-stick", "slip-stick", "slip-slip", "stick-slip")
-
-
-def random_points(seed, count):
-    return LOWER + (UPPER - LOWER) * np.random.default_rng(seed).random((count, 5))
-
-
-@pytest.fixture(scope="module")
-def admissible():
-    """Admissible orbits, the first of them on a fast belt with a positive bound on us1."""
-    fast = np.random.default_rng(24).uniform([0.4, 0.4, 2, 0.5, 0.3], [0.7, 1, 4, 4, 3], (1000, 5))
-    points = np.concatenate([fast, random_points(22, 12)])
-    many = solve(ORBIT, dict(zip(PARAMETERS, points.T, strict=True)))
-    bounds = many.bounds["us1"]
-    positive, ordinary = (np.flatnonzero(b) for b in (bounds > 1e-3, bounds[1000:] == 0))
-    return [single(many, i) for i in [*positive[:4], *(1000 + ordinary)]]
 
 
 def test_an_open_parameter_is_above_its_bound_to_the_last_bit():
@@ -103,11 +85,14 @@ def with_forces(orbit, given):
 
 
 @pytest.fixture(scope="module")
-def binding(admissible):
-    """Orbits, the sliding force that a bound above zero holds, and the other mass's."""
-    pairs = [("us1", "us2"), ("us2", "us1")]
-    found = [(o, us, other) for o in admissible for us, other in pairs if required(o)[us] > 1e-3]
-    assert {us for _, us, _ in found} == {"us1", "us2"}
+def binding():
+    """Orbits on fast belts, the sliding force that a bound above zero holds, the other mass's."""
+    fast = np.random.default_rng(24).uniform([0.4, 0.4, 2, 0.5, 0.3], [0.7, 1, 4, 4, 3], (1000, 5))
+    many, found = solve(ORBIT, dict(zip(PARAMETERS, fast.T, strict=True))), []
+    for us, other in (("us1", "us2"), ("us2", "us1")):
+        places = np.flatnonzero(many.bounds[us] > 1e-3)[:4]
+        found += [(single(many, place), us, other) for place in places]
+    assert len(found) == 8
     return found
 
 
@@ -146,89 +131,7 @@ def test_one_given_force_leaves_the_other_open(binding):
         assert broken.requires == ()
 
 
-def test_a_force_must_be_positive(admissible):
-    for given in ({"us1": 0.0}, {"us2": -1e-6}, {"ur1": 0.1}):
-        with pytest.raises(InputError, match=r"us[12] = .* outside its domain"):
-            with_forces(admissible[-1], given)
-
-
-def test_refined_orbits_have_the_same_verdict(admissible):
-    for orbit in admissible[:3]:
-        again = refine(orbit, 40).admissibility
-        assert again.verdict == "conditional"
-        assert_allclose(
-            [r.greater_than for r in again.requires],
-            [r.greater_than for r in orbit.admissibility.requires],
-            atol=1e-10,
-        )
-
-
-# --- a violation that sampling misses
-
-GRAZING = {"chi": "0.35", "V": "0.24", "e1": "4.2", "e2": "0.08"}
-KEY = (2, "second-reaches-belt")
-
-
-def grazing_orbit():
-    """An orbit just beyond the eta at which mass 2 grazes the belt's velocity in phase 2.
-
-    Scanned with `solve`, bisected on admissibility; then so far beyond that the
-    violation lasts somewhat less than 1e-6.
-    """
-    grid = np.linspace(124, 127, 61)
-    many = solve(ORBIT, {"eta": grid, **GRAZING})
-    near = np.abs(np.diff(many.unknowns["tau1"])) < 0.1
-    change = (many.admissible[:-1] != many.admissible[1:]) & near
-    place = int(np.flatnonzero(change)[0])
-    ends = [place, place + 1] if many.admissible[place] else [place + 1, place]
-    good, bad = (float(grid[i]) for i in ends)
-    guess = {n: float(a[ends[0]]) for n, a in many.unknowns.items()}
-
-    def at(eta):
-        return solve(ORBIT, GRAZING | {"eta": eta}, guess)
-
-    for _ in range(60):
-        middle = 0.5 * (good + bad)
-        if at(middle).admissibility.verdict is False:
-            bad = middle
-        else:
-            good = middle
-    step = np.sign(bad - good) * 1e-13 * bad
-    while (orbit := at(bad + step)).admissibility.verdict is not False or (
-        orbit.admissibility.violations[0].excess < 4e-12
-    ):
-        step *= 1.3
-    return at(good), orbit
-
-
-@pytest.fixture(scope="module")
-def grazing():
-    return grazing_orbit()
-
-
-def test_the_violation_is_real_and_shorter_than_1e_6(grazing):
-    """By mpmath's matrix exponentials, at times around the violation."""
-    orbit = refine(grazing[1], 40)
-    (violation,) = orbit.admissibility.violations
-    time = violation.time - float(orbit.values["ta"] + orbit.values["tau"])
-    assert 0.1 < time < float(orbit.values["tau1"]) - 0.1
-    offsets = np.linspace(-1e-6, 1e-6, 41)
-    piece, start, _ = Declared(orbit, precise=True).steps[KEY[0]]
-    row = piece.boundaries[KEY[1]]
-    excess = [(row @ (piece.flow(mpmath.mpf(time) + t) @ start))[0] for t in offsets]
-    assert max(excess) > 0
-    lasting = offsets[[i for i, e in enumerate(excess) if e > 0]]
-    assert lasting.max() - lasting.min() < 9e-7
-    assert excess[0] < 0 > excess[-1]
-
-
-def test_the_guaranteed_search_and_the_batch_find_it_and_name_it(grazing):
-    before, (violation,) = grazing[0].admissibility, grazing[1].admissibility.violations
-    assert before.verdict == "conditional"
-    assert (violation.phase, violation.boundary) == KEY
-    assert 0 < violation.excess < 2e-11
-    many = solve(ORBIT, {n: [o.values[n] for o in grazing] for n in PARAMETERS})
-    assert_allclose(many.unknowns["tau1"], [o.unknowns["tau1"] for o in grazing], rtol=1e-9)
-    # the last digits of a solution decide on the side without a violation
-    assert not many.admissible[1]
-    assert many.limits[many.limit[1]] == f"phase {KEY[0] + 1} {CONFIGURATIONS[KEY[0]]}: {KEY[1]}"
+@pytest.mark.parametrize("given", [{"us1": 0.0}, {"us2": -1e-6}, {"ur1": 0.1}])
+def test_a_force_must_be_positive(given):
+    with pytest.raises(InputError, match=r"us[12] = .* outside its domain"):
+        solve(ORBIT, given)

@@ -6,17 +6,14 @@ from itertools import chain, islice, product
 import mpmath
 import numpy as np
 import pytest
-from numpy.testing import assert_allclose
 
 from nonsmooth import refine, solve
 from nonsmooth.runtime.core.values import as_value
-from nonsmooth.runtime.model.kernels import backend, load_orbit, orbit_names
-from nonsmooth.runtime.orbits.equations import equations_of
-from tests.declared import RANGES, Declared, random_points, single
+from nonsmooth.runtime.model.kernels import load_orbit, orbit_names
+from tests.declared import Declared, random_points, single
 
 RIGID, ELASTIC = "rigid-stop/one-impact", "elastic-stop/one-contact"
 STICK = "dry-friction/global-stick"
-COUNT, STIFFEST = (400, 12) if backend() == "c" else (60, 6)  # powers of ten
 every_orbit = pytest.mark.parametrize("name", orbit_names())
 
 
@@ -144,25 +141,6 @@ def exact_value(orbit, violation):
         return float((piece.boundaries[violation.boundary] @ (piece.flow(time) @ start))[0])
 
 
-@pytest.mark.slow
-def test_stiff_stops_are_never_refused_for_rounding():
-    """Each phase ends on a boundary, which a stiff stop's orbit meets to few digits."""
-    generator = np.random.default_rng(43)
-    points = {n: generator.uniform(*RANGES[ELASTIC][n], COUNT) for n in RANGES[ELASTIC]}
-    points["k3"] = 10 ** generator.uniform(0, STIFFEST, COUNT)
-    verdicts, doubtful = [], []
-    for orbit in found_at(ELASTIC, points):
-        if orbit.unknowns["tau"] > 300 / orbit.values["k3"] ** 0.5:
-            continue  # a hundred swings in contact take long to check
-        violations = orbit.admissibility.violations
-        verdicts.append(orbit.admissibility.verdict)
-        if violations and max(v.excess for v in violations) < 1e-5:
-            doubtful.append((orbit, violations))
-    assert {True, False} <= set(verdicts)
-    for orbit, violations in doubtful[:: 1 + len(doubtful) // 8]:
-        assert max(exact_value(orbit, v) for v in violations) > 0
-
-
 def test_a_penetration_of_a_stiff_stop_is_seen():
     """Three half swings of a stiff spring leave the contact in between, by u / omega."""
     stiffness = 1e12
@@ -206,46 +184,32 @@ def test_a_penetration_too_shallow_to_be_seen_is_one():
 
 
 @pytest.mark.parametrize("name", [RIGID, ELASTIC])
-@pytest.mark.parametrize("scale", [1e-12, 1e-3, 1e3, 1e12])
-def test_units_of_mass_change_nothing(name, scale):
-    for period in ("2*pi", "6.9", "8"):
-        plain = solve(name, {"T": period}, throw=False)
-        if not plain.converged:
-            continue
-        heavy = {n: plain.values[n] * scale for n in plain.kernels.parameter_names if n != "T"}
-        other = solve(name, heavy | {"T": period})
-        assert other.admissibility.verdict is plain.admissibility.verdict
-        assert_allclose(list(other.unknowns.values()), list(plain.unknowns.values()), rtol=1e-9)
-        assert other.trace == pytest.approx(plain.trace, rel=1e-9)
-
-
-@pytest.mark.parametrize("name", [RIGID, ELASTIC])
-@pytest.mark.parametrize("scale", [1e-4, 1e-2, 1e2, 1e5])
-def test_units_of_time_change_nothing(name, scale):
-    plain = solve(name)
-    stiffness = {n: plain.values[n] / scale**2 for n in ("k1", "k2", "k3") if n in plain.values}
-    other = solve(name, {**stiffness, "T": plain.values["T"] * scale})
-    assert other.admissibility.verdict is True
-    assert other.stability.verdict == "neutral"
+@pytest.mark.parametrize(
+    ("mass", "time"), [(1e-12, 1e-4), (1e-3, 1e-2), (1e3, 1e2), (1e12, 1e5), (1, 1e5), (1e12, 1)]
+)
+@pytest.mark.parametrize("period", ["2*pi", "6.9", "8"])
+def test_units_of_mass_and_time_change_nothing(name, mass, time, period):
+    plain = solve(name, {"T": period}, throw=False)
+    if not plain.converged:
+        return
+    sizes = {"m": mass, "k": mass / time**2, "T": time, "y": 1, "u": 1 / time, "w": 1 / time}
+    scaled = {n: x * sizes.get(n, sizes.get(n[0], time)) for n, x in plain.values.items()}
+    other = solve(name, {n: scaled[n] for n in plain.kernels.parameter_names})
+    assert other.admissibility.verdict is plain.admissibility.verdict
+    assert other.stability.verdict == plain.stability.verdict
     assert other.trace == pytest.approx(plain.trace, rel=1e-8)
-    for unknown, power in (("y", 0), ("u", -1), ("w", -1), ("tau", 1)):
-        if unknown in plain.unknowns:
-            scaled = plain.unknowns[unknown] * scale**power
-            assert other.unknowns[unknown] == pytest.approx(scaled, rel=1e-7)
+    for unknown, value in other.unknowns.items():
+        assert value == pytest.approx(scaled[unknown], rel=1e-7, abs=1e-12 * max(sizes.values()))
 
 
 @every_orbit
 def test_what_meets_no_boundary_is_not_admissible(name):
     """Data that miss the boundaries by more than rounding are no motion."""
     orbit = solve(name)
-    equations = equations_of(orbit)
     for unknown in orbit.kernels.timed:
         # beyond the end of a phase its boundary is crossed
-        late = equations.first + 1e-6 * np.array([n == unknown for n in equations.unknowns])
-        assert equations.admissible(np.stack([equations.first, late])).tolist() == [True, False]
-        value = late[equations.unknowns.index(unknown)]
-        record = replace(orbit, unknowns={**orbit.unknowns, unknown: float(value)})
-        assert record.admissibility.verdict is False
+        late = {**orbit.unknowns, unknown: orbit.values[unknown] + 1e-6}
+        assert replace(orbit, unknowns=late).admissibility.verdict is False
 
 
 def test_beyond_the_guarantee_it_says_so():

@@ -5,12 +5,21 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from nonsmooth import InputError, NoConvergence, refine, solve
-from nonsmooth.derive import RigidStop, oscillator
+from nonsmooth.derive import RigidStop
 from nonsmooth.runtime.model.engine_layout import layout_of, numbers_of
 from nonsmooth.runtime.model.kernels import compiled_engine
 from tests.engines import with_both
+from tests.one_mass import one_mass
 from tests.places import GALLERY
-from tests.shifting_systems import PULLED, SLED, settled_orbit
+from tests.shifting_systems import (
+    CAPSULE,
+    GEARED,
+    PULLED,
+    SHAKEN,
+    SLED,
+    TURNED,
+    settled_orbit,
+)  # fmt: skip
 from tests.two_masses import CHAIN, PHASES, RUBBING, STICKING
 
 STICK_GUESS = [1.02, 2.0, 1.57, 3.28]
@@ -19,7 +28,6 @@ SYMMETRIC_GUESS = [2.65, 2.24]
 CONTACT = [("contact", "first-leaves-stop"), ("free", "first-reaches-stop")]
 IMPACT = [("free", "first-reaches-stop")]
 MANY = STICKING | {"V": [1.0, 1.01]}
-TRACE = -0.980114981284158715
 
 
 def stick(**changes):
@@ -28,35 +36,6 @@ def stick(**changes):
 
 def turned(sequence, first):
     return [*sequence[first:], *sequence[:first]]
-
-
-@pytest.mark.parametrize("first", range(4))
-def test_global_stick_from_every_phase(first):
-    kernels = solve("dry-friction/global-stick")
-    orbit = solve(
-        "dry-friction",
-        STICKING,
-        turned(STICK_GUESS, first),
-        itinerary=turned(PHASES, first),
-    )
-    wanted = turned(kernels.dwell_times.tolist(), first)
-    assert orbit.converged
-    assert_allclose(orbit.dwell_times, wanted, rtol=0, atol=1e-13)
-    assert orbit.trace == pytest.approx(TRACE, abs=1e-13)
-    assert orbit.multipliers[0] == pytest.approx(TRACE, abs=1e-13)
-    assert not orbit.multipliers[1:].any()
-    assert np.trace(orbit.poincare_jacobian) == pytest.approx(TRACE, abs=1e-12)
-    assert orbit.stability.rank == 1
-    assert orbit.stability.verdict == "stable"
-    assert orbit.admissibility.verdict is True
-
-
-def test_many_phases():
-    once = solve("dry-friction", RUBBING, SYMMETRIC_GUESS, itinerary=SYMMETRIC)
-    orbit = solve("dry-friction", RUBBING, SYMMETRIC_GUESS * 15, itinerary=SYMMETRIC * 15)
-    assert orbit.converged
-    assert_allclose(orbit.dwell_times, np.tile(once.dwell_times, 15), atol=1e-12)
-    assert orbit.multipliers[0].real == pytest.approx(once.multipliers[0].real ** 15, rel=1e-11)
 
 
 def test_admissibility_is_the_kernels():
@@ -136,10 +115,8 @@ def test_either_solver_gives_every_status(backend, system, data, itinerary, gues
 @pytest.mark.compiled
 def test_what_is_lost_at_the_very_last_step_is_said_to_be_lost():
     """Dwell times grow fourfold at each step, exponential motions along them beyond any number."""
-    falling = oscillator(
-        "falling", ["x"], mass=[[1]], stiffness=[[-1]],
-        elements=[RigidStop("x", at=1, restitution=1, name="wall")],
-    )  # fmt: skip
+    wall = RigidStop("x", at=1, restitution=1, name="wall")
+    falling = one_mass("falling", wall, stiffness=-1)
     guesses = [[dwell, 1.0, -1e-3] for dwell in np.geomspace(1e-17, 1e-15, 40)]
     phases = [("free", "wall-reaches-stop")]
     found, python = with_both(solve, falling, {}, guesses, itinerary=phases, given={"period": 1e4})
@@ -150,29 +127,44 @@ def test_what_is_lost_at_the_very_last_step_is_said_to_be_lost():
 
 
 def itineraries():
-    """Orbits by tables, with what is varied: two stick, one turns on, one is symmetric."""
+    """Orbits by tables, with what is varied.
+
+    Two masses stick, one is pulled or turns on, a box goes on as its mass strikes it, wheels turn
+    along a direction of which a parameter tells, one orbit is symmetric, one of a family.
+    """
     sled = settled_orbit(SLED, PULLED, [0, 1, 0, 0.4])
     gear = solve(f"{GALLERY}/backlash_gear.py:rattle")
-    varied = {"eta": np.linspace(0.95, 1.05, 3)[:, None], "V": [0.98, 1.02]}
-    turning = solve(f"{GALLERY}/two_stops.py:symmetric"), {"r": [0.79, 0.8]}
-    shifted = (sled, {"V": [0.5, 0.51]}), (gear, {"c": [0.0998, 0.1, 0.1002]})
-    return [(stick(), varied), *shifted, turning]
+    soft = solve("elastic-stop/one-contact")
+    return [
+        (stick(), {"eta": np.linspace(0.95, 1.05, 3)[:, None], "V": [0.98, 1.02]}),
+        (sled, {"V": [0.5, 0.51]}),
+        (gear, {"c": [0.0998, 0.1, 0.1002]}),
+        (solve(f"{GALLERY}/two_stops.py:symmetric"), {"r": [0.79, 0.8]}),
+        (soft.problem.by_tables(soft), {"k3": [1.0, 1.001], "m1": 1.001}),
+        (settled_orbit(CAPSULE, SHAKEN), {"k": [0.5, 0.4999], "r": 0.4999}),
+        (settled_orbit(GEARED, TURNED), {"i": [1.5, 1.5001], "w": 1.1}),
+    ]
 
 
-@pytest.mark.compiled  # two of its orbits are found by simulation
-def test_many_points():
+@pytest.mark.compiled  # some of its orbits are found by simulation
+@pytest.mark.parametrize("engine", ["c", pytest.param("numpy", marks=pytest.mark.slow)])
+def test_many_points(engine, monkeypatch):
     for orbit, varied in itineraries():
-        system, phases = orbit.problem.system, orbit.itinerary
+        system, phases, by = orbit.problem.system, orbit.itinerary, list(varied)
         data = {name: float(value) for name, value in orbit.parameters.items()} | varied
         guess = [*map(float, orbit.dwell_times), *map(float, orbit.states[0])]
-        many = solve(system, data, guess, itinerary=phases, multipliers=True)
+        options = {"given": {"period": float(orbit.period)} if orbit.tables.family else {}}
+        options["itinerary"] = phases
+        monkeypatch.setenv("NONSMOOTH_BACKEND", engine)
+        many = solve(system, data, guess, multipliers=True, derivatives=by, **options)
         shape = np.broadcast_shapes(*(np.shape(array) for array in varied.values()))
+        assert many.converged.all()
         assert many.converged.shape == many.admissible.shape == shape
         assert many.dwell_times.shape == (*shape, len(phases))
         assert many.starts.shape == (*shape, len(phases), len(orbit.states[0]))
         for place in np.ndindex(shape):
             point = {n: float(np.broadcast_to(a, shape)[place]) for n, a in data.items()}
-            one = solve(system, point, guess, itinerary=phases)
+            one = solve(system, point, guess, **options)
             assert_allclose(many.dwell_times[place], one.dwell_times, rtol=1e-10)
             assert_allclose(many.starts[place], one.states, atol=1e-9)
             assert many.trace[place] == pytest.approx(one.trace, abs=1e-8)
@@ -181,26 +173,36 @@ def test_many_points():
             assert_allclose(many.multipliers[place], mine, atol=1e-8)
             assert many.margin[place] == pytest.approx(one.stability.margin, abs=1e-9)
             assert bool(many.admissible[place]) is one.admissibility.verdict
+            wanted = one.derivatives(by)
+            for quantity, rates in many.derivatives.items():
+                mine = [rates[name][place] for name in by]
+                expected = wanted.quantity(quantity)[1]
+                assert_allclose(mine, expected, rtol=1e-8, atol=1e-8, err_msg=quantity)
+        assert {"determinant", "spectral_radius"} <= {*many.derivatives}
+        monkeypatch.delenv("NONSMOOTH_BACKEND")
 
 
 @pytest.mark.parametrize("first", range(4))
 def test_a_guess_of_the_state_is_taken_where_the_orbit_starts(first):
     # the engine starts from another phase: an exact guess is exact there too
-    exact = solve(
-        "dry-friction",
-        STICKING,
-        turned(STICK_GUESS, first),
-        itinerary=turned(PHASES, first),
-    )
+    phases = turned(PHASES, first)
+    exact = solve("dry-friction", STICKING, turned(STICK_GUESS, first), itinerary=phases)
+    kernels = solve("dry-friction/global-stick")
+    assert_allclose(exact.dwell_times, turned(kernels.dwell_times.tolist(), first), atol=1e-13)
+    assert exact.multipliers[0] == pytest.approx(kernels.trace, abs=1e-13)
+    assert not exact.multipliers[1:].any()
     guess = [*exact.dwell_times, *exact.states[0]]
-    many = solve("dry-friction", STICKING, guess, itinerary=turned(PHASES, first))
-    assert many.converged
-    assert many.iterations == 1
+    again = solve("dry-friction", STICKING, guess, itinerary=phases)
+    assert again.converged
+    assert again.iterations == 1
 
 
 def test_no_points_and_lost_points():
-    none = solve("dry-friction", STICKING | {"V": []}, STICK_GUESS, itinerary=PHASES)
-    assert none.dwell_times.shape == (0, 4)
+    for shape in ((0,), (2, 0), (0, 3)):
+        empty = {"V": np.empty(shape)}
+        none = solve("dry-friction", STICKING | empty, STICK_GUESS, itinerary=PHASES)
+        assert none.dwell_times.shape == (*shape, 4)
+        assert none.status.shape == none.admissible.shape == none.trace.shape == shape
     lost = solve("dry-friction", STICKING | {"V": [-1, 1]}, STICK_GUESS, itinerary=PHASES)
     assert lost.converged.tolist() == [False, True]
     assert np.isnan(lost.dwell_times[0]).all()
@@ -235,6 +237,8 @@ def test_an_orbit_by_tables_is_the_one_of_the_kernels(
     assert abs(found.trace - kernels.trace) < 100 * limit
     assert found.residual < limit
     assert found.stability.verdict == kernels.stability.verdict
+    assert found.stability.rank == kernels.stability.rank
+    assert abs(np.trace(found.poincare_jacobian) - found.trace) < 1e-11 if period is None else True
     assert found.tables.family == (period is not None)
     for one, other in zip(found.stability.multipliers, kernels.stability.multipliers, strict=True):
         assert abs(one.real - other.real) + abs(one.imaginary - other.imaginary) < 100 * limit
@@ -248,20 +252,6 @@ def centre(values):
     return [(us1 + us2) / (1 - chi), (chi * us1 + us2) / (chi * (1 - chi)), 0, 0]
 
 
-@pytest.mark.parametrize(
-    ("system", "more", "itinerary", "guess"),
-    [("elastic-stop", {"k3": 1}, CONTACT, [2.1, 4.2]), ("rigid-stop", {"r": 1}, IMPACT, [6.2])],
-)
-def test_a_family_is_said_to_be_one(system, more, itinerary, guess):
-    orbit = solve(system, CHAIN | more, guess, itinerary=itinerary, digits=40, throw=False)
-    assert orbit.message.startswith("singular")
-    assert not orbit.converged
-    assert "give its period" in orbit.message
-    assert orbit.tables.family
-    assert orbit.residual < 1e-12  # a member of the family all the same
-    assert orbit.stability.verdict == "neutral"
-
-
 def test_units_change_no_verdict():
     # a thousand times heavier and a million million times stiffer: time in other units
     data = {"m1": 1e3, "m2": 2e3, "k1": 1e15, "k2": 5e15, "k3": 1e15}
@@ -270,8 +260,13 @@ def test_units_change_no_verdict():
     )
     assert orbit.converged
     assert orbit.stability.verdict == "neutral"
-    free = solve("elastic-stop", data, [2.1e-6, 4.2e-6], itinerary=CONTACT, throw=False)
+    free = solve("elastic-stop", data, [2.1e-6, 4.2e-6], itinerary=CONTACT, digits=40, throw=False)
     assert free.message.startswith("singular")
+    assert not free.converged
+    assert "give its period" in free.message
+    assert free.tables.family
+    assert free.residual < 1e-12 * 1e6  # a member of the family, whose speeds are that large
+    assert free.stability.verdict == "neutral"
 
 
 def test_a_period_that_no_orbit_has():
@@ -284,52 +279,6 @@ def test_a_period_that_no_orbit_has():
         _ = orbit.stability
     with pytest.raises(InputError, match="no orbit"):
         _ = orbit.admissibility
-
-
-@pytest.mark.parametrize(
-    ("changes", "match"),
-    [
-        ({"itinerary": []}, "no phase"),
-        ({"itinerary": [("stick-stick",)], "guess": [1]}, "itinerary takes"),
-        (
-            {"itinerary": [PHASES[0], PHASES[2]], "guess": [1, 1]},
-            "no transition from stick-stick to slip-slip",
-        ),
-        ({"itinerary": [("stik", "first-breaks-forward")], "guess": [1]}, "unknown configuration"),
-        ({"itinerary": [("stick-stick", "first-reaches-belt")], "guess": [1]}, "unknown boundary"),
-        ({"orbit": "dry-frictoin"}, "dry-friction"),
-        ({"parameters": {"chi": 0.5}}, "needs a value"),
-        ({"parameters": STICKING | {"chi": 2}}, "chi"),
-        ({"guess": None}, "takes a guess"),
-        ({"guess": [1, 2, 3]}, "3 values: it takes 4"),
-        ({"guess": [1, 2, 3, float("nan")]}, "finite"),
-        ({"guess": [1, 2, 3, -1]}, "positive"),
-        ({"guess": {"tau1": 1, "tau2": 2, "tau3": 1}}, "no tau4"),
-        ({"guess": {"tau": 1}}, "unknown variable"),
-        ({"guess": [*STICK_GUESS, 1, 2]}, "6 values: it takes 4"),
-        ({"guess": [*STICK_GUESS, 1, 2, 3, float("inf")]}, "finite"),
-        ({"digits": 0}, "digits"),
-        ({"given": {"period": -1}}, "period"),
-        ({"given": {"tau1": 1}}, "exchanged"),
-        ({"unknown": ["V"]}, "exchanged"),
-        ({"parameters": MANY | {"eta": [1, 2, 3]}}, "broadcast"),
-        ({"parameters": MANY | {"W": [1, 2]}}, "unknown parameter"),
-        ({"parameters": STICKING | {"V": ["a"]}}, "V"),
-        ({"parameters": {"V": [1.0]}}, "needs a value"),
-        ({"parameters": MANY, "guess": np.ones((3, 4))}, "broadcast"),
-        ({"parameters": MANY, "threads": 0}, "threads"),
-        ({"parameters": MANY, "given": {"period": -1.0}}, "period"),
-    ],
-)
-def test_bad_input(changes, match):
-    arguments = {
-        "orbit": "dry-friction",
-        "parameters": STICKING,
-        "itinerary": PHASES,
-        "guess": STICK_GUESS,
-    }
-    with pytest.raises(InputError, match=match):
-        solve(**(arguments | changes))
 
 
 @pytest.mark.compiled
@@ -351,14 +300,3 @@ def test_the_engine_checks_its_arrays():
             engine.compose(layout, cycle.packed, one, flat, *short, False)
     with pytest.raises(ValueError, match="numbers"):
         engine.compose(layout, cycle.packed, one, flat[:, 1:].copy(), *arrays, False)
-
-
-def test_the_motion_along_an_orbit_closes_and_can_be_observed():
-    orbit = stick()
-    motion = orbit.trajectory(3)
-    names = [configuration for configuration, _ in orbit.itinerary]
-    assert list(motion.configurations) == [*names * 3, names[0]]
-    assert_allclose(motion.times[::4], np.arange(4) * orbit.period, rtol=1e-13)
-    assert_allclose(motion.states[-1], orbit.states[0], atol=1e-12)
-    with pytest.raises(InputError, match="periods = 0"):
-        orbit.trajectory(0)

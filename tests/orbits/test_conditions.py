@@ -5,21 +5,16 @@ from dataclasses import replace
 import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth.derive import Condition, Harmonic, RigidStop, oscillator
+from nonsmooth.derive import Condition, RigidStop
+from tests.one_mass import one_mass
 
 ITINERARY = [("free", "wall-reaches-stop")]
 
 
 def test_an_orbit_follows_whichever_of_two_equal_transitions_applies() -> None:
     r = sp.Symbol("r")
-    system = oscillator(
-        "one-stop",
-        ["x"],
-        mass=[[1]],
-        stiffness=[[1]],
-        forcing=[Harmonic("12/5", cosine=[1])],
-        elements=[RigidStop("x", at=0, restitution=r, name="wall")],
-    )
+    wall = RigidStop("x", at=0, restitution=r, name="wall")
+    system = one_mass("one-stop", wall, forces={"12/5": 1})
     impact = next(t for t in system.transitions if t.reset)
     beyond = Condition(system.states[1] - 1000, "free")
     never = replace(impact, conditions=(*impact.conditions, beyond))

@@ -9,36 +9,27 @@ from numpy.testing import assert_allclose
 
 import nonsmooth as ns
 from nonsmooth import InputError, NoConvergence
-from nonsmooth.derive import Harmonic, Parameter, RigidStop, SoftStop, oscillator
+from nonsmooth.derive import Parameter, RigidStop, SoftStop
 from nonsmooth.runtime.core.values import as_value
 from tests.differences import in_digits, in_doubles
+from tests.one_mass import one_mass
 
 R, W, W2, Z, K = sp.symbols("r w w2 z k", positive=True)
 FREQUENCY, DAMPING = Parameter("w", "frequency"), Parameter("z", "damping")
 
 
-def one_mass(forcing, element, *parameters):
-    return oscillator(
-        "one-mass",
-        ["x"],
-        mass=[[1]],
-        stiffness=[[1]],
-        damping=[[Z]],
-        forcing=forcing,
-        elements=[element],
-        parameters=[DAMPING, *parameters],
-    )
-
-
 RIGID = RigidStop("x", at=0, restitution=R, name="wall")
+PAD = SoftStop("x", at=sp.Rational(1, 10), stiffness=K, name="pad")
+
+
+def struck(element, forces, *parameters):
+    known = [DAMPING, FREQUENCY, *parameters]
+    return one_mass("one-mass", element, forces=forces, damping=Z, parameters=known)
+
+
 SYSTEMS = {
-    "rigid": one_mass([Harmonic(W, cosine=[1])], RIGID, FREQUENCY),
-    "soft": one_mass(
-        [Harmonic(W, cosine=[1])],
-        SoftStop("x", at=sp.Rational(1, 10), stiffness=K, name="pad"),
-        FREQUENCY,
-        Parameter("k", "stiffness"),
-    ),
+    "rigid": struck(RIGID, {W: 1}),
+    "soft": struck(PAD, {W: 1}, Parameter("k", "stiffness")),
 }
 NAMES = {"rigid": ("r", "w", "z"), "soft": ("k", "w", "z")}
 DATA = {"r": (0.3, 0.9), "w": (1.5, 6.0), "z": (0.05, 0.3), "k": (1.0, 9.0)}
@@ -79,8 +70,8 @@ def test_orbits_of_random_systems_have_exact_derivatives(kind, seed):
 
 
 def test_several_forcings_are_in_tune_or_refused():
-    both = [Harmonic(W, cosine=[1]), Harmonic(W2, cosine=[sp.Rational(1, 5)])]
-    system = one_mass(both, RIGID, FREQUENCY, Parameter("w2", "another frequency"))
+    fifth = sp.Rational(1, 5)
+    system = struck(RIGID, {W: 1, W2: fifth}, Parameter("w2", "another frequency"))
     orbit = settled(system, {"r": "0.6", "w": "2.4", "w2": "7.2", "z": "0.1"})
     found = orbit.derivatives(["z", "r"])
     for place, parameter in enumerate(found.by):
@@ -88,10 +79,7 @@ def test_several_forcings_are_in_tune_or_refused():
     for alone in ("w", "w2"):
         with pytest.raises(InputError, match=f"{alone} changes alone.*out of tune"):
             orbit.derivatives(alone)
-    tuned = one_mass(
-        [Harmonic(W, cosine=[1]), Harmonic(3 * W, cosine=[sp.Rational(1, 5)])], RIGID, FREQUENCY
-    )
-    orbit = settled(tuned, {"r": "0.6", "w": "2.4", "z": "0.1"})
+    orbit = settled(struck(RIGID, {W: 1, 3 * W: fifth}), {"r": "0.6", "w": "2.4", "z": "0.1"})
     assert_allclose(stacked(orbit.derivatives("w"), 0), rates(orbit, "w"), rtol=1e-10, atol=1e-10)
 
 

@@ -1,4 +1,4 @@
-"""Kernels and tables answer the same of one orbit, at one point and at many."""
+"""A branch tells of its points what the orbits there tell, by kernels and by tables."""
 
 from typing import Any
 
@@ -6,94 +6,84 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.orbits.equations import equations_of
+from tests.handmade import DATA, MIRROR, two_stops
 from tests.places import GALLERY
 
-NAMES = {
-    "dry-friction/global-stick": "V",
-    "dry-friction/symmetric": "V",
-    "rigid-stop/one-impact": "k2",
-    "elastic-stop/one-contact": "k3",
+# an orbit with what is given, and what a branch follows on both sides of it
+STICK, SYMMETRIC = "dry-friction/global-stick", "dry-friction/symmetric"
+NAMES: dict[str, tuple[dict[str, Any], str]] = {
+    STICK: ({"us1": 1, "us2": 1}, "V"),
+    SYMMETRIC: ({}, "V"),
+    "rigid-stop/one-impact": ({}, "k2"),
+    "elastic-stop/one-contact": ({}, "k3"),
 }
-DECLARED = tuple(
-    f"{GALLERY}/{name}"
-    for name in ("two_stops.py:symmetric", "backlash_gear.py:rattle", "two_belts.py:both-stick")
-)
+DECLARED: dict[str, tuple[dict[str, Any], str]] = {
+    "half": ({}, "F"),  # which a symmetry closes
+    f"{GALLERY}/backlash_gear.py:rattle": ({}, "k"),
+}
 
 
-def _both(name: str) -> tuple[Any, Any]:
-    """An orbit by its kernels and by the tables of its system."""
-    orbit = ns.solve(name)
-    return orbit, orbit.problem.by_tables(orbit)
+def records(name: str) -> list[Any]:
+    """An orbit by its kernels, if it has some, and by the tables of its system."""
+    if name == "half":
+        right = [("free", "reaches-right")]
+        return [ns.solve(two_stops(), DATA, [1.85], itinerary=right, symmetry=MIRROR)]
+    orbit = ns.solve(name, (NAMES | DECLARED)[name][0])
+    return [orbit, orbit.problem.by_tables(orbit)] if name in NAMES else [orbit]
 
 
-def _points(equations: Any) -> np.ndarray:
-    """The orbit, and others of the itinerary beside it, by Newton's method."""
-    z, found = equations.first, [equations.first]
-    for _ in range(3):
-        z = z * np.append(np.ones(len(z) - 1), 1.001)
-        for _ in range(4):
-            residual, jacobian = equations.equations(z)
-            z[:-1] -= np.linalg.lstsq(jacobian[:, :-1], residual, rcond=None)[0]
-        found.append(z)
-    return np.array(found)
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_both_tell_the_same_along_a_family(name: str) -> None:
-    one, other = (equations_of(orbit, NAMES[name]) for orbit in _both(name))
-    first, second = _points(one), _points(other)
-    assert one.dwell(first) == pytest.approx(other.dwell(second), abs=1e-8)
-    assert one.traces(first) == pytest.approx(other.traces(second), abs=1e-6)
-    sizes = [
-        np.sort(abs(each), axis=-1) for each in (one.multipliers(first), other.multipliers(second))
-    ]
-    count = min(size.shape[-1] for size in sizes)
-    assert sizes[0][:, -count:] == pytest.approx(sizes[1][:, -count:], abs=1e-6)
-    assert one.admissible(first).tolist() == other.admissible(second).tolist()
-    assert one.phases == other.phases
-    assert one.conservative == other.conservative
+def branch_of(orbit: Any, parameter: str, width: float = 0.01) -> Any:
+    value = float(orbit.given[parameter])
+    return ns.continue_orbit(orbit, parameter, (value * (1 - width), value * (1 + width)), points=4)
 
 
 @pytest.mark.parametrize("name", [*NAMES, *DECLARED])
-def test_linearised_equations_tell_how_an_orbit_moves(name: str, backend: str) -> None:
+def test_a_branch_tells_of_each_point_what_its_orbit_tells(name: str) -> None:
+    parameter = (NAMES | DECLARED)[name][1]
+    for orbit in records(name):
+        branch = branch_of(orbit, parameter)
+        for place, value in enumerate(branch.parameter_values.tolist()):
+            found = branch.orbit_at(place)
+            assert found.converged
+            assert float(found.given[parameter]) == value
+            assert branch.period[place] == pytest.approx(found.period, rel=1e-9)
+            assert branch.trace[place] == pytest.approx(found.trace, rel=1e-7, abs=1e-7)
+            assert branch.admissible[place] == (found.admissibility.verdict is not False)
+            sizes = np.sort(abs(branch.multipliers[place]))
+            others = [abs(complex(m.real, m.imaginary)) for m in found.stability.multipliers
+                      if not m.trivial]  # fmt: skip
+            assert sizes == pytest.approx(np.sort(others)[-len(sizes) :], abs=1e-6)
+
+
+def test_a_branch_is_admissible_where_given_forces_hold_its_orbits() -> None:
+    """The sliding force of the first mass, which is given, is enough on one side alone."""
+    fast = {"chi": 0.63, "eta": 0.66, "V": 3.45, "e1": 3.16, "e2": 0.82}
+    bounds = ns.solve(STICK, {name: [value] for name, value in fast.items()}).bounds
+    held = {"us1": bounds["us1"].item(), "us2": bounds["us2"].item() + 1}
+    branch = branch_of(ns.solve(STICK, fast | held | {"us1": held["us1"] + 1e-6}), "V")
+    told = [branch.orbit_at(k).admissibility.verdict for k in range(len(branch))]
+    assert branch.admissible.tolist() == told
+    assert {*told} == {True, False}
+
+
+@pytest.mark.parametrize("name", [*NAMES, f"{GALLERY}/backlash_gear.py:rattle"])
+def test_linearised_equations_tell_how_an_orbit_moves(name: str) -> None:
     """By the implicit function theorem; sixty digits hold an orbit's derivatives elsewhere."""
-    for orbit in _both(name) if name in NAMES else (ns.solve(name),):
-        for by in {*orbit.given} - {"r" if "rigid" in name else ""}:  # no orbit where r < 1
-            equations = equations_of(orbit, by)
-            missed, jacobian = equations.equations(equations.first)
-            assert missed == pytest.approx(0, abs=1e-9)
-            moved, *_ = np.linalg.lstsq(jacobian[:, :-1], -jacobian[:, -1], rcond=None)
-            rates = orbit.derivatives(by).unknowns
-            wanted = np.array([rates[unknown][0] for unknown in equations.unknowns])
-            assert moved == pytest.approx(wanted, rel=1e-8, abs=1e-8)
+    for orbit in records(name):
+        by = (NAMES | DECLARED)[name][1]
+        equations = equations_of(orbit, by)
+        missed, jacobian = equations.equations(equations.first)
+        assert missed == pytest.approx(0, abs=1e-9)
+        moved, *_ = np.linalg.lstsq(jacobian[:, :-1], -jacobian[:, -1], rcond=None)
+        rates = orbit.derivatives(by).unknowns
+        wanted = np.array([rates[unknown][0] for unknown in equations.unknowns])
+        assert moved == pytest.approx(wanted, rel=1e-8, abs=1e-8)
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_both_take_the_same_system_and_period(name: str) -> None:
-    orbit, same = _both(name)
-    point = orbit.problem.physical(orbit)
-    assert same.problem.physical(same).values == same.parameters == point.values
-    assert not same.problem.physical(same).chosen
-    periods = [each.problem.period(each) for each in (orbit, same)]
-    assert periods[0] == periods[1]
-    starts = [each.problem.system_start(each, point.values) for each in (orbit, same)]
-    assert starts[0] == pytest.approx(starts[1], abs=1e-9)
-    told = {**orbit.unknowns, **orbit.given, **orbit.opened}
-    values = {n: as_value(told[n]) for n in orbit.problem.all_parameters if n in told}
-    whole = orbit.problem.system_values({**values, **{n: point.values[n] for n in point.chosen}})
-    assert whole == point.values
-
-
-def test_an_orbit_at_a_point_is_the_one_that_was_followed() -> None:
-    for orbit in _both("dry-friction/global-stick"):
-        equations = equations_of(orbit, "V")
-        z = _points(equations)[-1]
-        found = equations.at(z)
-        assert found.given == {**orbit.given, "V": as_value(float(z[-1]))}
-        assert found.converged
-        assert found.period == pytest.approx(float(equations.dwell(z[None]).sum()), rel=1e-9)
-        assert float(equations.motion(z)(0.1)[0]) == pytest.approx(
-            float(found.motion()(0.1)[0]), abs=1e-9
-        )
+def test_a_point_of_a_family_whose_phases_do_not_last_is_no_motion() -> None:
+    for orbit in records(STICK):
+        equations = equations_of(orbit)
+        short = [-1.0 if name in equations.dwell_names else 1.0 for name in equations.unknowns]
+        points = np.stack([equations.first, equations.first * short])
+        assert equations.admissible(points).tolist() == [True, False]

@@ -91,6 +91,7 @@ def test_what_is_beyond_doubles_is_told(tiny: float, backend: str) -> None:
         ns.solve(name, point)
     found = ns.solve(name, {**point, "T": [3]})
     assert not found.converged
+    assert "beyond double precision" in found.message(found.status.item()) or tiny < 1e-300
     assert np.isnan(found.trace)
     for name in ("rigid-stop/one-impact", "elastic-stop/one-contact"):
         for varied in VARIED[name]:
@@ -99,13 +100,6 @@ def test_what_is_beyond_doubles_is_told(tiny: float, backend: str) -> None:
             if many.converged:
                 exact = ns.refine(ns.solve(name, point), 50)
                 assert many.trace == pytest.approx(float(exact.stability.trace), abs=1e-6)
-
-
-def test_the_status_says_what_to_do() -> None:
-    found = ns.solve(
-        "elastic-stop/one-contact", {"m1": 1, "m2": 1, "k1": 1, "k2": 1e-300, "k3": 1, "T": [3]}
-    )
-    assert "beyond double precision" in found.message(found.status.item())
 
 
 # composed from tables: two masses with damping and a stop, kicked by a forcing
@@ -143,14 +137,17 @@ def table_points(count: int, decades: float) -> list[dict[str, float]]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("decades", [0, 8, 14])
+@pytest.mark.parametrize("decades", [0, 8, 14, 20])
 def test_digits_of_composed_orbits_are_those_of_fifty(decades: float, backend: str) -> None:
-    every = table_points(6 if backend == "c" else 3, decades)
+    every = table_points(20 if backend == "c" else 3, decades)
     guess = [[2 * np.pi / point["w"]] for point in every]
     given = {name: np.array([point[name] for point in every]) for name in TABLES}
     many = ns.solve(masses(), given, guess, itinerary=STRUCK, admissibility=False)
+    unsure = ["beyond double precision" in many.message(s) for s in many.status.tolist()]
+    assert np.isnan(many.trace[unsure]).all()
+    assert decades != 14 or backend != "c" or any(unsure)
     found = 0
-    for i in np.flatnonzero(many.converged):
+    for i in np.flatnonzero(many.converged)[:6]:
         start = [float(values[i]) for values in many.unknowns.values()]
         orbit = ns.solve(masses(), every[i], start, itinerary=STRUCK, throw=False)
         if not orbit.converged:
@@ -182,15 +179,3 @@ def test_composed_orbits_beyond_doubles_are_told(tiny: float, backend: str) -> N
         for number, value in zip(start, exact.unknowns.values(), strict=True):
             assert abs(float(number - value)) <= 1e-6 * max(1.0, abs(float(value)))
         assert many.trace[i] == pytest.approx(float(exact.stability.trace), rel=1e-6, abs=1e-6)
-
-
-@pytest.mark.slow
-def test_composed_orbits_far_apart_have_the_status_that_says_so() -> None:
-    for decades in (14, 20):
-        every = table_points(20, decades)
-        given = {name: np.array([point[name] for point in every]) for name in TABLES}
-        guess = [[2 * np.pi / point["w"]] for point in every]
-        many = ns.solve(masses(), given, guess, itinerary=STRUCK, admissibility=False)
-        unsure = ["beyond double precision" in many.message(s) for s in many.status.tolist()]
-        assert decades == 20 or any(unsure)
-        assert np.isnan(many.trace[unsure]).all()

@@ -10,6 +10,7 @@ from numpy.testing import assert_allclose
 import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, SoftStop, System, oscillator
+from tests.one_mass import one_mass
 
 ONE = [("free", "stop-reaches-stop")]
 DATA = {"zeta": "0.05", "Omega": 2, "r": "0.8"}
@@ -21,19 +22,10 @@ def impact(second: float = 0.0) -> System:
     zeta = Parameter("zeta", "damping", lower=0, closed=True)
     speed = Parameter("Omega", "frequency")
     r = Parameter("r", "restitution", lower=0, upper=1, closed=True, upper_closed=True)
-    forcing = [Harmonic(speed.symbol, cosine=[1])]
-    if second:
-        forcing.append(Harmonic(2 * speed.symbol, cosine=[second]))
-    return oscillator(
-        "forced",
-        ["x"],
-        [[1]],
-        [[1]],
-        [[2 * zeta.symbol]],
-        forcing=forcing,
-        elements=[RigidStop("x", 0, r.symbol, name="stop")],
-        parameters=[zeta, speed, r],
-    )
+    forces = {speed.symbol: 1} | ({2 * speed.symbol: second} if second else {})
+    stop = RigidStop("x", 0, r.symbol, name="stop")
+    known = [zeta, speed, r]
+    return one_mass("forced", stop, forces=forces, damping=2 * zeta.symbol, parameters=known)
 
 
 def settled(system: System, data: dict, transitions: int = 800) -> Any:
@@ -65,30 +57,6 @@ def test_an_orbit_is_where_the_motion_settles(guided: bool) -> None:
     assert np.hypot(*orbit.states[0, 2:]) == pytest.approx(1, abs=1e-15)
     assert orbit.admissibility.verdict is True
     assert not orbit.tables.family
-
-
-def test_multipliers_are_those_of_the_simulated_stroboscopic_map() -> None:
-    orbit = ns.solve(impact(), DATA, [3.14], itinerary=ONE)
-    # half a period behind the impact, where no event is near
-    begin = orbit.trajectory()(orbit.period / 2)
-
-    def after(state: np.ndarray) -> np.ndarray:
-        motion = ns.simulate(impact(), DATA, state, until=float(orbit.period))
-        return motion(motion.end)[:2]
-
-    step, columns = 1e-5, []
-    for k in range(2):
-        ahead, back = begin.copy(), begin.copy()
-        ahead[k] += step
-        back[k] -= step
-        columns.append((after(ahead) - after(back)) / (2 * step))
-    matrix = np.array(columns).T
-    wanted = np.sort_complex(np.linalg.eigvals(matrix).astype(complex))
-    assert_allclose(np.sort_complex(orbit.multipliers), wanted, atol=1e-7)
-    # areas shrink by damping and by the impact
-    product = 0.8**2 * np.exp(-2 * 0.05 * np.pi)
-    assert np.prod(orbit.multipliers).real == pytest.approx(product, rel=1e-12)
-    assert orbit.trace == pytest.approx(np.trace(matrix), abs=1e-7)
 
 
 def test_frequencies_keep_the_phase_they_began_with() -> None:

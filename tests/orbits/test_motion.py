@@ -10,7 +10,6 @@ from numpy.testing import assert_allclose, assert_array_equal
 import nonsmooth
 from nonsmooth import InputError
 from nonsmooth.runtime.model.kernels import orbit_names
-from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.declared import Declared
 
 ORBIT = "dry-friction/global-stick"
@@ -24,7 +23,7 @@ POINTS = [
 
 
 @cache
-def orbit(name: str = ORBIT, point: int | None = None) -> Orbit:
+def orbit(name: str = ORBIT, point: int | None = None) -> Any:
     return nonsmooth.solve(name, {} if point is None else POINTS[point][1])
 
 
@@ -39,16 +38,11 @@ def each(request: pytest.FixtureRequest) -> Any:
     return orbit(request.param).motion()
 
 
-@pytest.mark.parametrize("backend", ["c", "numpy"])
 @pytest.mark.parametrize("point", range(len(POINTS)))
-def test_motion_solves_the_equations_of_each_phase(
-    point: int, backend: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    if backend == "c":
-        pytest.importorskip("nonsmooth.generated._kernels")
-    monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
+def test_motion_solves_the_equations_of_each_phase(point: int, backend: str) -> None:
     found = orbit(POINTS[point][0], point)
-    motion = found.motion()
+    motion, sharp = found.motion(), nonsmooth.refine(found, 40).motion()
+    assert sharp.starts.dtype == float
     for index, piece in enumerate(Declared(found).pieces):
         assert motion.configurations[index] == piece.configuration
         begin, end = motion.breaks[index : index + 2]
@@ -56,6 +50,7 @@ def test_motion_solves_the_equations_of_each_phase(
         start = np.append(motion.starts[index], 1)
         exact = np.array([piece.flow(t - begin) @ start for t in times])[:, :-1]
         assert_allclose(motion(times), exact, atol=1e-12 * max(1, np.abs(exact).max()))
+        assert_allclose(sharp(times), exact, atol=1e-10 * max(1, np.abs(exact).max()))
 
 
 def test_motion_passes_transitions_by_their_resets(each: Any) -> None:
@@ -68,6 +63,11 @@ def test_motion_passes_transitions_by_their_resets(each: Any) -> None:
         if each.name != "rigid-stop/one-impact":
             assert_allclose(left, here, atol=1e-13)
     assert_allclose(each(each.breaks[:-1]), each.starts, atol=1e-13)
+    samples = each.sample(100, 2)
+    twice = np.flatnonzero(np.diff(samples.times) == 0)
+    for before, phase, behind in zip(*(samples.states[twice], samples.phases[twice],
+                                       samples.states[twice + 1]), strict=True):  # fmt: skip
+        assert_allclose(behind, (pieces[phase].jump @ np.append(before, 1))[:-1], atol=1e-13)
 
 
 def test_motion_is_periodic(each: Any) -> None:
@@ -103,19 +103,6 @@ def test_a_phase_that_takes_no_time_is_passed_over() -> None:
     assert_allclose(samples.states, motion(samples.times), atol=1e-11)
 
 
-def test_samples_show_the_impact_before_and_behind() -> None:
-    motion = orbit("rigid-stop/one-impact").motion()
-    samples = motion.sample(100, 3)
-    twice = np.flatnonzero(np.diff(samples.times) == 0)
-    assert len(twice) == 2
-    u = orbit("rigid-stop/one-impact").unknowns["u"]
-    assert_allclose(samples.states[twice][:, 2], -u, atol=1e-13)
-    assert_allclose(samples.states[twice + 1][:, 2], u, atol=1e-13)
-    still = [0, 1, 3]
-    start = samples.states[[0, 0]][:, still]
-    assert_allclose(samples.states[twice][:, still], start, atol=1e-13)
-
-
 def test_phases_and_configurations(motion: Any) -> None:
     assert motion.names == ("z1", "z2", "v1", "v2")
     assert motion.configurations == ("stick-stick", "slip-stick", "slip-slip", "stick-slip")
@@ -149,17 +136,6 @@ def test_samples_have_each_transition_twice(motion: Any, periods: int) -> None:
     few = motion.sample(1)
     assert_array_equal(few.times, np.repeat(motion.breaks, [1, 2, 2, 2, 1]))
     assert_array_equal(few.states[::2], motion.starts)
-    assert_allclose(few.states[1::2], np.roll(motion.starts, -1, axis=0), atol=1e-13)
-
-
-def test_motion_of_many_digits_and_of_an_exchange() -> None:
-    found = nonsmooth.solve(ORBIT, unknown=["e1", "e2"], given={"ta": 1, "tau": 2})
-    sharp = nonsmooth.refine(found, 40)
-    for one in (found, sharp):
-        motion = one.motion()
-        assert_allclose(motion.breaks[:3], [0, 1, 3])
-        assert motion.starts.dtype == float
-        assert_allclose(motion(motion.period - 1e-12), motion.starts[0], atol=1e-10)
 
 
 @pytest.mark.parametrize("time", [np.nan, np.inf, [0, -np.inf], "later", [1, None], 1j])

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import shutil
-from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +12,6 @@ from numpy.testing import assert_allclose
 
 import nonsmooth as ns
 from nonsmooth.derive.codegen.emit import emit_package, emit_system
-from nonsmooth.runtime.model.kernels import orbit_names
 from nonsmooth.runtime.model.loading.declared import declaration_in
 from tests.two_masses import STICKING
 from tests.user_systems import DAMPED, KICKED, declare
@@ -94,31 +92,18 @@ def test_a_record_by_kernels_and_one_by_tables_are_asked_alike() -> None:
         tables.evaluate("jacobian")
 
 
-@pytest.mark.parametrize("name", orbit_names())
-def test_what_is_no_quantity_of_the_equations_is_refused_with_those_that_are(name: str) -> None:
-    orbit = ns.solve(name)
-    kernels = orbit.kernels
-    given = {  # by kernel, from the table itself
-        kernel: [quantity for quantity, _ in outputs]
-        for kernel, (_, outputs) in kernels.system.module.KERNELS.items()
-        if kernel.startswith(kernels.orbit.replace("-", "_")) and "_flow_" not in kernel
-    }
-    reduced = given.pop(f"{kernels.orbit.replace('-', '_')}_reduced")
-    for quantity in chain(*given.values()):
-        assert np.isfinite(np.asarray(orbit.evaluate(quantity), dtype=float)).all()
-    one, *others = given.values()
-    every = ", ".join(chain(*given.values()))
-    at = f" at {', '.join(kernels.reduced) or 'no unknowns'};"
-    refusals = [
-        *(((quantity,), ("is of the reduced equations", at, every)) for quantity in reduced),
-        *(
-            (("residual", wrong), ("unknown quantity", "residual, jacobian, "))
-            for wrong in ("jacobean", "spectrum")
-        ),
-        *(((one[0], other[0]), (f"gives {one[0]} and {other[0]}; ", *other)) for other in others),
-        ((), ("no quantity is named; ", "residual")),
-    ]
-    for asked, told in refusals:
-        with pytest.raises(ns.InputError) as refused:
-            orbit.evaluate(*asked)
-        assert all(part in str(refused.value) for part in told)
+@pytest.mark.parametrize(
+    ("asked", "told"),
+    [
+        ((), "no quantity is named; .*residual"),
+        (("residual", "jacobean"), "unknown quantity .*residual, jacobian, "),
+        (("residual", "spectrum"), "unknown quantity .*residual, jacobian, "),
+        (("reduced_residual",), "is of the reduced equations.* at tau, tau1;.*residual, jacobian"),
+        (("residual", "trace"), "gives residual and trace; .*trace"),
+    ],
+)
+def test_what_is_no_quantity_of_the_equations_is_refused_with_those_that_are(
+    asked: tuple[str, ...], told: str
+) -> None:
+    with pytest.raises(ns.InputError, match=told):
+        ns.solve("dry-friction/global-stick").evaluate(*asked)

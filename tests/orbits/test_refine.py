@@ -12,11 +12,9 @@ from nonsmooth.runtime.core import values
 from nonsmooth.runtime.core.arithmetic import Balls, exact_ball
 from nonsmooth.runtime.core.values import as_value, parse
 from nonsmooth.runtime.model.kernels import orbit_names
-from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.refine import enclosed_trace
 
 ORBIT = "dry-friction/global-stick"
-PARAMETERS = ("chi", "eta", "V", "e1", "e2")
 UNKNOWNS = ("z10", "z20", "ta", "tau", "tau1", "tau2")
 ARITHMETICS = ("flint", "mpmath")
 
@@ -61,8 +59,12 @@ def error(first, second):
 @pytest.mark.parametrize("digits", [1, 16, 50, 200])
 def test_digits_are_true(every, digits, arithmetic):
     for orbit in every:
-        found = refine(orbit, digits, arithmetic=arithmetic)
         check = refine(orbit, 2 * digits + 30, arithmetic=arithmetic)
+        assert 10 <= orbit.digits <= 15
+        assert error(orbit, check) <= mpmath.mpf(10) ** -orbit.digits
+        # on from doubles, and back from more digits
+        assert error(refine(check, digits), check) <= mpmath.mpf(10) ** -digits
+        found = refine(orbit, digits, arithmetic=arithmetic)
         assert found.digits == digits
         assert list(found.unknowns) == list(orbit.unknowns)
         assert error(found, check) <= mpmath.mpf(10) ** -digits
@@ -70,6 +72,9 @@ def test_digits_are_true(every, digits, arithmetic):
         assert found.residual < mpmath.mpf(10) ** -digits
         assert found.given == orbit.given
         assert found.converged
+        for number in (*found.unknowns.values(), found.period, found.trace):
+            assert abs(number / 3 * 3 - number) <= mpmath.mpf(10) ** -digits * abs(number)
+            assert len(str(number)) > digits or not number
 
 
 def test_both_are_compared_with_each_other(every, monkeypatch):
@@ -91,13 +96,13 @@ def test_both_are_compared_with_each_other(every, monkeypatch):
 
 @pytest.mark.parametrize("fault", ["1e-45", "1e-39"])
 def test_the_trace_of_mpmath_has_to_lie_in_the_enclosure_by_balls(orbit, fault, monkeypatch):
-    right = Orbit.evaluate
+    right = type(orbit).evaluate
 
     def wrong(self, *quantities):
         value = right(self, *quantities)
         return value * (1 + self.arithmetic.mp.mpf(fault)) if quantities == ("trace",) else value
 
-    monkeypatch.setattr(Orbit, "evaluate", wrong)
+    monkeypatch.setattr(type(orbit), "evaluate", wrong)
     if fault == "1e-39":
         with pytest.raises(NoConvergence, match=r"flint and mpmath differ by 9\.8e-40 at 40"):
             refine(orbit, 40, arithmetic="both")
@@ -120,34 +125,6 @@ def test_the_trace_is_enclosed_of_the_one_orbit_in_a_box(every):
             assert ball is None or ball.contains(exact_ball(truth))
 
 
-def test_the_double_precision_orbit_has_the_digits_it_claims(every):
-    for orbit in every:
-        assert 10 <= orbit.digits <= 15
-        assert error(orbit, refine(orbit, 30)) <= mpmath.mpf(10) ** -orbit.digits
-
-
-def test_refining_again_goes_on_or_back(orbit):
-    precise = refine(orbit, 60)
-    for digits in (20, 150):
-        assert error(refine(precise, digits), refine(orbit, 200)) <= mpmath.mpf(10) ** -digits
-
-
-def test_exchanged_unknowns_keep_what_was_given(orbits):
-    for orbit in orbits[2:]:
-        found = refine(orbit, 60)
-        mp = found.arithmetic.mp
-        for name, value in orbit.given.items():
-            assert abs(found.values[name] - mp.mpf(value.mpf(70))) < mp.mpf(10) ** -65
-        ordinary = solve(
-            ORBIT,
-            {name: found.values[name] for name in PARAMETERS},
-            [float(found.values[name]) for name in UNKNOWNS],
-        )
-        back = refine(ordinary, 50)
-        for name in UNKNOWNS:
-            assert abs(back.values[name] - found.values[name]) < mp.mpf(10) ** -48
-
-
 def test_a_float_means_its_shortest_decimal():
     as_float, as_text = solve(ORBIT, {"e2": 0.1 + 0.4}), solve(ORBIT, {"e2": "0.5"})
     one, other = solve(ORBIT, {"chi": 0.45}), solve(ORBIT, {"chi": "0.45"})
@@ -157,15 +134,6 @@ def test_a_float_means_its_shortest_decimal():
     third = refine(solve(ORBIT, {"chi": "1/3"}), 60)
     rounded = refine(solve(ORBIT, {"chi": 1 / 3}), 60)
     assert 1e-18 < error(rounded, third) < 1e-14
-
-
-def test_numbers_carry_their_digits_into_arithmetic(orbit):
-    """mpmath numbers round to the precision of the context they come from."""
-    for arithmetic in ARITHMETICS:
-        found = refine(orbit, 80, arithmetic=arithmetic)
-        for number in (*found.unknowns.values(), found.period, found.trace):
-            assert abs(number / 3 * 3 - number) < mpmath.mpf(10) ** -80
-            assert len(str(number)) > 80
 
 
 # --- the derivatives and the stability of a refined orbit
@@ -193,9 +161,6 @@ def test_printed_digits_are_true(every):
             for text, longer in pairs:
                 size = max(1, abs(mpmath.mpf(longer)))
                 assert abs(mpmath.mpf(text) - mpmath.mpf(longer)) <= tolerance * size
-
-
-# --- convergence
 
 
 # --- refusals

@@ -14,8 +14,7 @@ from scipy.integrate import solve_ivp
 
 import nonsmooth as ns
 from nonsmooth import InputError
-from nonsmooth.derive import Itinerary, Reference, RigidStop, oscillator
-from nonsmooth.derive.declaration.symmetry import moves_freely
+from nonsmooth.derive import Itinerary, Reference
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from tests.certified import edited
 from tests.places import GALLERY
@@ -35,7 +34,7 @@ from tests.shifting_systems import (
 pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
 
 GEAR = str(GALLERY / "backlash_gear.py")
-g, r, c = sp.symbols("g r c")
+c = sp.Symbol("c")
 
 
 @cache
@@ -62,17 +61,6 @@ def test_the_direction_is_the_same_in_every_arithmetic():
         (direction,) = each.tables.translations
         assert abs(direction - np.array([1, 0, 0, 0, 0, 0]))[[0, 2, 3, 4, 5]].max() == 0
         assert abs(direction[1] * 3 - 2) < error
-
-
-def test_the_declaration_tells_the_same():
-    assert moves_freely(SLED)
-    assert moves_freely(GEARED)
-    wall = RigidStop("x", at=g, restitution=r)
-    held = oscillator("held", ["x"], mass=[[1]], stiffness=[[0]], elements=[wall])
-    assert not moves_freely(held)
-    for name in ("rigid-stop/one-impact", "elastic-stop/one-contact"):
-        orbit = ns.solve(name)
-        assert not len(orbit.problem.by_tables(orbit).tables.translations)
 
 
 # --- orbits
@@ -201,19 +189,11 @@ def test_a_sled_that_is_pulled_for_ever_neither_rests_nor_diverges(damper, outco
 
 
 @pytest.mark.slow
-def test_a_branch_of_them_is_followed():
-    branch = ns.continue_orbit(sled(), "V", (0.45, 0.55), step=0.2)
-    assert branch.ends == ("end of the interval", "end of the interval")
-    ratio = 0.3 / branch.parameter_values
-    period = 2 * math.pi - 2 * np.arctan(ratio) + 2 * ratio
-    np.testing.assert_allclose(branch.period, period, rtol=1e-9)
-
-
-@pytest.mark.slow
 def test_they_are_saved_and_solved_again(tmp_path):
     path = tmp_path / "sled.json"
     ns.refine(sled(), 30).save(path)
     again = ns.load(path)
+    assert list(again.to_json()["shift"]) == ["x", "y"]
     assert abs(again.shift["x"] - again.period / 2) < 1e-28
     moved = ns.solve(str(path), {"V": "0.51"})
     assert moved.shift["x"] == pytest.approx(0.51 * moved.period, rel=1e-10)
@@ -231,14 +211,6 @@ def test_an_itinerary_that_is_declared_is_composed():
     ]
     orbit = Itinerary("pulled", SLED, phases, reference=Reference(PULLED, period))
     assert ns.solve(orbit).period == pytest.approx(sled().period, abs=1e-12)
-
-
-@pytest.mark.slow
-def test_the_report_tells_the_shift():
-    told = sled().to_json()
-    assert list(told["shift"]) == ["x", "y"]
-    assert float(told["shift"]["x"]) == pytest.approx(sled().period / 2)
-    assert "shift" not in ns.solve("dry-friction/global-stick").to_json()
 
 
 def test_a_symmetry_closes_half_of_a_motion_on_open_ground():

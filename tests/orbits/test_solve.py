@@ -1,107 +1,30 @@
-"""One orbit at one point, against the paper's equations composed with matrix exponentials."""
+"""One orbit at one point: exchanges, searches and failures."""
 
-import math
 from itertools import combinations
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-from scipy.linalg import expm
-from scipy.optimize import root
 
 from nonsmooth import InputError, NoConvergence, solve
-from nonsmooth.runtime.model.kernels import backend, load_orbit
-from nonsmooth.runtime.orbits.equations import equations_of
-from nonsmooth.runtime.shooting.kernel_newton import solve_reduced
+from nonsmooth.runtime.model.kernels import backend
+from tests.declared import Declared
 
 ORBIT = "dry-friction/global-stick"
 PARAMETERS = ("chi", "eta", "V", "e1", "e2")
 UNKNOWNS = ("z10", "z20", "ta", "tau", "tau1", "tau2")
 DWELL_TIMES = UNKNOWNS[2:]
-REFERENCE = {"chi": 0.5, "eta": 1.0, "V": 1.0, "e1": 3.0195, "e2": 0.4831}
 PRINTED = {"z10": 1.1838, "z20": -2.6715, "ta": 1.0, "tau": 2.0, "tau1": 1.568, "tau2": 3.28}
-LOWER, UPPER = np.array([0.3, 0.6, 0.7, 2.3, 0.3]), np.array([0.7, 1.6, 1.3, 3.8, 0.9])
-
-
-def flow(chi, eta, first_slips, second_slips, time):
-    """Flow in z = x - d of (6), (7), (8) or (9): each mass accelerates only where it slips."""
-    generator = np.zeros((4, 4))
-    generator[:2, 2:] = np.eye(2)
-    if first_slips:
-        generator[2, :2] = -1, chi
-    if second_slips:
-        generator[3, :2] = chi * eta, -chi * eta
-    return expm(generator * time)
-
-
-def states(values):
-    """Z at the start and after each of the four phases: (10), (13), (15), (17)."""
-    chi, eta, speed = values["chi"], values["eta"], values["V"]
-    chain = [np.array([values["z10"], values["z20"], speed, speed])]
-    slips = ((False, False), (True, False), (True, True), (False, True))
-    for (first, second), name in zip(slips, DWELL_TIMES, strict=True):
-        chain.append(flow(chi, eta, first, second, values[name]) @ chain[-1])
-    return np.array(chain)
-
-
-def equations(values):
-    """The paper's (12), (14), (16) and (18)."""
-    start, a, c, d, end = states(values)
-    return np.array(
-        [
-            a[0] - values["chi"] * a[1] - values["e1"],
-            values["chi"] * (c[1] - c[0]) - values["e2"],
-            d[2] - values["V"],
-            end[3] - values["V"],
-            end[0] - start[0],
-            end[1] - start[1],
-        ]
-    )
-
-
-def jacobian(values, names):
-    """Central differences of the equations above."""
-    columns = []
-    for name in names:
-        step = 1e-6 * max(abs(values[name]), 1)
-        above, below = values | {name: values[name] + step}, values | {name: values[name] - step}
-        columns.append((equations(above) - equations(below)) / (2 * step))
-    return np.array(columns).T
-
-
-def scaled_condition(matrix):
-    scaled = matrix / np.abs(matrix).max(axis=1, keepdims=True)
-    return np.linalg.cond(scaled / np.abs(scaled).max(axis=0, keepdims=True))
-
-
-def random_points(seed, count):
-    return LOWER + (UPPER - LOWER) * np.random.default_rng(seed).random((count, 5))
+WIDE = [0.15, 0.3, 0.3, 1.5, 0.1], [0.85, 3, 1.5, 5, 1.5]
 
 
 def named(point):
     return dict(zip(PARAMETERS, map(float, point), strict=True))
 
 
-def admissible_orbits(seed, count):
-    orbits = (solve(ORBIT, named(p), throw=False) for p in random_points(seed, 4 * count))
-    return [o for o in orbits if o.converged and o.admissibility.verdict is not False][:count]
-
-
 @pytest.fixture(scope="module")
 def reference():
     return solve(ORBIT)
-
-
-@pytest.fixture(scope="module")
-def orbits():
-    return admissible_orbits(seed=1, count=15)
-
-
-def test_the_equations_of_the_paper_hold(orbits):
-    for orbit in orbits:
-        assert np.abs(equations(orbit.values)).max() < 1e-12
-        assert orbit.residual < 1e-12
-        assert orbit.residual >= np.abs(equations(orbit.values)).max() - 1e-12
 
 
 def test_the_orbit_does_not_depend_on_the_guess(reference):
@@ -122,17 +45,10 @@ def test_the_orbit_of_the_printed_dwell_times():
     orbit = solve(ORBIT, unknown=("e1", "e2"), given={"ta": 1, "tau": 2})
     assert set(orbit.given) == {"chi", "eta", "V", "ta", "tau"}
     assert (orbit.values["ta"], orbit.values["tau"]) == (1.0, 2.0)
-    assert np.abs(equations(orbit.values)).max() < 1e-13
+    assert Declared(orbit).missed < 1e-13
     assert 1e-3 < abs(orbit.unknowns["e1"] / 3.0195 - 1) < 1e-2
     assert 1e-3 < abs(orbit.unknowns["e2"] / 0.4831 - 1) < 1e-2
     assert orbit.unknowns["tau2"] == pytest.approx(3.28, abs=1e-3)
-    names = list(orbit.unknowns)
-    found = root(
-        lambda x: equations(orbit.values | dict(zip(names, x, strict=True))),
-        [(REFERENCE | PRINTED)[name] for name in names],
-        tol=1e-13,
-    )
-    assert_allclose(found.x, list(orbit.unknowns.values()), rtol=1e-10)
 
 
 # --- exchange of parameters and unknowns
@@ -162,15 +78,8 @@ def exchanged(orbit, swapped, fixed, factor=1.0):
 
 @pytest.mark.parametrize("factor", [1.0, 1 + 1e-4])
 def test_every_exchange_is_solved_but_where_the_equations_are_singular(reference, factor):
-    names = [*UNKNOWNS, *PARAMETERS]
-    matrix = jacobian(reference.values, names)
-    refused, singular = {}, set()
-    for swapped, fixed in EXCHANGES + LARGER + SINGULAR[4:]:
-        kept = [n for n in names if n not in fixed and (n in UNKNOWNS or n in swapped)]
-        condition = scaled_condition(matrix[:, [names.index(n) for n in kept]])
-        assert condition < 1e5 or condition > 1e8  # differences tell them apart
-        if condition > 1e8:
-            singular.add((swapped, fixed))
+    refused, asked = {}, (EXCHANGES + LARGER + SINGULAR[4:])[:: 1 if factor == 1 else 3]
+    for swapped, fixed in asked:
         try:
             orbit = exchanged(reference, swapped, fixed, factor)
         except InputError as error:
@@ -184,12 +93,12 @@ def test_every_exchange_is_solved_but_where_the_equations_are_singular(reference
         assert set(orbit.unknowns) == {*UNKNOWNS, *swapped} - {*fixed}
         assert set(orbit.given) == {*PARAMETERS, *fixed} - {*swapped}
         if (swapped, fixed) in EXCHANGES:
-            assert np.abs(equations(orbit.values)).max() < 1e-12
+            assert Declared(orbit).missed < 1e-12
             data = {name: orbit.values[name] for name in PARAMETERS}
             ordinary = solve(ORBIT, data, guess=[orbit.values[name] for name in UNKNOWNS])
             found = [ordinary.values[n] for n in UNKNOWNS]
             assert_allclose(found, [orbit.values[n] for n in UNKNOWNS], atol=1e-9)
-    assert set(refused) == singular == set(SINGULAR)
+    assert set(refused) == {*SINGULAR} & {*asked} != set()
     for text in refused.values():
         assert "do not determine" in text
         assert float(text.partition("condition number ")[2]) > 1e12
@@ -204,14 +113,14 @@ def test_the_guess_serves_an_exchange_too(reference):
         given={"tau1": "157/100"},
     )
     assert orbit.values["tau1"] == 1.57
-    assert np.abs(equations(orbit.values)).max() < 1e-12
+    assert Declared(orbit).missed < 1e-12
 
 
 def test_far_given_values_are_approached_in_steps(reference):
     for time in (0.05, 3.0, 10.0):
         orbit = solve(ORBIT, unknown=("e1",), given={"ta": time})
         assert orbit.values["ta"] == time
-        assert np.abs(equations(orbit.values)).max() < 1e-11
+        assert Declared(orbit).missed < 1e-11
 
 
 def test_a_parameter_found_outside_its_domain_is_no_orbit():
@@ -232,74 +141,17 @@ def test_a_given_dwell_time_that_is_not_positive_is_no_orbit():
         assert "dwell time is not positive" in orbit.message
 
 
-@pytest.mark.parametrize(
-    ("arguments", "named"),
-    [
-        ({"unknown": ("e3",), "given": {"ta": 1}}, "'e3'.*did you mean 'e[12]'"),
-        ({"unknown": ("e1",), "given": {"tao": 1}}, "'tao'.*did you mean 'ta'"),
-        ({"unknown": ("e1",), "given": {}}, "as many"),
-        ({"unknown": ("e1", "e2"), "given": {"ta": 1}}, "as many"),
-        ({"given": {"ta": 1}}, "as many"),
-        ({"unknown": ("e1", "e1"), "given": {"ta": 1, "tau": 2}}, "twice"),
-        ({"unknown": ("e1",), "given": {"ta": "one"}}, "ta"),
-        ({"unknown": ("e1",), "given": {"ta": math.nan}}, "ta"),
-        ({"unknown": ("e1",), "given": {"ta": 1}, "parameters": {"e1": 3}}, "e1 is both"),
-        ({"guess": [1, 2, 3]}, "3 values.*6 unknowns"),
-        ({"guess": [1] * 7}, "7 values"),
-        ({"guess": {"taus": 1}}, "'taus'"),
-        ({"guess": [1, 2, 3, 4, 5, math.inf]}, "not"),
-        ({"parameters": {"etta": 1}}, "did you mean 'eta'"),
-        ({"parameters": {"chi": 1}}, r"chi = 1 is outside its domain \(0, 1\)"),
-        ({"parameters": {"V": math.nan}}, "V"),
-        ({"parameters": {"e2": -1e-9}}, "e2 = -1e-09 is outside"),
-        ({"orbit": "dry-friction/global-stuck"}, "did you mean 'dry-friction/global-stick'"),
-        ({"orbit": "dry-friction"}, "unknown orbit"),
-        ({"orbit": ""}, "unknown orbit"),
-    ],
-)
-def test_wrong_input_is_named_on_one_line(arguments, named):
-    with pytest.raises(InputError, match=named) as caught:
-        solve(**({"orbit": ORBIT} | arguments))
-    assert "\n" not in str(caught.value)
+def is_motion(orbit):
+    return orbit.converged and orbit.admissibility.verdict is not False
 
 
-# --- without a guess
-
-
-def exhaustive(point, per_unknown, longest=14.0):
-    """Whether any of very many starts on (tau, tau1) leads to an admissible orbit."""
-    grid = np.linspace(0, longest, per_unknown + 1)[1:]
-    starts = np.stack(np.meshgrid(grid, grid, indexing="ij"), axis=-1).reshape(-1, 2)
-    solved = solve_reduced(load_orbit(ORBIT), point, starts)
-    return bool(admissible(point, solved.unknowns[solved.status == 0]).any())
-
-
-def admissible(points, unknowns):
-    """Which of the unknowns at some points, or at one, are motions."""
-    points = np.broadcast_to(points, (len(unknowns), len(PARAMETERS)))
-    equations = equations_of(solve(ORBIT), *PARAMETERS)
-    return equations.admissible(np.concatenate([unknowns, points], axis=1))
-
-
-def test_solve_without_a_guess_finds_what_an_exhaustive_search_finds():
-    count = 60 if backend() == "c" else 4
-    points = (p for p in random_points(20260, 20 * count) if exhaustive(p, 80))
-    orbits = [solve(ORBIT, named(next(points)), throw=False) for _ in range(count)]
-    found = sum(o.converged and o.admissibility.verdict is not False for o in orbits)
-    assert found >= 0.95 * count
-
-
-@pytest.mark.slow
-@pytest.mark.compiled
 def test_an_admissible_orbit_is_found_where_the_first_attempt_leads_elsewhere():
-    generator, kernels = np.random.default_rng(6), load_orbit(ORBIT)
-    points = generator.uniform([0.15, 0.3, 0.3, 1.5, 0.1], [0.85, 3, 1.5, 5, 1.5], (1000, 5))
-    first = solve_reduced(kernels, points, [PRINTED["tau"], PRINTED["tau1"]])
-    fine = (first.status == 0) & admissible(points, first.unknowns)
-    possible = [p for p in points[~fine][:150] if exhaustive(p, 80)]
-    assert len(possible) >= 5
-    orbits = [solve(ORBIT, named(p), throw=False) for p in possible]
-    found = [o.converged and o.admissibility.verdict is not False for o in orbits]
+    points = np.random.default_rng(6).uniform(*WIDE, (1000, 5))
+    many = solve(ORBIT, dict(zip(PARAMETERS, points.T, strict=True)))
+    possible = [named(point) for point in points[many.admissible]]
+    hard = [p for p in possible if not is_motion(solve(ORBIT, p, PRINTED, throw=False))][:40]
+    assert len(hard) > 20
+    found = [is_motion(solve(ORBIT, point, throw=False)) for point in hard]
     assert sum(found) >= 0.9 * len(found)
 
 

@@ -5,8 +5,6 @@ from functools import cache
 
 import numpy as np
 import pytest
-from scipy.linalg import expm
-from scipy.optimize import fsolve
 
 from nonsmooth import InputError, simulate, solve
 from tests.handmade import DATA, MIRROR, box, pair, two_stops
@@ -45,21 +43,6 @@ def test_half_of_an_orbit_is_the_whole() -> None:
     assert orbit.period == pytest.approx(2 * np.pi / 1.7, rel=1e-14)
     assert orbit.admissibility.verdict is True
     assert orbit.stability.verdict == "stable"
-
-
-def test_symmetric_orbit_by_matrix_exponentials() -> None:
-    # unknown: velocity behind the left stop and the forcing's angle there
-    field = np.array([[0, 1, 0, 0], [-1, -0.1, 1, 0], [0, 0, 0, -1.7], [0, 0, 1.7, 0]])
-    flow = expm(field * np.pi / 1.7)
-
-    def missed(unknown):
-        end = flow @ [-0.5, unknown[0], np.cos(unknown[1]), np.sin(unknown[1])]
-        return [end[0] - 0.5, 0.8 * end[1] - unknown[0]]
-
-    found = half().states[0]
-    velocity, angle = fsolve(missed, [found[1], np.arctan2(found[3], found[2])], xtol=1e-14)
-    wanted = [-0.5, velocity, np.cos(angle), np.sin(angle)]
-    np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-12)
 
 
 def test_multipliers_are_squares_of_the_half_maps() -> None:
@@ -179,34 +162,41 @@ def test_a_matrix_says_the_same() -> None:
     np.testing.assert_array_equal(orbit.states, half().states)
 
 
-def test_stops_that_are_not_symmetric() -> None:
-    with pytest.raises(InputError, match="no configuration is the image"):
-        solve(two_stops(1e-9), DATA, [1.85], itinerary=RIGHT, symmetry=MIRROR)
-
-
-def test_a_symmetry_in_double_precision_only() -> None:
-    nearly = two_stops(1e-14)
-    assert solve(nearly, DATA, [1.85], itinerary=RIGHT, symmetry=MIRROR).converged
-    with pytest.raises(InputError, match="no configuration is the image"):
-        solve(nearly, DATA, [1.85], itinerary=RIGHT, symmetry=MIRROR, digits=30)
-
-
-def test_resets_have_to_follow() -> None:
-    system = two_stops()
+def altered(system, rows):
+    """The system with another restitution in some rows of its resets."""
     good = system.module.resets
-    system.module.resets = lambda p, lib: good(p, lib)[:8] + good([*p[:2], 0.5, *p[3:]], lib)[8:]
-    with pytest.raises(InputError, match="transitions do not follow"):
-        solve(system, DATA, [1.85], itinerary=RIGHT, symmetry=MIRROR)
+
+    def resets(p, lib):
+        other = good([*p[:2], 0.5, *p[3:]], lib)
+        return [other[k] if k in range(*rows.indices(len(other))) else row
+                for k, row in enumerate(good(p, lib))]  # fmt: skip
+
+    system.module.resets = resets
+    return system
 
 
-def test_resets_of_boundaries_together_have_to_follow_where_they_are_reached() -> None:
-    system = pair()
-    good = system.module.resets
-    system.module.resets = lambda p, lib: good(p, lib)[:-6] + good([*p[:2], 0.5, *p[3:]], lib)[-6:]
-    mirror = {name: f"-{name}" for name in ("x", "y", "v", "w", "c", "s")}
-    assert solve(pair(), DATA, [1.85], itinerary=[("free", "right+up")], symmetry=mirror).converged
-    with pytest.raises(InputError, match=r"right\+up and left\+down.* in different ways"):
-        solve(system, DATA, [1.85], itinerary=[("free", "right+up")], symmetry=mirror)
+@pytest.mark.parametrize(
+    ("system", "boundary", "digits", "match"),
+    [
+        (lambda: two_stops(1e-9), "reaches-right", 15, "no configuration is the image"),
+        (lambda: two_stops(1e-14), "reaches-right", 15, ""),
+        (lambda: two_stops(1e-14), "reaches-right", 30, "no configuration is the image"),
+        (lambda: altered(two_stops(), slice(8, None)), "reaches-right", 15,
+         "transitions do not follow"),
+        (pair, "right+up", 15, ""),
+        (lambda: altered(pair(), slice(-6, None)), "right+up", 15,
+         r"right\+up and left\+down.* in different ways"),
+    ],
+)  # fmt: skip
+def test_stops_and_resets_have_to_follow_a_symmetry(system, boundary, digits, match) -> None:
+    made = system()
+    mirror = {name: f"-{name}" for name in made.table["states"]}
+    options = {"itinerary": [("free", boundary)], "symmetry": mirror, "digits": digits}
+    if not match:
+        assert solve(made, DATA, [1.85], **options).converged
+        return
+    with pytest.raises(InputError, match=match):
+        solve(made, DATA, [1.85], **options)
 
 
 def test_only_a_part_has_a_part() -> None:

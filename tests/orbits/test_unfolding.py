@@ -12,7 +12,6 @@ import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.derive import (
     DeclarationError,
-    Friction,
     Harmonic,
     Itinerary,
     Reference,
@@ -106,16 +105,9 @@ def test_an_itinerary_from_a_motion_of_a_built_in_system() -> None:
     found = Itinerary.from_trajectory(motion, dry_friction.system, "again")
     assert found.reference.parameters == {name: str(value) for name, value in data.items()}
     orbit = ns.solve(load_orbit(found).name)
+    assert [p.dwell_time for p in found.phases] == ["tau1", "tau2", "tau3", "tau4"]
     assert orbit.converged
     assert orbit.period == pytest.approx(7.8686, abs=1e-4)
-
-
-def test_an_itinerary_of_many_phases_from_a_motion() -> None:
-    belt = oscillator("belt", ["x"], [[1]], [[1]], elements=[Friction("x", 1, "1.3", "0.5")])
-    motion = ns.simulate(belt, {}, [0, 0], transitions=30)
-    found = Itinerary.from_trajectory(motion, belt)
-    assert [p.dwell_time for p in found.phases] == ["tau1", "tau2"]
-    assert ns.solve(load_orbit(found).name).stability.verdict == "stable"
 
 
 def test_a_motion_that_does_not_come_back() -> None:

@@ -9,7 +9,6 @@ from numpy.testing import assert_allclose
 
 import nonsmooth as ns
 from nonsmooth.derive import Harmonic, RigidStop, oscillator
-from nonsmooth.runtime.orbits.equations import equations_of
 from tests.engines import with_both
 
 COUNT, DATA = 10, {"A": 1.0}
@@ -48,9 +47,3 @@ def test_an_orbit_of_many_states_is_found_and_judged_as_in_python() -> None:
         assert_allclose(found.derivatives[name]["A"], rates["A"], rtol=1e-8, atol=1e-8)
     precise = [float(x) for x in ns.refine(orbit, 30).unknowns.values()]
     assert_allclose([*orbit.unknowns.values()], precise, rtol=0, atol=10.0**-orbit.digits)
-    equations, motion = equations_of(orbit), orbit.trajectory()
-    ((_, waves),) = equations.waves(equations.first[None])
-    for wave, begin, wait in zip(waves, motion.times, orbit.dwell_times, strict=False):
-        basis = wave.basis(np.zeros(1, dtype=int), np.array([0.4 * wait]))[0]
-        reached = motion(begin + 0.4 * wait)[COUNT - 1] - 0.3
-        assert wave.coefficients[0, 0, 0] @ basis == pytest.approx(reached, abs=1e-9)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -12,25 +11,7 @@ import pytest
 from nonsmooth import NoConvergence
 from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.shooting.kernel_newton import solve_full, solve_reduced
-from nonsmooth.runtime.shooting.newton import climb, damping
-
-
-@pytest.mark.parametrize("growth", [3.0, math.inf])
-def test_a_damped_step_is_the_longest_that_keeps_dwell_times_within_bounds(growth: float) -> None:
-    """None loses more than three quarters of itself, or grows by more than is allowed."""
-    random = np.random.default_rng(4)
-    dwell = random.uniform(0.1, 5, (400, 3))
-    change = dwell * random.normal(size=dwell.shape) * 10.0 ** random.uniform(-2, 2, (400, 1))
-    part = damping(dwell, change, growth)
-    relative = part[:, None] * change / dwell
-    assert (relative > -0.75 * (1 + 1e-12)).all()
-    assert (relative < growth * (1 + 1e-12)).all()
-    whole = part == 1
-    assert 20 < np.count_nonzero(whole) < 380
-    held = np.minimum(abs(relative + 0.75), abs(relative - growth)).min(axis=1)
-    assert (held[~whole] < 1e-12).all()
-    assert (part > 0).all()
-    assert damping(np.zeros((2, 0)), np.zeros((2, 0))).tolist() == [1, 1]
+from nonsmooth.runtime.shooting.newton import climb
 
 
 class Line:

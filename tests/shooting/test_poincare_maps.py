@@ -48,10 +48,9 @@ def test_the_orbit_closes_under_exponentials_and_resets(name):
     for orbit in orbits(name):
         declared = Declared(orbit)
         scale = max(1.0, abs(declared.start).max())
-        assert abs(declared.end - declared.start).max() < 1e-11 * scale
+        assert declared.missed < 1e-11 * scale
         following = np.roll(orbit.states, -1, axis=0)
         for index, (piece, _, end) in enumerate(declared.steps):
-            assert abs((piece.normal @ end).item()) < 1e-11 * scale
             behind = piece.jump @ end
             assert_allclose(following[index], behind[:-1, 0], atol=1e-11 * scale)
 
@@ -63,16 +62,6 @@ def test_saltation_matrices_are_those_of_the_declaration(name):
         assert orbit.saltations.shape == (len(orbit.dwell_times), 4, 4)
         for found, matrix in zip(orbit.saltations, expected, strict=True):
             assert_allclose(found, matrix, rtol=1e-9, atol=1e-9)
-
-
-def test_the_saltation_matrix_of_an_impact_in_closed_form():
-    """Newton's law reflects position and velocity, and shears by the difference of the forces."""
-    for orbit in orbits("rigid-stop/one-impact"):
-        y, u, m1, k1 = (orbit.values[n] for n in ("y", "u", "m1", "k1"))
-        force = -k1 * (1 - y) / m1
-        expected = np.diag([-1.0, 1, -1, 1])
-        expected[2, 0] = 2 * force / -u
-        assert_allclose(orbit.saltations[0], expected, rtol=1e-10, atol=1e-10)
 
 
 @every_orbit
@@ -118,31 +107,6 @@ def test_the_section_jacobian_is_that_of_the_simulated_map(name):
             assert_allclose(jacobian[:, column], slopes[places, 0], atol=1e-6 * scale)
             # the end of the turn lies in the section again
             assert_allclose(slopes[:-1, 0], directions @ slopes[places, 0], atol=1e-6 * scale)
-
-
-def test_a_border_collision_has_its_derivatives_on_one_side():
-    """Where the first phase takes time the map has the emitted slope; elsewhere it does not."""
-    orbit = solve("dry-friction/solution-ii")
-    declared = Declared(orbit)
-    directions, places = declared.embedding()
-    jacobian = orbit.evaluate("poincare_jacobian")
-    sides = []
-    for k in (1e-5, -1e-5):
-        start = declared.start + k * np.append(directions[:, 0], 0)[:, None]
-        end, times = declared.image(start)
-        sides.append(times[0] > 0)
-        slope = (end - declared.end)[places, 0] / k
-        assert_allclose(slope, jacobian[:, 0], atol=1e-3)
-        if times[0] < 0:
-            # the real motion starts to slip at once: it does not go back in time to stick
-            late = declared.pieces[1:]
-            state = start
-            for piece in late:
-                time = piece.exit_time(state, piece.dwell)
-                state = piece.jump @ piece.flow(time) @ state
-            other = (state - declared.end)[places, 0] / k
-            assert abs(other - jacobian[:, 0]).max() > 0.1
-    assert sorted(sides) == [False, True]
 
 
 @every_orbit

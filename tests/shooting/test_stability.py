@@ -1,4 +1,4 @@
-"""Stability against the simulated Poincare map, which knows Coulomb's law and no itinerary."""
+"""Verdicts on stability: multipliers in their order, and margins within their errors."""
 
 from functools import cache
 
@@ -6,104 +6,45 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from nonsmooth import poincare_map, refine, simulate, solve
-from tests.declared import single
+from nonsmooth import refine, solve
 
-ORBIT = "dry-friction/global-stick"
-PARAMETERS = ("chi", "eta", "V", "e1", "e2")
-LOWER, UPPER = np.array([0.15, 0.3, 0.3, 1.5, 0.1]), np.array([0.85, 3.0, 1.5, 5.0, 1.5])
-
-
-def simulated(orbit, margin=0.3):
-    """Data whose forces of friction allow the orbit, and where it starts.
-
-    Simulation goes by Coulomb's law alone, in physical coordinates.
-    """
-    bounds = {r.parameter: r.greater_than for r in orbit.admissibility.requires}
-    data = {name: orbit.values[name] for name in ("chi", "eta", "V")}
-    data |= {name: bounds[name] + margin for name in ("us1", "us2")}
-    data |= {f"ur{k}": data[f"us{k}"] + orbit.values[f"e{k}"] for k in (1, 2)}
-    # the paper's shift d = x - z
-    first = (data["us1"] + data["us2"]) / (1 - data["chi"])
-    centre = np.array([first, first + data["us2"] / data["chi"], 0, 0])
-    start = [orbit.values["z10"], orbit.values["z20"], data["V"], data["V"]]
-    return data, start + centre
-
-
-def simulated_map(orbit):
-    """From where both masses begin to stick to where they next do, and where the orbit starts."""
-    data, start = simulated(orbit)
-    section = ("stick-slip", "second-reaches-belt", "stick-stick")
-    return poincare_map("dry-friction", data, section), start
+RIGID = "rigid-stop/one-impact"
+# a parameter of which the margin becomes zero, where the trace is what is told
+BORDERS = {"dry-friction/global-stick": ("chi", "0.6485", -1), RIGID: ("T", "6.82", 3)}
 
 
 @cache
-def at_random_points():
-    """Orbits at random points."""
-    points = LOWER + (UPPER - LOWER) * np.random.default_rng(11).random((1500, 5))
-    return solve(ORBIT, dict(zip(PARAMETERS, points.T, strict=True)))
+def border(name):
+    """The parameter's value to 690 digits."""
+    parameter, text, trace = BORDERS[name]
+    for _ in range(12):
+        found = refine(solve(name, {parameter: text}), 700)
+        step = (found.trace - trace) / found.derivatives(parameter).trace[0]
+        text = found.arithmetic.mp.nstr(found.values[parameter] - step, 690)
+    assert float(text) == pytest.approx(float(BORDERS[name][1]), rel=1e-2)
+    return text
 
 
-def orbits_where(select, count):
-    """Admissible orbits of random points whose trace is selected."""
-    many = at_random_points()
-    chosen = np.flatnonzero(many.admissible & (many.trace != 0) & select(many))[:count]
-    assert len(chosen) == count
-    return [single(many, i) for i in chosen]
+@pytest.mark.parametrize("name", BORDERS)
+@pytest.mark.parametrize(("shift", "few", "enough"), [("1e-30", 16, 40), ("1e-462", 450, 550)])
+def test_a_margin_within_its_error_is_undecided_until_there_are_digits(name, shift, few, enough):
+    verdicts = []
+    for sign in "+-":
+        orbit = solve(name, {BORDERS[name][0]: f"{border(name)} {sign} {shift}"})
+        assert orbit.stability.verdict == "undecided"
+        assert refine(orbit, few).stability.verdict == "undecided"
+        verdicts.append(refine(orbit, enough).stability.verdict)
+    assert verdicts == ["unstable", "neutral" if name == RIGID else "stable"]
 
 
-@pytest.fixture(scope="module")
-def orbits():
-    return [solve(ORBIT), *orbits_where(lambda many: np.abs(many.trace) > 0, 5)]
-
-
-@pytest.fixture(scope="module")
-def unstable():
-    return orbits_where(lambda many: np.abs(many.trace) > 1.03, 3)
-
-
-def test_the_simulated_motion_is_the_orbit(orbits, unstable):
-    for orbit in (*orbits, *unstable):
-        motion = simulate("dry-friction", *simulated(orbit), "stick-stick", transitions=4)
-        assert_allclose(motion.states[-1], motion.states[0], atol=1e-10)
-        assert motion.configurations[-1] == "stick-stick"
-        assert_allclose(np.diff(motion.times), orbit.dwell_times, atol=1e-10)
-
-
-def test_the_jacobian_is_that_of_the_simulated_map(orbits, unstable):
-    for orbit in (*orbits, *unstable):
-        mapped, start = simulated_map(orbit)
-        basis = mapped.basis[:2]  # velocities are the belt's
-        found = basis @ mapped.jacobian(start) @ basis.T
-        jacobian = orbit.evaluate("poincare_jacobian")
-        scale = np.abs(jacobian).max()
-        assert_allclose(jacobian, found, atol=1e-6 * scale)
-        assert np.trace(found) == pytest.approx(orbit.trace, abs=1e-6 * scale)
-        assert abs(np.linalg.det(jacobian)) < 1e-11 * scale**2
-        assert abs(np.linalg.det(found)) < 1e-6 * scale**2
-
-
-def test_a_margin_within_its_error_is_undecided_until_there_are_digits():
-    # a trace of -1 along chi, located with Newton's method at 700 digits
-    chi = np.linspace(0.6, 0.7, 100)
-    many = solve(ORBIT, {"chi": chi})
-    margin = 1 - np.abs(many.trace)
-    sound = many.admissible[:-1] & many.admissible[1:]
-    place = np.flatnonzero(sound & (margin[:-1] * margin[1:] < 0))[0]
-    guess = {n: float(a[place]) for n, a in many.unknowns.items()}
-    text = repr(float(chi[place]))
-    for _ in range(9):
-        found = refine(solve(ORBIT, {"chi": text}, guess), 700)
-        step = (found.trace + 1) / found.derivatives("chi").trace[0]
-        text = found.arithmetic.mp.nstr(found.values["chi"] - step, 690)
-    for shift, few, enough in (("1e-30", 16, 40), ("1e-462", 450, 550)):
-        verdicts = []
-        for sign in ("+", "-"):
-            orbit = solve(ORBIT, {"chi": f"{text} {sign} {shift}"}, guess)
-            assert orbit.stability.verdict == "undecided"
-            assert refine(orbit, few).stability.verdict == "undecided"
-            verdicts.append(refine(orbit, enough).stability.verdict)
-        assert set(verdicts) == {"stable", "unstable"}
+def test_undecided_is_said_within_the_error_alone() -> None:
+    for exponent in range(2, 16):
+        for sign, right in (("+", "unstable"), ("-", "neutral")):
+            found = solve(RIGID, {"T": f"{border(RIGID)} {sign} 1e-{exponent}"})
+            verdict = found.stability.verdict
+            within = abs(2 - abs(found.trace - 1)) <= 10.0 ** (2 - found.digits)
+            assert verdict == ("undecided" if within else right)
+            assert not within or exponent > 9
 
 
 @pytest.mark.parametrize(
