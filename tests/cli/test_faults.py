@@ -18,7 +18,7 @@ import pytest
 import nonsmooth as ns
 from nonsmooth.runtime.present.paper import writing
 from tests.cli.test_cli import COMMANDS, run
-from tests.places import CHECKOUT
+from tests.places import CHECKOUT, GALLERY
 from tests.user_systems import declare
 
 ORBIT = "dry-friction/global-stick"
@@ -38,7 +38,8 @@ CHAOS = (
 REGION = f"{CHAOS.replace('chaos', 'region')} x2=8:8.5 --boxes 8"
 BRANCH = f"certify branch {ORBIT} V=0.99:1.01 --tiles 1"
 DOUBLING = "certify doubling dry-friction/symmetric V=1.07:1.09 --seconds 1e-6"
-BASIN = f"certify basin {ORBIT} us1=1 us2=1 ur1=4.0195 ur2=1.4831 --side 1 --tiles 10"
+BELT = f"{GALLERY / 'mass_on_belt.py'}:stick-slip"
+BASIN = f"certify basin {BELT} x=0:2 v=-0.5:0.5 --side 1 --tiles 1"
 # each option that names a file or a folder to be written, and a command that asks for little
 WRITERS = {
     ("equations", "--out"): "equations mine.py --format markdown --out TARGET",
@@ -83,12 +84,16 @@ FAULTED = (
     *(("find", "--save"), ("sweep", "--save")),
 )
 # a basin is many motions, and sets that cover each other are looked for along many
-PROOFS = ("certify basin", "certify chaos", "certify region")
+MANY, LONG = (
+    ("certify basin", "certify chaos", "certify region"),
+    ("certify basin", "certify chaos"),
+)
 
 
-def marked(*marks: pytest.MarkDecorator) -> pytest.MarkDecorator:
-    """Each writer, with marks of those that prove long."""
-    writers = [pytest.param(w, marks=[*marks] * (w[0] in PROOFS)) for w in WRITERS]
+def marked(*proved: pytest.MarkDecorator) -> pytest.MarkDecorator:
+    """Each writer, with marks of those that prove long where they are proved."""
+    marks = {name: [pytest.mark.compiled, *(proved if name in LONG else ())] for name in MANY}
+    writers = [pytest.param(w, marks=marks.get(w[0], [])) for w in WRITERS]
     return pytest.mark.parametrize("writer", writers, ids="".join)
 
 
@@ -145,7 +150,7 @@ def test_every_option_that_writes_is_here() -> None:
     assert found == set(WRITERS)
 
 
-@marked(pytest.mark.slow, pytest.mark.compiled)
+@marked(pytest.mark.slow)
 def test_folders_above_are_made_and_files_are_whole(
     writer: tuple[str, str], place: Path, opened: set[str]
 ) -> None:
@@ -161,7 +166,7 @@ def test_folders_above_are_made_and_files_are_whole(
     assert {path for path in in_part if not path.endswith(".lock")} == set()
 
 
-@marked(pytest.mark.compiled)
+@marked()
 def test_what_is_no_file_stays(writer: tuple[str, str], place: Path) -> None:
     pipe = place / "pipe"
     suffix = WRITERS[writer].partition("TARGET")[2]
