@@ -77,7 +77,10 @@ def made(annotation: Any, given: Any, where: str) -> Any:
     other kinds than records are told apart by what takes them, and are left as they are, as are
     matrices and what may be anything.
     """
-    given = _without_axes(given)
+    try:
+        given = _without_axes(given)
+    except DeclarationError as problem:
+        raise DeclarationError(f"{where}: {problem}") from None
     if type(given) is annotation:
         return given
     kind, inner = _parts(annotation)

@@ -18,11 +18,8 @@ from typer.main import get_command
 from typer.testing import CliRunner
 
 import nonsmooth
-from nonsmooth.derive import dry_friction
 from nonsmooth.derive.codegen import regenerate as generation
-from nonsmooth.derive.document import describe
 from nonsmooth.runtime.cli.program import app
-from nonsmooth.runtime.core.files import write_files
 from nonsmooth.runtime.model.kernels import load_orbit, orbit_names
 from tests.cli.terminal import Ended, all_commands
 from tests.places import CHECKOUT, GALLERY
@@ -73,20 +70,6 @@ def told(*arguments: str, code: int = 0) -> dict[str, Any]:
     assert found == code, err
     document: dict[str, Any] = json.loads(out)
     return document
-
-
-@pytest.fixture
-def described(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Describe the system once for all tests."""
-    monkeypatch.setattr(describe, "describe_system", lambda system: _described())
-
-
-_describe = describe.describe_system
-
-
-@cache
-def _described() -> describe.Document:
-    return _describe(dry_friction.system)
 
 
 # --- help
@@ -166,8 +149,11 @@ def marks_of(example: str) -> list[pytest.MarkDecorator]:
 
 
 @pytest.mark.parametrize("example", [pytest.param(e, marks=marks_of(e)) for e in EXAMPLES])
-@pytest.mark.usefixtures("committed_derivation", "empty_reproduction")
-def test_examples_work(example: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.usefixtures("empty_reproduction")
+def test_examples_work(
+    example: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
+    committed_derivation: dict[str, str],
+) -> None:  # fmt: skip
     monkeypatch.chdir(tmp_path)
     if example.startswith("nonsmooth plot"):
         pytest.importorskip("matplotlib")
@@ -206,9 +192,8 @@ def test_examples_work(example: str, tmp_path: Path, monkeypatch: pytest.MonkeyP
         if "--check" in example:
             run("generate", "my_oscillator.py", "--out", "my_kernels")
     elif "--check" in example:
-        write_files(
-            tmp_path, {n: text.encode() for n, text in generation.outdated(tmp_path).items()}
-        )
+        for file, text in committed_derivation.items():
+            (tmp_path / file).write_text(text, encoding="utf-8")
         monkeypatch.setattr(generation, "find_generated", lambda writing=True: tmp_path)
     code, out, err = run(*shlex.split(example)[1:])
     assert (code, err) == (0, "")
@@ -267,21 +252,6 @@ def test_json_of_a_border_collision() -> None:
     code, out, _ = run("solve", "dry-friction/solution-ii")
     assert code == 0
     assert "ta > 0" in out
-
-
-@pytest.mark.parametrize("digits", [1, 15, 16, 50])
-def test_digits_are_true(digits: int) -> None:
-    few, many = (
-        told("verify", ORBIT, "--digits", str(digits)),
-        told("verify", ORBIT, "--digits", "99"),
-    )
-    assert few["digits"] == digits
-    assert few["stability"] == many["stability"] == "stable"
-    with localcontext(prec=150):
-        for name in ("period", "trace", "margin", *few["unknowns"]):
-            texts = [answer["unknowns"].get(name) or answer[name] for answer in (few, many)]
-            found, true = map(Decimal, texts)
-            assert abs(found - true) <= Decimal(10) ** -digits * max(Decimal(1), abs(true)), name
 
 
 def test_parameters_are_exact() -> None:
@@ -448,19 +418,16 @@ def test_plot_names_its_file(saved: Path) -> None:
 
 
 def test_plot_of_wrong_files_is_2(saved: Path, tmp_path: Path) -> None:
-    cut = tmp_path / "cut.json"
-    cut.write_bytes(saved.read_bytes()[:300])
     picture = tmp_path / "orbit.png"
     picture.write_bytes(saved.read_bytes())
-    below = cut / "orbit.png"
     for arguments, part in (
-        ((cut,), f"{cut}: cut, or not JSON"),
         ((tmp_path / "none.json",), "there is no file"),
-        ((tmp_path,), "cannot be read: "),
         ((picture,), f"cannot write {picture}: it is the saved file"),
         ((saved, "--out", saved), f"cannot write {saved}: it is the saved file"),
-        ((saved, "--out", tmp_path / "a.gif"), "a.gif does not end in .png, .svg, .pdf"),
-        ((saved, "--out", below), f"cannot write {below}: {cut} is not a folder"),
+        (
+            (saved, "--out", saved / "a.png"),
+            f"{saved} is not a folder",
+        ),
         ((saved, "--periods", "0"), "periods = 0 is not an integer from 1"),
     ):
         code, out, err = run("plot", *map(str, arguments))
@@ -469,9 +436,7 @@ def test_plot_of_wrong_files_is_2(saved: Path, tmp_path: Path) -> None:
         assert part in err
         assert err.count("\n") == 1
     assert nonsmooth.load(saved) == nonsmooth.load(picture)
-    assert sorted(path.name for path in tmp_path.iterdir()) == [
-        *("cut.json", "orbit.json", "orbit.png")
-    ]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["orbit.json", "orbit.png"]
 
 
 # --- exit codes
@@ -482,12 +447,9 @@ def test_plot_of_wrong_files_is_2(saved: Path, tmp_path: Path) -> None:
     [
         (["--require", "stable"], 0),
         (["--require", "stable", "--require", "admissible"], 3),
-        (["--require", "admissible"], 3),
         (["us1=1", "us2=0.8", "--require", "admissible", "--require", "stable"], 0),
         (["us2=0.7", "--require", "admissible"], 3),
-        (["us2=0.7"], 0),
         (["chi=0.999999", "--require", "stable"], 3),
-        (["chi=0.999999"], 0),
     ],
 )
 @pytest.mark.parametrize("command", ["solve", "verify"])
@@ -512,24 +474,14 @@ def test_undecided_is_1() -> None:
     assert "undecided: the margin is zero to these digits" in out
 
 
-def test_no_convergence_is_1() -> None:
-    code, out, err = run("solve", ORBIT, "eta=1e300")
-    assert (code, out) == (1, "")
-    assert err.startswith(f"nonsmooth: {ORBIT}: ")
-    assert "tried: " in err
-    assert err.count("\n") == 1
-    assert "tried: " in told("solve", ORBIT, "eta=1e300", code=1)["error"]
-
-
 @pytest.mark.parametrize("command", ["solve", "verify"])
 @pytest.mark.parametrize(
     ("arguments", "part"),
     [
         ("rigid-stop/one-impact r=0.9", "exists only for r = 1: with r = 0.9 no orbit"),
-        ("rigid-stop/one-impact r=0", "exists only for r = 1: with r = 0 no orbit"),
         ("rigid-stop/one-impact k1=2 k2=4 T=2*pi", "singular: at these parameters (a resonance)"),
-        ("rigid-stop/one-impact k1=2 k2=4 T=4*pi", "singular: at these parameters (a resonance)"),
         ("elastic-stop/one-contact T=1e-6", "no orbit was found at these parameters"),
+        (f"{ORBIT} eta=1e300", "tried: "),
     ],
 )
 def test_parameters_without_an_orbit_are_1(command: str, arguments: str, part: str) -> None:
@@ -555,22 +507,20 @@ def test_unknown_backend_is_2(monkeypatch: pytest.MonkeyPatch) -> None:
 # --- equations
 
 
-@pytest.mark.usefixtures("described")
 @pytest.mark.parametrize(
     ("form", "start"), [("latex", "\\documentclass"), ("markdown", "# "), ("html", "<!DOCTYPE")]
 )
 def test_equations_print_or_write(form: str, start: str, tmp_path: Path) -> None:
     if form == "html":
         pytest.importorskip("latex2mathml")
-    options = ("dry-friction", "--format", form)
+    options = ("rigid-stop", "--format", form)
     printed = told("equations", *options)
     assert list(printed) == ["name", "format", "text"]
-    assert (printed["name"], printed["format"]) == ("dry-friction", form)
+    assert (printed["name"], printed["format"]) == ("rigid-stop", form)
     assert printed["text"].startswith(start)
     target = tmp_path / "equations"
-    assert run("equations", *options, "--out", str(target)) == (0, f"{target} written\n", "")
     again = told("equations", *options, "--out", str(target))
-    assert again == {"name": "dry-friction", "format": form, "file": str(target)}
+    assert again == {"name": "rigid-stop", "format": form, "file": str(target)}
     assert target.read_text(encoding="utf-8") == printed["text"]
 
 
@@ -588,21 +538,19 @@ def test_equations_print_one_section() -> None:
     )
 
 
-@pytest.mark.usefixtures("described")
 def test_equations_of_a_system_have_one_section() -> None:
-    code, text, _ = run("equations", "dry-friction", "--section", "flows", "--format", "markdown")
+    code, text, _ = run("equations", "rigid-stop", "--section", "flows", "--format", "markdown")
     assert code == 0
     assert re.findall(r"^## \d+\. (.*)", text, re.MULTILINE) == ["Modal analysis"]
-    code, out, error = run("equations", "dry-friction", "--section", "trace")
+    code, out, error = run("equations", "rigid-stop", "--section", "trace")
     assert (code, out) == (2, "")
-    assert "dry-friction is a system: its orbits have a part 'trace' (symmetric, " in error
+    assert "rigid-stop is a system: its orbits have a part 'trace' (one-impact" in error
 
 
-@pytest.mark.usefixtures("described")
 @pytest.mark.parametrize(
     ("latex", "code", "said"),
     [
-        ("/bin/cp document.tex document.pdf", 0, "dry-friction.pdf written\n"),
+        ("/bin/cp document.tex document.pdf", 0, "rigid-stop.pdf written\n"),
         ("echo '! Undefined control sequence.'; exit 1", 1, "nonsmooth: pdflatex failed: ! Undef"),
         (None, 2, "install texlive"),
     ],
@@ -615,18 +563,17 @@ def test_a_pdf_is_what_latex_makes(
     if latex is not None:
         Path("pdflatex").write_text(f"#!/bin/sh\n{latex}\n")
         Path("pdflatex").chmod(0o755)
-    ended = run("equations", "dry-friction", "--format", "pdf")
+    ended = run("equations", "rigid-stop", "--format", "pdf")
     assert ended.code == code
     assert said in ended.out + ended.err
     assert ended.err.count("\n") == bool(code)
-    assert Path("dry-friction.pdf").exists() == (code == 0)
+    assert Path("rigid-stop.pdf").exists() == (code == 0)
 
 
-@pytest.mark.usefixtures("described")
 def test_html_without_its_extra_names_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "latex2mathml", None)
     monkeypatch.setitem(sys.modules, "latex2mathml.converter", None)
-    code, out, err = run("equations", "dry-friction", "--format", "html")
+    code, out, err = run("equations", "rigid-stop", "--format", "html")
     assert (code, out) == (2, "")
     assert err == (
         'nonsmooth: error: latex2mathml is not installed: pip install "nonsmooth[html]"\n'
@@ -685,18 +632,13 @@ def test_regenerate_derives_one_system(tmp_path: Path) -> None:
     assert not any(name.startswith(("elastic", "dry")) for name in names)
 
 
-def test_check_under_another_sympy_is_2(tmp_path: Path) -> None:
-    (tmp_path / "PROVENANCE.json").write_text('{"sympy": "1.0"}')
-    code, out, err = run("regenerate", "--check", "--out", str(tmp_path))
-    assert (code, out) == (2, "")
-    assert "SymPy 1.0" in err
-    assert err.count("\n") == 1
-
-
-def test_check_of_a_folder_without_provenance_is_2(tmp_path: Path) -> None:
-    code, _, err = run("regenerate", "--check", "--out", str(tmp_path))
-    assert code == 2
-    assert "PROVENANCE.json cannot be read" in err
+def test_check_of_what_another_sympy_wrote_or_nobody_is_2(tmp_path: Path) -> None:
+    for told in ("PROVENANCE.json cannot be read", "SymPy 1.0"):
+        code, out, err = run("regenerate", "--check", "--out", str(tmp_path))
+        assert (code, out) == (2, "")
+        assert told in err
+        assert err.count("\n") == 1
+        (tmp_path / "PROVENANCE.json").write_text('{"sympy": "1.0"}')
 
 
 def test_regenerate_outside_a_checkout_is_2(

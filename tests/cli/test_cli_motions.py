@@ -18,7 +18,6 @@ FRICTION = f"simulate dry-friction {A} {ZERO} --transitions 12"
 FIND = f"find dry-friction {B} --starts 12 --transitions 400"
 SWEPT = "sweep dry-friction chi=0.5 eta=1 us1=1 us2=1 ur1=4.0195 ur2=1.4831"
 SWEEP = f"{SWEPT} V=0.95:1.05:3 --quantity x1 --at slip-stick {ZERO} --transient 50 --samples 12"
-PICTURES = [("png", b"\x89PNG"), ("svg", b"<?xml"), ("PDF", b"%PDF")]
 
 
 def values(text):
@@ -38,27 +37,15 @@ def refused(command, part, code=2):
 # --- simulate
 
 
-@pytest.mark.parametrize("backend", [pytest.param("c", marks=pytest.mark.compiled), "numpy"])
-def test_json_of_simulate_is_the_motion(backend, monkeypatch):
-    monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
+def test_json_of_simulate_is_the_motion(backend):
     found = told(*FRICTION.split())
     motion = simulate("dry-friction", values(A), [0, 0, 0, 0], transitions=12)
-    assert list(found) == [
-        *("system", "parameters", "names", "times", "configurations", "boundaries", "states"),
-        *("transitions", "end", "status", "message", "options", "open_at", "grazings", "files"),
-    ]
     # one entry for the start and one behind each transition, every digit in a decimal string
-    assert found["transitions"] == 12
-    for entries in ("times", "configurations", "boundaries", "states"):
-        assert len(found[entries]) == 13
-    assert all(isinstance(t, str) for t in found["times"])
     assert [float(t) for t in found["times"]] == motion.times.tolist()
     assert [[float(x) for x in row] for row in found["states"]] == motion.states.tolist()
     assert tuple(found["configurations"]) == motion.configurations
     assert tuple(map(tuple, found["boundaries"])) == motion.boundaries
-    assert found["names"] == ["x1", "x2", "v1", "v2"]
-    assert found["parameters"] == values(A)
-    assert (found["status"], found["files"]) == ("transitions", [])
+    assert (found["names"], found["parameters"]) == (["x1", "x2", "v1", "v2"], values(A))
     assert float(found["end"]) == motion.end
 
 
@@ -81,10 +68,7 @@ def test_a_time_may_be_an_expression():
 
 def test_observe():
     found = told(*FRICTION.split(), "--observe")["observables"]
-    assert {"minima", "maxima", "means", "rms", "fractions", "sticking", "contacts"} <= found.keys()
     assert sum(float(share) for share in found["fractions"].values()) == pytest.approx(1)
-    assert float(found["maxima"]["v1"]["value"]) >= float(found["minima"]["v1"]["value"])
-    assert {"first-friction", "second-friction"} == found["contacts"].keys()
     later = told(*FRICTION.split(), "--observe", "--since", "10/3")["observables"]
     assert float(later["since"]) == 10 / 3
     assert float(later["duration"]) == pytest.approx(float(found["duration"]) - 10 / 3)
@@ -92,7 +76,6 @@ def test_observe():
     assert (code, err) == (0, "")
     assert "no Lyapunov exponent: from t = 0 to" in out
     assert found["lyapunov"] is None
-    assert found["lyapunov_error"] is None
 
 
 def test_observe_tells_the_largest_exponent_with_its_error():
@@ -157,16 +140,15 @@ def test_seed_and_box_reach_the_search(found):
 # --- sweep
 
 
-@pytest.mark.parametrize(("ending", "start"), PICTURES)
-def test_a_diagram(tmp_path, ending, start):
+def test_a_diagram(tmp_path):
     pytest.importorskip("matplotlib")
-    target = tmp_path / f"diagram.{ending}"
+    target = tmp_path / "diagram.PDF"
     code, out, _ = run(*SWEEP.split(), "--plot", str(target))
     assert code == 0
     assert "x1 of dry-friction at each entry of slip-stick, over V" in out
     assert "V: 0.95 ... 1.05, 3 of 3 values done; 9 points" in out
     assert out.endswith(f"{target} written\n")
-    assert target.read_bytes().startswith(start)
+    assert target.read_bytes().startswith(b"%PDF")
 
 
 def test_a_diagram_may_go_downward():

@@ -59,13 +59,11 @@ def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
     [
         pytest.param("nonsmooth doc", {"doctor"}, marks=pytest.mark.slow),
         ("nonsmooth solve dry-friction/g", {"dry-friction/global-stick"}),
-        pytest.param("nonsmooth simulate rig", {"rigid-stop"}, marks=pytest.mark.slow),
         ("nonsmooth solve --unkn", {"--unknown"}),
         ("nonsmooth solve nowhere", set()),
         ("nonsmooth certify dry-friction/g", {"dry-friction/global-stick"}),
         ("nonsmooth certify dou", {"doubling"}),
         ("nonsmooth certify check kep", {"kept.json"}),
-        pytest.param("nonsmooth plot kep", {"kept.json"}, marks=pytest.mark.slow),
         ("nonsmooth solve dry-friction/global-stick us", {"us1=", "us2="}),
         ("nonsmooth certify dry-friction/global-stick us1 = 1 us", {"us2="}),
         pytest.param("nonsmooth sweep rigid-stop k", {"k1=", "k2="}, marks=pytest.mark.slow),
@@ -83,17 +81,6 @@ def test_bash_completes_after_the_installation(words, completed, home) -> None:
         home,
     )
     assert set(told.split()) == completed
-
-
-def test_the_package_is_a_command(tmp_path: Path) -> None:
-    done = subprocess.run(
-        [sys.executable, "-m", "nonsmooth", "--version"],
-        cwd=tmp_path,
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    assert done.stdout == f"nonsmooth {metadata.version('nonsmooth')}\n"
 
 
 def test_doctor_names_every_requirement_and_extra() -> None:
@@ -149,14 +136,6 @@ def test_doctor_notices_kernels_of_another_derivation(monkeypatch: pytest.Monkey
 def test_doctor_compares_versions_as_numbers(version, good, monkeypatch) -> None:
     monkeypatch.setattr(metadata, "version", lambda name: version)
     assert diagnoses()["mpmath"]["good"] is good
-
-
-@pytest.mark.slow
-@pytest.mark.skipif(BASH is None, reason="there is no bash")
-def test_a_reader_that_has_seen_enough_is_no_error(tmp_path: Path) -> None:
-    script = 'nonsmooth list dry-friction 2>said | head -n 1; echo "${PIPESTATUS[0]}"'
-    assert in_bash(script, tmp_path).split()[-1] in ("0", "141")
-    assert (tmp_path / "said").read_text(encoding="utf-8") == ""
 
 
 def test_list_shows_the_whole_system() -> None:

@@ -9,7 +9,7 @@ import shlex
 import stat
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -17,13 +17,8 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.runtime.present.paper import writing
-from nonsmooth.runtime.proof.chaos import certify_chaos
-from nonsmooth.runtime.proof.sets import certify_basin
-from tests.certified import prove_basin
 from tests.cli.test_cli import COMMANDS, run
-from tests.horseshoes import folded_horseshoe
-from tests.places import CHECKOUT
-from tests.shared import shared_file
+from tests.places import CHECKOUT, GALLERY
 from tests.user_systems import declare
 
 ORBIT = "dry-friction/global-stick"
@@ -43,7 +38,8 @@ CHAOS = (
 REGION = f"{CHAOS.replace('chaos', 'region')} x2=8:8.5 --boxes 8"
 BRANCH = f"certify branch {ORBIT} V=0.99:1.01 --tiles 1"
 DOUBLING = "certify doubling dry-friction/symmetric V=1.07:1.09 --seconds 1e-6"
-BASIN = f"certify basin {ORBIT} us1=1 us2=1 ur1=4.0195 ur2=1.4831 --side 1 --tiles 10"
+BELT = f"{GALLERY / 'mass_on_belt.py'}:stick-slip"
+BASIN = f"certify basin {BELT} x=0:2 v=-0.5:0.5 --side 1 --tiles 1"
 # each option that names a file or a folder to be written, and a command that asks for little
 WRITERS = {
     ("equations", "--out"): "equations mine.py --format markdown --out TARGET",
@@ -87,30 +83,18 @@ FAULTED = (
     *(("certify box", "--save"), ("chart", "--out"), ("continue", "--save"), ("generate", "--out")),
     *(("find", "--save"), ("sweep", "--save")),
 )
-LONG = (
-    "certify box",
-    "continue",
-    "find",
-    "sweep",
-)  # what is done is kept before Ctrl-C is looked at
 # a basin is many motions, and sets that cover each other are looked for along many
-SLOW_IN_PYTHON = {
-    *(
-        (f"certify {name}", option)
-        for name in ("chaos", "region")
-        for option in ("--save", "--plot")
-    ),
-}
-# what takes long to prove, and is proved once for many tests
-PROVED: dict[str, tuple[Any, Callable[[], Any]]] = {
-    "certify basin": (certify_basin, prove_basin),
-    "certify chaos": (certify_chaos, folded_horseshoe),
-}
-each = pytest.mark.parametrize(
-    "writer",
-    [pytest.param(w, marks=pytest.mark.compiled) if w in SLOW_IN_PYTHON else w for w in WRITERS],
-    ids="".join,
+MANY, LONG = (
+    ("certify basin", "certify chaos", "certify region"),
+    ("certify basin", "certify chaos"),
 )
+
+
+def marked(*proved: pytest.MarkDecorator) -> pytest.MarkDecorator:
+    """Each writer, with marks of those that prove long where they are proved."""
+    marks = {name: [pytest.mark.compiled, *(proved if name in LONG else ())] for name in MANY}
+    writers = [pytest.param(w, marks=marks.get(w[0], [])) for w in WRITERS]
+    return pytest.mark.parametrize("writer", writers, ids="".join)
 
 
 WATCHING: list[set[str]] = []  # of each test that watches: files that are opened to be written
@@ -166,16 +150,11 @@ def test_every_option_that_writes_is_here() -> None:
     assert found == set(WRITERS)
 
 
-@each
+@marked(pytest.mark.slow)
 def test_folders_above_are_made_and_files_are_whole(
-    writer: tuple[str, str], place: Path, opened: set[str], monkeypatch: pytest.MonkeyPatch
+    writer: tuple[str, str], place: Path, opened: set[str]
 ) -> None:
     """What stays was written under another name and moved: it is never there in part."""
-    if writer[0] in PROVED:
-        module, prove = PROVED[writer[0]]
-        kind = writer[0].removeprefix("certify ")
-        proved = ns.load(shared_file(f"nonsmooth {kind} certificate", prove))
-        monkeypatch.setattr(module, f"certify_{kind}", lambda *_, **__: proved)
     target = place / "new" / "folder" / "target"
     code, _, err = run(*shlex.split(WRITERS[writer].replace("TARGET", str(target))))
     assert code in (0, 1), err  # one tile proves little
@@ -187,7 +166,7 @@ def test_folders_above_are_made_and_files_are_whole(
     assert {path for path in in_part if not path.endswith(".lock")} == set()
 
 
-@each
+@marked()
 def test_what_is_no_file_stays(writer: tuple[str, str], place: Path) -> None:
     pipe = place / "pipe"
     suffix = WRITERS[writer].partition("TARGET")[2]
@@ -227,39 +206,40 @@ def test_a_lost_scheduler_leaves_nothing(place: Path) -> None:
     assert sorted(os.listdir(place)) == before
 
 
+SAVING = ("solve", "continue", "simulate", "find", "fit", "sweep")
+SAVING += tuple(f"certify {name}" for name in ("box", "orbit", "event", "all"))
+
+
 @pytest.mark.parametrize(
-    "command",
-    [
-        WRITERS[name, "--save"]
-        for name in (
-            *("solve", "continue", "simulate", "find", "fit", "sweep"),
-            *("certify box", "certify orbit", "certify event", "certify all"),
-        )
-    ],
-    ids=lambda command: command.partition(" --save")[0],
+    "writer",
+    [*((name, "--save") for name in SAVING), *((n, "--out") for n in ("equations", "plot"))],
+    ids="".join,
 )
 def test_a_full_disk_does_not_lose_the_answer(
-    command: str, place: Path, monkeypatch: pytest.MonkeyPatch
+    writer: tuple[str, str], place: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """The answer is shown, where there is one beside the file."""
+
     def fill(_: int) -> None:
         raise OSError(errno.ENOSPC, "No space left on device")
 
-    asked = shlex.split(command.replace("TARGET", "target"))
+    asked = shlex.split(WRITERS[writer].replace("TARGET", "target"))
+    saves = writer[1] == "--save"
     before = sorted(os.listdir(place))
     monkeypatch.setattr(os, "fsync", fill)
     code, out, err = run(*asked, "--json")
     assert code == 2
     assert json.loads(out).get("files", []) == []
     assert "file" not in json.loads(out)
-    last = err.splitlines()[-1]
-    assert last.startswith("nonsmooth: error: not saved: cannot write target"), err
+    last = err.splitlines()[-1] if saves else f"nonsmooth: error: {json.loads(out)['error']}"
+    assert last.startswith(f"nonsmooth: error: {'not saved: ' * saves}cannot write target"), err
     assert last.endswith("no space left on device")
     assert sorted(os.listdir(place)) == before
     code, out, err = run(*asked)
     assert code == 2
-    assert out.strip()
+    assert bool(out.strip()) == saves
     assert "written" not in out
-    assert "not saved" in err
+    assert "no space left on device" in err
 
 
 @pytest.mark.slow
@@ -281,29 +261,21 @@ def test_a_fault_while_a_file_is_written(place: Path) -> None:
     )
     assert done.returncode == 0, done.stdout + done.stderr
     outcomes = [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]
-    # the lock of a chart keeps a second process away: tests/explore/test_chart.py
-    several = {name: ["kill", "interrupt", "full", "twice"][: 3 if name == "chart" else 4]
-               for name, _ in FAULTED}  # fmt: skip
-    assert [outcome["fault"] for outcome in outcomes] == [
-        f for each in several.values() for f in each
+    expected = [
+        (command, fault)
+        for command in asked
+        for fault in ("kill", "twice")[: 2 - command.startswith("chart ")]
     ]
-    commands = [line for line, faults in zip(asked, several.values(), strict=True) for _ in faults]
+    assert [outcome["fault"] for outcome in outcomes] == [fault for _, fault in expected]
     left: list[str] = []
-    for command, outcome in zip(commands, outcomes, strict=True):
-        fault, told = outcome["fault"], f"{command}: {outcome}"
-        if fault == "twice" or (fault == "interrupt" and command.startswith(LONG)):
-            assert outcome["code"] in (0, 1), told  # one tile proves little
-            assert outcome["changed"], told
-            assert not {*outcome["changed"]} & {*left}, told  # of a process that was killed
-            assert not any(".partial" in name for name in outcome["changed"]), told
-            continue
-        assert outcome["code"] == {"kill": -9, "interrupt": 130, "full": 2}[fault], told
+    for (command, fault), outcome in zip(expected, outcomes, strict=True):
+        told, changed = f"{command}: {outcome}", outcome["changed"]
         if fault == "kill":
-            left = outcome["changed"]
+            assert outcome["code"] == -9, told
+            left = changed
             assert all(".partial" in name or name.endswith(".lock") for name in left), told
         else:
-            assert {*outcome["changed"]} <= {*left}, told
-            assert outcome["said"].count("\n") == 1, told
-        if fault == "full":
-            assert "cannot write" in outcome["said"], told
-            assert "no space left on device" in outcome["said"], told
+            assert outcome["code"] in (0, 1), told  # one tile proves little
+            assert changed, told
+            assert not {*changed} & {*left}, told  # of a process that was killed
+            assert not any(".partial" in name for name in changed), told

@@ -5,7 +5,10 @@ from __future__ import annotations
 import json
 import shlex
 import shutil
+import signal
+from collections.abc import Iterator
 from dataclasses import replace
+from importlib import util
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -13,7 +16,6 @@ import pytest
 from rich.progress import Progress
 
 import nonsmooth as ns
-from nonsmooth.runtime.core import workload
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.proof.branch import certify_event
 from tests.cli.terminal import Ended, on_terminal
@@ -22,11 +24,12 @@ from tests.places import GALLERY
 
 pytestmark = pytest.mark.compiled  # much slower without it
 
-SYMMETRIC = "dry-friction/symmetric"
+STICK, SYMMETRIC = "dry-friction/global-stick", "dry-friction/symmetric"
+FRICTION = "dry-friction V=0.6773 chi=0.4 eta=4 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1"
 
 
 class Question(NamedTuple):
-    """A command, what its progress is called, and how often that is told before Ctrl-C.
+    """A command, what its progress is called, how often that is told before Ctrl-C, what is done.
 
     What is said beside the file, and what declares the system.
     """
@@ -34,6 +37,7 @@ class Question(NamedTuple):
     words: str
     progress: str
     told: int
+    done: str = ""
     anew: str = ""
     source: str = ""
 
@@ -42,38 +46,44 @@ QUESTIONS = {
     "continue": Question(
         "continue two_stops.py:symmetric w=0.37:0.43 --step 0.05",
         "following w",
-        2,
+        3,
+        "points are done",
         source="two_stops.py",
     ),
-    "box": Question(f"certify box {SYMMETRIC} V=1:1.1 --tiles 3", "proving", 1),
+    "box": Question(f"certify box {SYMMETRIC} V=1:1.1 --tiles 3", "proving", 2, "2 tiles"),
     "doubling": Question(
-        "certify doubling dry-friction/symmetric V=1.07:1.09 --tiles 1", "", 0, "--tiles 2"
+        f"certify doubling {SYMMETRIC} V=1.07:1.09 --tiles 1", "", 0, anew="--tiles 2"
     ),
-    "branch": Question(f"certify branch {SYMMETRIC} V=1:1.1 --tiles 3", "proving", 1),
-    "events": Question(f"certify event {SYMMETRIC} V=0.6:1.3 --digits 20", "enclosing", 1),
+    "branch": Question(f"certify branch {SYMMETRIC} V=1:1.1 --tiles 3", "proving", 2, "tiles"),
+    "events": Question(
+        f"certify event {SYMMETRIC} V=0.6:1.3 --digits 20", "enclosing", 2, "1 of 2 events are done"
+    ),
     "basin": Question(
         "certify basin mass_on_belt.py:stick-slip x=0:2 v=-0.5:0.5 --side 0.25 --tiles 6",
         "",
         0,
-        "--tiles 32",  # all there are: they are the same whatever their order
-        "mass_on_belt.py",
+        anew="--tiles 32",  # all there are: they are the same whatever their order
+        source="mass_on_belt.py",
     ),
     "graph": Question(
         "certify region impact_oscillator.py r=0.65 sigma=0 w=2.3 --from x=-0.7,v=0.1"
         " x=-2:0 v=-2:2 --boxes 8 --levels 1",
         "enclosing",
-        1,
+        2,
+        "kept in",
         source="impact_oscillator.py",
     ),
     "sweep": Question(
         "sweep two_stops.py w=1.4:1.5:6 d=0.6 r=0.8 --quantity v --at forcing-phase=pi/6"
         " --from x=0,v=0 --transient 0 --samples 9",
         "sweeping",
-        3,
+        4,
+        "3 of 6 values are done",
         source="two_stops.py",
     ),
-    "design": Question(f"design {SYMMETRIC} V=0.6:1.3 --minimise period", "designing", 3),
+    "design": Question(f"design {SYMMETRIC} V=0.6:1.3 --minimise period", "designing", 4, "done"),
 }
+PICTURED = ("continue", "box", "sweep")  # whose picture is drawn of what is done
 
 
 def command_of(words: str) -> str:
@@ -82,20 +92,37 @@ def command_of(words: str) -> str:
     return f"{first} {second}" if first == "certify" else first
 
 
-def begun(words: str, progress: str, told: int) -> Ended:
-    """A command on a terminal whose progress of that name is Ctrl-C as often as it was told."""
-    update, left = Progress.update, told
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """A folder in which a command heeds Ctrl-C as in a process of its own."""
+    monkeypatch.chdir(tmp_path)
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
 
-    def stopping(shown: Progress, task: Any, **options: Any) -> None:
+
+def begun(words: str, progress: str, told: int) -> Ended:
+    """A command on a terminal that gets Ctrl-C when its progress of that name is told so often."""
+    add, update, left = Progress.add_task, Progress.update, told
+
+    def tell(description: str) -> None:
         nonlocal left
-        left -= shown.tasks[task].description.startswith(progress)
-        if left == 0:
-            raise KeyboardInterrupt
+        left -= description.startswith(progress)
+        if left == 0 and description.startswith(progress):
+            signal.raise_signal(signal.SIGINT)
+
+    def adding(shown: Progress, description: str, **options: Any) -> Any:
+        tell(description)
+        return add(shown, description, **options)
+
+    def updating(shown: Progress, task: Any, **options: Any) -> None:
+        tell(shown.tasks[task].description)
         update(shown, task, **options)
 
     with pytest.MonkeyPatch.context() as patch:
         if told:
-            patch.setattr(Progress, "update", stopping)
+            patch.setattr(Progress, "add_task", adding)
+            patch.setattr(Progress, "update", updating)
         return on_terminal(*shlex.split(words))
 
 
@@ -112,19 +139,28 @@ def marked(*slow: str) -> list[Any]:
     return [pytest.param(k, marks=[pytest.mark.slow] * (k in slow)) for k in QUESTIONS]
 
 
-@pytest.mark.parametrize("kind", marked("graph", "basin", "branch", "doubling"))
+SLOW = "basin", "branch", "doubling"
+
+
+@pytest.mark.parametrize("kind", marked("graph", *SLOW))
 def test_what_is_interrupted_goes_on_by_its_file_alone_to_the_whole(
-    kind: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    kind: str,
 ) -> None:
     asked = QUESTIONS[kind]
     words, anew = shlex.split(asked.words), asked.anew.split()
-    monkeypatch.chdir(tmp_path)
     if asked.source:
         shutil.copy(GALLERY / asked.source, asked.source)
-    code, out, err = begun(f"{asked.words} --save part.json --json", asked.progress, asked.told)
+    drawn = " --plot part.svg" if kind in PICTURED and util.find_spec("matplotlib") else ""
+    code, out, err = begun(
+        f"{asked.words} --save part.json --json{drawn}", asked.progress, asked.told
+    )
     command = command_of(asked.words)
-    goes_on = f"go on with: nonsmooth {command} --resume part.json --json\n"
+    goes_on = (
+        f"kept in part.json; go on with: nonsmooth {command} --resume part.json --json{drawn}\n"
+    )
     assert (code == 130, err.endswith(goes_on)) == (asked.told > 0,) * 2
+    assert asked.done in err.splitlines()[-1]
+    assert Path("part.svg").exists() == bool(drawn)
     if kind != "events":  # several, which are no file's record
         ns.load("part.json").save("part.json")  # with its question
     if kind == "sweep":  # no outcome of the values that it has not looked at
@@ -152,14 +188,10 @@ def test_what_is_interrupted_goes_on_by_its_file_alone_to_the_whole(
         assert answer("part.json") == answer("whole.json")
 
 
-@pytest.mark.parametrize(
-    "kind",
-    [
-        k
-        for k in marked("basin", "branch", "doubling", "events")
-        if k.values[0] not in ("graph", "sweep")
-    ],
-)
+OF_ORBITS = [k for k in marked("events", *SLOW) if k.values[0] not in ("graph", "sweep")]
+
+
+@pytest.mark.parametrize("kind", OF_ORBITS)
 def test_an_orbit_of_another_file_is_held_wherever_it_goes_on(
     kind: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -185,7 +217,7 @@ def test_an_orbit_of_another_file_is_held_wherever_it_goes_on(
     shutil.move("part.json", elsewhere)
     monkeypatch.chdir(elsewhere)
     shutil.rmtree(first)
-    ns.solve("dry-friction/global-stick").save("orbit.json")  # another orbit of that name
+    ns.solve(STICK).save("orbit.json")  # another orbit of that name
     before = answer("part.json")
     for _ in range(2):
         code, _, err = run(*command, "--resume", "part.json", *asked.anew.split())
@@ -201,19 +233,17 @@ def test_an_orbit_of_another_file_is_held_wherever_it_goes_on(
 
 
 @pytest.mark.slow
-def test_events_go_on_though_none_is_enclosed_yet(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
+def test_events_go_on_though_none_is_enclosed_yet(monkeypatch: pytest.MonkeyPatch) -> None:
     shutil.copy(GALLERY / "two_stops.py", "two_stops.py")
-    words = shlex.split("certify event two_stops.py:symmetric d=0.5:0.6 --save part.json")
 
     def stopped(*_: object) -> None:
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patched:
         patched.setattr(certify_event, "certify_event", stopped)
-        code, _, err = run(*words)
+        code, _, err = run(
+            *["certify", "event", "two_stops.py:symmetric", "d=0.5:0.6", "--save", "part.json"]
+        )
     assert (code, "0 of 1 events are done, kept in part.json" in err) == (130, True)
     Path("two_stops.py").unlink()
     assert run("certify", "event", "--resume", "part.json")[0] == 1
@@ -221,17 +251,67 @@ def test_events_go_on_though_none_is_enclosed_yet(
     assert event.kind == "branch-point"
 
 
-def test_a_chart_goes_on_as_it_was_begun(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(workload, "HOURS", 0)  # all takes longer
-    question = "chart dry-friction/global-stick V=0.99:1:6 eta=0.99:1:6 --chunk 9 --workers 1"
-    code, _, err = begun(f"{question} --out F.zarr --yes --json", "charting", 2)
+def test_a_chart_goes_on_as_it_was_begun() -> None:
+    question = f"chart {STICK} V=0.99:1:6 eta=0.99:1:6 --chunk 9 --workers 1"
+    code, _, err = begun(f"{question} --out F.zarr --yes --json", "charting", 3)
     assert (code, "of 4 chunks are kept in F.zarr; go on with: nonsmooth" in err) == (130, True)
+    assert (ns.load("F.zarr").status.values != -128).any()
     goes_on = shlex.split(err.partition(" with: nonsmooth ")[2])
-    assert run(*(word for word in goes_on if word != "--yes"))[0] == 2
+    assert "--yes" in goes_on
     code, out, err = run(*goes_on)
     assert (code, err) == (0, "")
     assert json.loads(out)["points"] == {"stable": 36}
+
+
+@pytest.mark.parametrize(
+    ("words", "progress", "done"),
+    [
+        (f"find {FRICTION} --starts 30 --save part.json", "looking for unstable", "orbits and eq"),
+        (f"certify all {STICK} tau=0:20 tau1=0:20 --save part.json", "searching", "orbits found"),
+        ("reproduce --out new/paper", "orbit rigid", ""),
+    ],
+)
+def test_what_does_not_go_on_keeps_what_it_has_or_nothing(
+    words: str, progress: str, done: str
+) -> None:
+    code, _, err = begun(words, progress, 1)
+    kept = f"{done}, kept in part.json" if done else "interrupted: nothing is kept"
+    assert code == 130
+    assert err.count("interrupted: ") == 1
+    assert kept.partition(", ")[2] in err
+    assert kept.partition(", ")[0] in err
+    assert "; begin again with: nonsmooth " in err
+    assert err.rstrip().endswith(" --overwrite") == bool(done)
+    assert [path.name for path in Path().iterdir()] == (["part.json"] if done else [])
+    if done:
+        found = ns.load("part.json")
+        assert not (found.complete if words.startswith("find") else found.decided)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        *(QUESTIONS[kind].words for kind in ("box", "events", "design")),
+        f"certify {STICK}",
+        f"certify all {STICK} tau=0:3 tau1=0:3",
+        f"continue {STICK} V=0.99:1.01",
+        f"find {FRICTION}",
+    ],
+)
+def test_no_file_is_replaced_unasked(words: str) -> None:
+    file = Path("file.json")
+    ns.solve(STICK).save(file)
+    before = file.read_bytes()
+    code, _, err = run(*shlex.split(words), "--save", "file.json")
+    assert code == 2
+    assert "file.json is there already: " in err
+    assert "--overwrite replaces it" in err
+    assert file.read_bytes() == before
+    resumes = not words.startswith(("find", "certify all", f"certify {STICK}"))
+    assert ("--resume file.json goes on with it" in err) == resumes
+    if words == f"certify {STICK}":
+        assert run(*words.split(), "--save", "file.json", "--overwrite")[0] == 0
+        assert ns.load(file).proved
 
 
 def test_every_command_that_resumes_is_asked_here() -> None:
@@ -249,17 +329,14 @@ def test_every_command_that_resumes_is_asked_here() -> None:
         ("V=1:1.1 eta=1", "asked without eta=1"),
         ("V=1:1.2", "asked with V=1:1.1, not V=1:1.2"),
         (f"{SYMMETRIC} V=1:1.2", "asked with V=1:1.1, not V=1:1.2"),
-        ("dry-friction/global-stick", f"asked with {SYMMETRIC}, not dry-friction/global-stick"),
+        (STICK, f"asked with {SYMMETRIC}, not {STICK}"),
         ("--guess tau=1", "asked without --guess tau=1"),
         ("--tiles 0", "tiles = 0 is not an integer from 1"),
         (f"{SYMMETRIC} V=1:11/10", ""),
         ("--tiles 2 --save more.json", ""),
     ],
 )
-def test_what_is_said_beside_the_file_has_to_be_the_same(
-    beside: str, told: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
+def test_what_is_said_beside_the_file_has_to_be_the_same(beside: str, told: str) -> None:
     run("certify", "box", SYMMETRIC, "V=1:1.1", "--tiles", "1", "--save", "part.json")
     before = Path("part.json").read_bytes()
     code, _, err = run("certify", "box", "--resume", "part.json", *beside.split())
@@ -275,12 +352,8 @@ def test_what_is_said_beside_the_file_has_to_be_the_same(
         assert run("certify", "check", "more.json")[0] == 0
 
 
-def test_no_file_makes_a_command_run_a_declaration_or_do_something_else(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    trap = tmp_path / "trap.py"
-    trap.write_text("raise SystemExit('run')")
+def test_no_file_makes_a_command_run_a_declaration_or_do_something_else() -> None:
+    Path("trap.py").write_text("raise SystemExit('run')")
     run("certify", "box", SYMMETRIC, "V=1:1.1", "--tiles", "1", "--save", "part.json")
     sound = json.loads(Path("part.json").read_text())
 

@@ -208,6 +208,9 @@ def test_what_a_mask_leaves_out_is_refused() -> None:
     whole = np.ma.array(np.eye(3), mask=np.eye(3) > 0)
     for name in ("mass", "stiffness", "damping"):
         assert "masked" in refusal("reduce_structure", right("reduce_structure") | {name: whole})
+    one = refusal("RigidStop", right("RigidStop") | {"at": np.ma.masked})
+    assert one.startswith("at of RigidStop")
+    assert "masked" in one
 
 
 def refusal(name: str, given: dict[str, Any]) -> str:

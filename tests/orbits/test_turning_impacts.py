@@ -20,7 +20,7 @@ from nonsmooth.derive import (
     System,
     Transition,
 )
-from nonsmooth.runtime.present.report import trace_proof_json
+from tests.cli.test_cli import told
 
 X, Y, V, W = sp.symbols("x y v w", real=True)
 GIVEN = {"p": "1", "T": "6.26574158"}
@@ -97,8 +97,10 @@ def test_a_chart_has_the_margin_of_the_orbit(reverse: bool, tmp_path: Path) -> N
     assert orbit.stability.margin < -1 or reverse
 
 
-def test_no_criterion_of_its_trace_is_proved() -> None:
-    assert trace_proof_json(ns.refine(turned(), 30))["statement"] is None
+def test_no_criterion_of_its_trace_is_proved(tmp_path: Path) -> None:
+    turned().save(tmp_path / "turned.json")
+    found = told("verify", str(tmp_path / "turned.json"), "--digits", "30")
+    assert found["proof"]["statement"] is None
 
 
 def test_beside_the_trivial_multiplier_alone_an_orbit_is_neutral(tmp_path: Path) -> None:

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import math
-import runpy
 import shlex
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
@@ -13,15 +12,11 @@ import mpmath
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-from scipy.linalg import expm
-from scipy.optimize import brentq
 
 import nonsmooth as ns
 from nonsmooth.runtime.explore.design import worst_over
 from tests.cli.test_cli import run
 from tests.places import CHECKOUT, GALLERY
-
-Rule = tuple[np.ndarray, Callable[[np.ndarray], float], Callable[[np.ndarray], np.ndarray]]
 
 FORCED = {"x": "-x", "v": "-v", "c1": "-c1", "s1": "-s1"}  # half a period of the forcing later
 ORBITS = [
@@ -69,61 +64,6 @@ def eigenvalues(trace: float, determinant: float) -> list[complex]:
 
 def multipliers(orbit: Any) -> list[complex]:
     return sorted(orbit.multipliers.tolist(), key=lambda m: (m.real, m.imag))
-
-
-def forced(field: np.ndarray, w: float, amplitude: np.ndarray) -> np.ndarray:
-    """A field (2 n + 1, 2 n + 1) of positions, velocities and 1, with cos and sin before the 1."""
-    size = len(field) - 1
-    found = np.zeros((size + 3, size + 3))
-    found[:size, :size], found[:size, -1] = field[:size, :size], field[:size, -1]
-    found[size // 2 : size, size] = amplitude
-    found[size, size + 1], found[size + 1, size] = -w, w
-    return found
-
-
-def second_order(stiffness: Any, damping: Any = None, load: Any = None) -> np.ndarray:
-    """Field of x'' + damping x' + stiffness x = load, with a last entry 1 of the state."""
-    springs = np.atleast_2d(np.array(stiffness, dtype=float))
-    size = len(springs)
-    field = np.zeros((2 * size + 1, 2 * size + 1))
-    field[:size, size:-1] = np.eye(size)
-    field[size:-1, :size] = -springs
-    field[size:-1, size:-1] = 0 if damping is None else -np.atleast_2d(damping)
-    field[size:-1, -1] = 0 if load is None else load
-    return field
-
-
-def assert_motion(orbit: Any, rules: Mapping[tuple[str, str], Rule], atol: float = 1e-11) -> None:
-    """Follow an orbit with matrix exponentials of fields that the test wrote itself.
-
-    A rule is a field, the boundary's function (negative inside), and what happens behind it.
-    """
-    following = np.roll(orbit.states, -1, axis=0)
-    for phase, time, start, after in zip(
-        orbit.itinerary, orbit.dwell_times, orbit.states, following, strict=True
-    ):
-        field, boundary, reset = rules[phase]
-        begin = np.append(start, 1.0)
-        end = expm(field * time) @ begin
-        assert abs(boundary(end)) < atol
-        assert_allclose(reset(end[:-1]), after, rtol=0, atol=atol)
-        inside = [
-            boundary(expm(field * part) @ begin) for part in np.linspace(0.02, 0.98, 25) * time
-        ]
-        assert max(inside) < 0
-
-
-def kept(state: np.ndarray) -> np.ndarray:
-    return state
-
-
-def struck(place: int, restitution: float) -> Callable[[np.ndarray], np.ndarray]:
-    def reset(state: np.ndarray) -> np.ndarray:
-        after = state.copy()
-        after[place] *= -restitution
-        return after
-
-    return reset
 
 
 # --- all ----------------------------------------------------------------------------------
@@ -251,123 +191,6 @@ def test_orbits_of_one_impact_have_closed_forms(n: int, place: float) -> None:
     assert followed.unknowns["v0"] == pytest.approx(-r * top, abs=1e-12)
 
 
-# --- impacts with the ground --------------------------------------------------------------
-
-
-def test_the_first_impact_of_siconos_example() -> None:
-    data = {"m": "1e-3", "k": 100, "gravity": "9.81", "e": "0.9"}
-    motion = ns.simulate(page("spring_and_ground"), data, [1, 0], transitions=3)
-    assert motion.times[1] == pytest.approx(4.966983943888618e-03, rel=1e-14)
-    assert motion.states[1, 1] / -0.9 == pytest.approx(-3.162587864392096e02, rel=1e-14)
-    # energy above the ground is what the impact leaves
-    w, d = math.sqrt(1e5), 9.81e-5
-    speed = 0.9 * w * math.sqrt(1 + 2 * d)
-    flight = (math.pi - 2 * math.atan2(w * d, speed)) / w
-    assert motion.times[2] - motion.times[1] == pytest.approx(flight, rel=1e-12)
-
-
-# --- switched damping ---------------------------------------------------------------------
-
-
-def test_the_page_of_switched_damping_tells_its_limit_cycle() -> None:
-    orbit = solved("switched_damping", "limit-cycle")
-    assert orbit.period == pytest.approx(6.367077, abs=5e-7)
-    assert orbit.multipliers[0] == pytest.approx(0.538924872, abs=5e-10)
-    # forces are continuous: areas shrink by the exponential of the damping
-    fast, slow = orbit.dwell_times
-    assert orbit.multipliers[0] == pytest.approx(math.exp(-0.6 * fast + 0.2 * slow), rel=1e-10)
-    times = np.linspace(fast, orbit.period * (1 - 1e-12), 20001)
-    amplitude = (orbit.trajectory()(times)[:, 0] + 0.2).max()
-    assert amplitude == pytest.approx(2.150651224, abs=2e-8)
-
-
-# --- the piecewise-linear oscillator ------------------------------------------------------
-
-
-def test_the_elastic_stop_doubles_its_period_where_its_page_says() -> None:
-    before, behind = (
-        solved("piecewise_stiffness", "one-contact", {"w": w}) for w in ("2.35", "2.352")
-    )
-    assert multipliers(behind)[0].real < -1 < multipliers(before)[0].real
-    for orbit in (before, behind):
-        area = np.prod(orbit.multipliers)
-        assert area == pytest.approx(math.exp(-0.1 * orbit.period), rel=1e-10)
-    doubled = solved("piecewise_stiffness", "doubled", {"w": "2.36"})
-    assert doubled.stability.verdict == "stable"
-    assert abs(doubled.dwell_times[:2] - doubled.dwell_times[2:]).max() > 1e-3
-
-
-# --- a beam of finite elements ------------------------------------------------------------
-
-BEAM = {"F": "1/2", "gap": "1/50", "k": "20"}
-
-
-def test_the_beam_ends_its_contact_where_the_linear_one_grazes() -> None:
-    near = ns.solve(
-        page("beam"),
-        {**BEAM, "w": "9.4"},
-        [0.0468, 0.6217, 0.02, -0.00411, 0.0435, -0.0110, -0.9653, 0.262],
-        itinerary=[("contact", "stop-leaves-stop"), ("free", "stop-reaches-stop")],
-    )
-    branch = ns.continue_orbit(near, "w", (9.4, 9.6), step=0.1)
-    (doubling,) = (event.value for event in branch.events if event.kind == "flip")
-    grazing = branch.events[-1].value  # the contact has shrunk to nothing
-    assert doubling == pytest.approx(9.449516908, abs=1e-8)
-    declared = runpy.run_path(page("beam"))
-    reduced = declared["reduced"]
-
-    def excess(w: float, mass: np.ndarray, stiffness: np.ndarray, place: int) -> float:
-        force = np.zeros(len(mass))
-        force[place] = 0.5
-        damping = 0.2 * mass + 0.002 * stiffness
-        answer = np.linalg.solve(stiffness - w**2 * mass + 1j * w * damping, force)
-        return float(abs(answer[place]) - 0.02)
-
-    linear = brentq(excess, 9, 10, (reduced.mass, reduced.stiffness, 0), xtol=1e-13)
-    assert grazing == pytest.approx(linear, abs=1e-7)
-    # what the reduction costs
-    whole = brentq(excess, 9, 10, (declared["mass"], declared["stiffness"], -2))
-    assert linear == pytest.approx(whole, rel=3e-3)
-
-
-# --- three masses -------------------------------------------------------------------------
-
-CHAIN = {"F": "1", "d": "0.4", "r": "0.8", "w": "0.9", "zeta": "0.05"}
-TURNED = {"x1": "-x3", "x2": "-x2", "x3": "-x1", "v1": "-v3", "v2": "-v2", "v3": "-v1"}
-
-
-def test_an_itinerary_of_three_masses_from_a_motion() -> None:
-    rest = dict.fromkeys(("x1", "x2", "x3", "v1", "v2", "v3"), 0)
-    motion = ns.simulate(page("three_masses"), CHAIN, rest, transitions=600)
-    recurrence = ns.itinerary_of(motion)
-    orbit = ns.solve(page("three_masses"), CHAIN, itinerary=recurrence)
-    known = solved("three_masses", "two-each")
-    assert sorted(orbit.itinerary) == sorted(known.itinerary)
-    assert sorted(orbit.dwell_times) == pytest.approx(sorted(known.dwell_times), abs=1e-11)
-    assert orbit.period == pytest.approx(2 * math.pi / 0.9, rel=1e-13)
-    springs = np.array([[2, -1, 0], [-1, 2, -1], [0, -1, 2]])
-    field = forced(second_order(springs, 0.05 * springs), 0.9, np.array([0, 1, 0]))
-    assert_motion(
-        orbit,
-        {
-            ("free-free", "right-reaches-stop"): (field, lambda y: y[0] - 0.4, struck(3, 0.8)),
-            ("free-free", "left-reaches-stop"): (field, lambda y: -0.4 - y[2], struck(5, 0.8)),
-        },
-    )
-    # an impact multiplies areas by r^2, damping by exp(-trace t)
-    area = 0.8**8 * math.exp(-0.05 * 6 * orbit.period)
-    assert np.prod(orbit.multipliers) == pytest.approx(area, rel=1e-9)
-    half = ns.solve(
-        page("three_masses"),
-        CHAIN,
-        [*recurrence.dwell_times[:2], *recurrence.start],
-        itinerary=recurrence.itinerary[:2],
-        symmetry={**TURNED, "c1": "-c1", "s1": "-s1"},
-    )
-    assert half.itinerary == orbit.itinerary
-    assert_allclose(half.states, orbit.states, rtol=0, atol=1e-11)
-
-
 # --- belts --------------------------------------------------------------------------------
 
 
@@ -396,15 +219,6 @@ def symmetric(w: float, r: float, d: float, n: int = 1) -> tuple[float, float]:
     return U, 2 * r * math.cos(half) + (1 + r) * math.sin(half) * force / U
 
 
-def breaking(w: float, r: float, n: int = 1) -> float:
-    """Half the distance of the stops at which the symmetric orbit loses its stability."""
-    half, g = math.pi * n / w, 1 / (1 - w * w)
-    C = math.tan(half / 2)
-    bend = (1 + r * r + 2 * r * math.cos(half)) / ((1 + r) * math.sin(half))
-    q = -((1 - w * w) * (1 + r) * C / 2 + bend) / w**2
-    return q * abs(g) / math.hypot((1 + r) * C / 2 - q, (1 - r) / (2 * w))
-
-
 def half_orbit(d: float, w: float = 1.5) -> Any:
     data = {"d": repr(d), "r": "0.8", "w": repr(w)}
     phases = [("free-free", "right-reaches-stop")]
@@ -426,15 +240,6 @@ def test_the_symmetric_orbit_from_its_half(d: float) -> None:
         itinerary=orbit.itinerary,
     )
     assert_allclose(whole.states, orbit.states, rtol=0, atol=1e-11)
-
-
-def test_the_symmetry_breaks_where_the_half_map_has_minus_one() -> None:
-    d = breaking(1.5, 0.8)
-    orbit = half_orbit(d)
-    assert symmetric(1.5, 0.8, d)[1] == pytest.approx(-1.64, abs=1e-13)
-    assert_allclose(multipliers(orbit), [0.64**2, 1], rtol=0, atol=1e-11)
-    assert half_orbit(d + 1e-4).stability.verdict == "stable"
-    assert half_orbit(d - 1e-4).stability.verdict == "unstable"
 
 
 # --- friction under forcing ---------------------------------------------------------------
@@ -509,35 +314,11 @@ def test_a_jenkins_element_takes_the_area_of_its_loop() -> None:
 # --- the brake pad ------------------------------------------------------------------------
 
 
-def test_a_brake_pad_lifts_as_its_load_says() -> None:
-    orbit = solved("brake_pad", "lifting")
-    height = 4 / math.hypot(4 - 1.3**2, 1.3 / 5)
-    assert float(orbit.dwell_times[0]) == pytest.approx(
-        2 / 1.3 * math.acos(0.5 / height), abs=1e-14
-    )
-    assert float(orbit.period) == pytest.approx(2 * math.pi / 1.3, abs=1e-14)
-    slip = forced(
-        second_order([[1, 0.6], [0, 4]], np.eye(2) / 5, [0.3, 0]), 1.3, np.array([0, 4])
-    )  # fmt: skip
-    lifted, stick = slip.copy(), slip.copy()
-    lifted[2, [1, -1]], stick[2] = 0, 0
-
-    def breaks(state: np.ndarray) -> float:
-        return float(state[0] + state[2] / 5 - 0.3 * (1 - 2 * state[1]))
-
-    assert_motion(
-        orbit,
-        {
-            ("lifted", "pad-lands"): (lifted, lambda s: 1 - 2 * s[1], kept),
-            ("slip", "pad-lifts"): (slip, lambda s: 2 * s[1] - 1, kept),
-            ("slip", "pad-reaches-belt"): (slip, lambda s: s[2] - 1, kept),
-            ("stick", "pad-breaks-forward"): (stick, breaks, kept),
-        },
-    )
-
-
 def test_no_claim_holds_where_the_load_of_a_pad_is_negative() -> None:
     lifting, pressed = (solved("brake_pad", name) for name in ("lifting", "pressed"))
+    height = 4 / math.hypot(4 - 1.3**2, 1.3 / 5)
+    assert lifting.dwell_times[0] == pytest.approx(2 / 1.3 * math.acos(0.5 / height), abs=1e-14)
+    assert lifting.states[0, 1] == pytest.approx(0.5, abs=1e-14)  # it lifts where 2 y is the load
     for orbit in (lifting, pressed):
         assert ns.certify(orbit).claims["admissibility"] == "proved"
     beyond = solved("brake_pad", "pressed", {"A": "4"})
@@ -547,7 +328,7 @@ def test_no_claim_holds_where_the_load_of_a_pad_is_negative() -> None:
     branch = ns.continue_orbit(pressed, "A", (1.1, 1.3))
     (graze,) = (event for event in branch.events if event.kind == "grazing")
     assert graze.boundary == "pad-lifts"
-    assert float(graze.value) == pytest.approx(math.hypot(4 - 1.3**2, 1.3 / 5) / 2, abs=1e-10)
+    assert float(graze.value) == pytest.approx(2 / height, abs=1e-10)
 
 
 @pytest.mark.slow  # its kernels are compiled first

@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-import ast
-import random
 import re
 import subprocess
 from pathlib import Path
 
 import mutate
 import pytest
-from mutating import Place, functions, places, planted, probed
-from mutating_c import TOKEN
-
-from tests.places import CHECKOUT
+from mutating import functions, places, planted, probed
 
 PYTHON = '''"""Numbers: 1 + 1."""
 from typing import TYPE_CHECKING
@@ -121,34 +116,6 @@ def test_each_operator_has_its_places(file: str, text: str, bugs: dict[str, list
     assert changed.keys() == wanted.keys()
     assert {a: piece for a, piece in wanted.items() if piece not in changed[a]} == {}
     assert [piece for piece in wanted.values() if piece in text] == []
-
-
-def sampled(suffix: str, files: int, count: int) -> list[tuple[str, Place]]:
-    """Bugs of some sources of the repository, each with the text of its file."""
-    chance = random.Random(1)
-    chosen = []
-    for path in chance.sample(mutate.sources(CHECKOUT, suffix), files):
-        text = path.read_text(encoding="utf-8")
-        bugs = places(path.name, text)
-        chosen += [(text, bug) for bug in chance.sample(bugs, min(len(bugs), count))]
-    return chosen
-
-
-def test_a_bug_of_python_parses() -> None:
-    for text, bug in sampled(".py", 6, 4):
-        assert ast.dump(ast.parse(planted(text, bug))) != ast.dump(ast.parse(text)), bug
-
-
-def test_a_bug_of_the_engine_changes_one_token_or_leaves_one_statement_out() -> None:
-    for text, bug in sampled(".c", 5, 8):
-        before, after = (
-            [t.group() for t in TOKEN.finditer(each) if t.lastgroup != "blank"]
-            for each in (text, planted(text, bug))
-        )
-        assert before != after
-        assert sum(map(after.count, "{}")) == sum(map(before.count, "{}"))
-        if bug.change.operator not in ("number", "guard", "call", "sign", "negation"):
-            assert sum(one != other for one, other in zip(before, after, strict=True)) == 1
 
 
 def test_addresses_lead_back_to_their_places(capsys: pytest.CaptureFixture[str]) -> None:

@@ -60,12 +60,6 @@ def test_extensions_stand_in_guards(path: Path) -> None:
     assert unguarded((CHECKOUT / path).read_text(encoding="utf-8")) == []
 
 
-def test_the_guard_is_seen() -> None:
-    inside = "#if defined(__GNUC__)\nint a = __builtin_ctz(2);\n#else\n{}\n#endif\n"
-    assert unguarded(inside.format("int a = 1;")) == []
-    assert unguarded(inside.format("int a = __builtin_ctz(4);")) == ["int a = __builtin_ctz(4);"]
-
-
 @pytest.mark.slow
 @pytest.mark.skipif(not compilers(), reason="there is no C compiler")
 @pytest.mark.parametrize("path", SOURCES, ids=str)

@@ -11,7 +11,6 @@ from typing import Any
 
 import pytest
 
-from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.paper import writing
 from tests.present.formulas import given_formulas
 
@@ -77,6 +76,6 @@ def paper(tmp_path_factory: pytest.TempPathFactory) -> Paper:
 
 
 @pytest.fixture(scope="session")
-def orbits() -> dict[str, Orbit]:
+def orbits() -> dict[str, Any]:
     """The orbits of the paper, to be put in the place of its computation."""
     return dict(writing.paper_orbits(lambda step: None))

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import json
-from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 import nonsmooth
-from nonsmooth.runtime.explore.continuation.branch import Branch
 from tests.cli.test_cli import run
 from tests.core.test_result_files import file_of
 from tests.pictures import figure_in
@@ -20,15 +19,8 @@ STICK = "dry-friction/global-stick"
 
 
 @cache
-def branch() -> Branch:
-    return nonsmooth.continue_orbit(nonsmooth.solve(STICK), "V", (0.8, 1.3), step=0.05)
-
-
-def same(first: Branch, second: Branch) -> None:
-    for name in ("parameter_values", "unknowns", "period", "multipliers", "trace", "admissible"):
-        np.testing.assert_array_equal(getattr(first, name), getattr(second, name))
-    for name in ("name", "parameter", "unknown_names", "stability", "events", "ends", "start"):
-        assert getattr(first, name) == getattr(second, name)
+def branch() -> Any:
+    return nonsmooth.load(file_of("nonsmooth branch"))
 
 
 def test_no_other_file_is_gone_on_with(tmp_path: Path) -> None:
@@ -65,17 +57,6 @@ def test_picture(tmp_path: Path) -> None:
         found.plot("nothing")
     with pytest.raises(nonsmooth.InputError, match="no quantity is named"):
         found.plot([])
-
-
-def test_a_constant_is_drawn_as_one() -> None:
-    pytest.importorskip("matplotlib")
-    found = branch()
-    noise = 1e-13 * np.random.default_rng(0).standard_normal(len(found.period))
-    flat = replace(found, period=2 + noise, events=())
-    (axes,) = flat.plot("period").axes
-    low, high = axes.get_ylim()
-    assert low < 1.95
-    assert high > 2.05
 
 
 def test_a_saved_branch_is_drawn_as_asked(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -2,7 +2,7 @@
 
 import itertools
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 import numpy as np
@@ -11,8 +11,7 @@ import sympy as sp
 
 import nonsmooth as ns
 from nonsmooth.derive import SoftStop, oscillator
-from nonsmooth.runtime.explore.continuation.branch import Branch
-from tests.pictures import with_multipliers
+from tests.core.test_result_files import file_of
 
 pytest.importorskip("matplotlib")
 
@@ -37,9 +36,8 @@ def test_labels_of_near_levels_do_not_overlap(kind: str) -> None:
 
 
 @cache
-def branch() -> Branch:
-    orbit = ns.solve("dry-friction/global-stick")
-    return ns.continue_orbit(orbit, "V", (0.99, 1.01), step=0.5)
+def branch() -> Any:
+    return ns.load(file_of("nonsmooth branch"))
 
 
 def drawn(middle: float, width: float) -> tuple[Figure, Any]:
@@ -92,13 +90,13 @@ def test_tick_labels_stand_apart_at_every_draw() -> None:
     assert 2 <= len(labels()) < len(wide)
 
 
-def test_the_legend_of_a_square_picture_is_within_a_wide_panel() -> None:
-    """Of multipliers with many digits beside the unit circle."""
-    figure = Figure(figsize=(6, 2.2), layout="constrained")
-    axes = figure.add_subplot()
-    orbit = ns.solve("rigid-stop/one-impact")
-    with_multipliers(orbit, *(-0.0799775 * k for k in range(1, 5))).plot("multipliers", axes)
-    figure.draw_without_rendering()
-    legend = axes.get_legend()
-    assert len(legend.get_texts()) == 4
-    assert legend.get_window_extent().x1 <= figure.bbox.x1
+def test_a_constant_is_drawn_as_one() -> None:
+    sweep = ns.load(file_of("nonsmooth sweep"))
+    noise = partial(np.random.default_rng(0).normal, 2, 1e-13)
+    for figure in (
+        replace(branch(), period=noise(size=len(branch())), events=()).plot("period"),
+        replace(sweep, samples=noise(size=sweep.samples.shape)).plot(),
+    ):
+        low, high = figure.axes[0].get_ylim()
+        assert low < 1.95
+        assert high > 2.05

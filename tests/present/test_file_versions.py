@@ -6,17 +6,15 @@ import copy
 import json
 from collections.abc import Iterator
 from hashlib import sha256
+from pathlib import Path
 from typing import Any
 
 import pytest
 from jsonschema import Draft202012Validator
 
-from nonsmooth.runtime.core.json_codec import json_schema
-from nonsmooth.runtime.explore.charting.problem import HeldOrbit
-from nonsmooth.runtime.explore.charting.store import FORMAT
+import nonsmooth as ns
 from nonsmooth.runtime.present.files.loading import file_schemas
-from nonsmooth.runtime.present.files.motions import MOTION
-from tests.core.test_result_files import KINDS, text_of
+from tests.core.test_result_files import KINDS, TWO_MASSES, text_of
 
 # by format: the version, and a hash of the names and types of all entries. A test that fails
 # here asks for a higher version of the format, or of what all files hold of a system
@@ -37,9 +35,17 @@ KNOWN = {
     "nonsmooth locus": (3, "55c3d9a04af9"),
     "nonsmooth orbit": (5, "b0eb09cdf822"),
     "nonsmooth sweep": (4, "62878b5e297a"),
-    "nonsmooth trajectory": (5, "df8cf53c3d12"),
 }
-CHART = ("nonsmooth chart 5", "b40f284c1037")
+# of motions and charts, which have no schema of their own: what files hold beside numbers
+MOTION = (
+    *("format", "version", "package", "system", "tables", "derivation", "parameters", "states"),
+    *("status", "end", "options", "open_at", "grazings", "sha256"),
+)
+
+CHART = (
+    *("format", "kind", "orbit", "system", "derivation", "table", "kernels", "anchors"),
+    *("parameters", "dimensions", "grid", "chunk", "version", "held", "arrays", "sha256"),
+)
 
 
 def unordered(entry: Any) -> Any:
@@ -59,13 +65,22 @@ def digest(schema: dict[str, Any]) -> str:
 
 
 def test_a_format_of_other_entries_has_another_version() -> None:
-    schemas = {**file_schemas(), MOTION.name: MOTION.schema}
     found = {
         name: (schema["properties"]["version"]["const"], digest(schema))
-        for name, schema in schemas.items()
+        for name, schema in file_schemas().items()
     }
     assert found == KNOWN
-    assert (FORMAT, digest(json_schema(HeldOrbit))) == CHART  # what charts hold of orbits
+
+
+def test_a_motion_or_chart_of_other_entries_has_another_version(tmp_path: Path) -> None:
+    ns.simulate("rigid-stop", TWO_MASSES, [0, 0, 1.5, 0], transitions=2).save(tmp_path / "m.csv")
+    lines = (tmp_path / "m.csv").read_text().splitlines()
+    header = dict(line[2:].split(": ", 1) for line in lines if line.startswith("# "))
+    assert (header["version"], sorted(header)) == ("5", sorted(MOTION))
+    ns.chart("dry-friction/global-stick", V=[0.9, 1.0], store=tmp_path / "c.zarr")
+    told = json.loads((tmp_path / "c.zarr" / "zarr.json").read_text())["attributes"]["nonsmooth"]
+    assert (told["format"], sorted(told)) == ("nonsmooth chart 5", sorted(CHART))
+    assert sorted(told["held"]) == ["given", "of"]
 
 
 @pytest.mark.parametrize("kind", KINDS)

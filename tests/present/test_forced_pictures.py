@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 import nonsmooth as ns
 from nonsmooth import InputError, sweep
-from nonsmooth.runtime.explore.continuation.branch import Branch
+from tests.core.test_result_files import file_of
 from tests.places import GALLERY
 
 PAGE = str(GALLERY / "impact_oscillator.py")
@@ -60,19 +60,8 @@ def test_wrong_strobes(changes: dict, match: str) -> None:
         sweep(**(arguments | changes))
 
 
-def test_a_sweep_of_a_constant_is_drawn_as_one() -> None:
-    pytest.importorskip("matplotlib")
-    diagram = sweep(
-        PAGE, {"r": "0.8", "sigma": 50}, "w", [1.7, 2.4], {"x": 1, "v": 0}, state="x", phase=0.0,
-        transient=1, samples=5,
-    )  # fmt: skip
-    noise = 1e-13 * np.random.default_rng(0).standard_normal(diagram.samples.shape)
-    (axes,) = replace(diagram, samples=2 + noise).plot().axes
-    assert np.ptp(axes.get_ylim()) > 0.1
-
-
 @cache
-def branch(name: str) -> Branch:
+def branch(name: str) -> Any:
     orbit = ns.solve(f"{PAGE}:one-period", {"w": "2.4"})
     interval = {"w": (2.38, 2.42), "sigma": (-0.01, 0.01)}[name]
     return ns.continue_orbit(orbit, name, interval, step=0.5)
@@ -80,18 +69,24 @@ def branch(name: str) -> Branch:
 
 def test_a_frequency_response_is_drawn_by_default() -> None:
     pytest.importorskip("matplotlib")
-    response = branch("w")
+    response, other = branch("w"), branch("sigma")
     (angular,) = response.plot().axes
     (cycles,) = response.plot(frequency="cycles").axes
     assert "angular" in angular.get_xlabel()
     assert "cycles" in cycles.get_xlabel()
     assert "amplitude" in angular.get_ylabel()
-    np.testing.assert_array_equal(angular.lines[0].get_xdata(), response.parameter_values)
     lines = [axes.lines[0].get_xydata() for axes in (angular, cycles)]
+    np.testing.assert_array_equal(lines[0][:, 0], response.parameter_values)
     np.testing.assert_allclose(lines[0][:, 0], 2 * np.pi * lines[1][:, 0])
     np.testing.assert_allclose(lines[0][:, 1], response.quantity("amplitude_x"))
     with pytest.raises(InputError, match="unknown frequency 'hertz'"):
         response.plot(frequency="hertz")
+    (axes,) = other.plot().axes
+    assert "amplitude" in axes.get_ylabel()
+    assert "frequency" not in axes.get_xlabel()
+    assert axes.get_xlabel() == other.plot(frequency="cycles").axes[0].get_xlabel()
+    (free,) = ns.load(file_of("nonsmooth branch")).plot().axes
+    assert free.get_ylabel().startswith("period")
 
 
 def test_a_slider_is_drawn_with_the_velocity_of_its_mass() -> None:
@@ -100,13 +95,3 @@ def test_a_slider_is_drawn_with_the_velocity_of_its_mass() -> None:
     axes = orbit.plot("velocity", axes=figures.Figure().add_subplot())
     labels = [line.get_label() for line in axes.lines if not line.get_label().startswith("_")]
     assert labels == ["$x'$", r"$\mathrm{s\_joint}'$"]
-
-
-def test_other_parameters_are_no_frequency() -> None:
-    pytest.importorskip("matplotlib")
-    (axes,) = branch("sigma").plot().axes
-    assert "amplitude" in axes.get_ylabel()
-    assert "frequency" not in axes.get_xlabel()
-    assert axes.get_xlabel() == branch("sigma").plot(frequency="cycles").axes[0].get_xlabel()
-    free = ns.continue_orbit(ns.solve("dry-friction/global-stick"), "V", (0.99, 1.01), step=0.5)
-    assert free.plot().axes[0].get_ylabel().startswith("period")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import shutil
 from pathlib import Path
@@ -168,11 +169,14 @@ def test_what_is_no_result_is_refused_in_one_line(
         ("absent.npz", "no such file"),
         ("empty", "no chart"),
         ("data.csv", "not a saved motion"),
+        ("large.json", "too large for a saved"),
     ],
 )
 def test_what_is_not_there_or_foreign_is_refused(name: str, message: str, tmp_path: Path) -> None:
     (tmp_path / "empty").mkdir()
     (tmp_path / "data.csv").write_text("t,x\n0,1\n")
+    (tmp_path / "large.json").write_bytes(b'{"format": "nonsmooth orbit"')
+    os.truncate(tmp_path / "large.json", 10**9)  # which takes no place on the disk
     with pytest.raises(InputError, match=re.escape(name)) as refused:
         ns.load(tmp_path / name)
     assert message in str(refused.value)

@@ -4,22 +4,30 @@ import re
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from functools import cache
-from html.parser import HTMLParser
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+import sympy as sp
 from numpy.testing import assert_allclose, assert_array_equal
 
 import nonsmooth
 from nonsmooth import InputError, observe, simulate, sweep
-from nonsmooth.derive import derive_equations, dry_friction
-from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.simulation.trajectory import Trajectory
+from nonsmooth.derive import (
+    Boundary,
+    Configuration,
+    FirstOrder,
+    System,
+    Transition,
+    derive_equations,
+    dry_friction,
+)
 from tests.cli.test_cli import run
 from tests.pictures import figure_of_saved, with_multipliers
+from tests.present.elements import Elements
+from tests.two_masses import CHAIN, STICKING
 
 matplotlib = pytest.importorskip("matplotlib")
 matplotlib.use("Agg")
@@ -41,8 +49,47 @@ CONFIGURATIONS = ["stick-stick", "slip-stick", "slip-slip", "stick-slip"]
 
 
 @cache
-def orbit(name: str = ORBIT) -> Orbit:
+def orbit(name: str = ORBIT) -> Any:
     return nonsmooth.solve(name)
+
+
+@cache
+def few() -> Any:
+    return simulate("dry-friction", STICKING, [5, 3, 1, 1], transitions=4)
+
+
+@cache
+def many() -> Any:
+    return simulate("dry-friction", STICKING, [0, 0, 0, 0], transitions=1500)
+
+
+@cache
+def impacts(count: int = 6) -> Any:
+    return simulate("rigid-stop", CHAIN | {"r": 1}, [0, 0.5, 3, 0], transitions=count)
+
+
+@cache
+def thermostat(lags: int) -> Any:
+    """A relay that switches by the last of some lags in a row: its states are no positions."""
+    states = sp.symbols(f"a:{lags}", real=True)
+    matrix = sp.Matrix(lags, lags, lambda i, j: {0: -1, 1: 1}.get(i - j, 0))
+
+    def regime(name: str, way: int) -> Configuration:
+        reached = Boundary(f"{name}-ends", way * states[-1] - sp.Rational(1, 10))
+        return Configuration(name, FirstOrder(matrix, [way, *[0] * (lags - 1)]), (reached,))
+
+    system = System(
+        "thermostat", "a relay", states, (), (regime("on", 1), regime("off", -1)),
+        (Transition("on", {"on-ends"}, "off"), Transition("off", {"off-ends"}, "on")),
+    )  # fmt: skip
+    return simulate(system, {}, {str(state): 0 for state in states}, "on", until=12)
+
+
+MOTIONS = {
+    **{name: partial(orbit, name) for name in ORBITS},
+    "motion": few,
+    **{f"{lags} lags": partial(thermostat, lags) for lags in (1, 2, 3)},
+}
 
 
 @pytest.fixture(autouse=True)
@@ -75,6 +122,10 @@ def legend(axes: Axes) -> list[str]:
     return [text.get_text() for text in axes.get_legend().get_texts()]
 
 
+def levels(axes: Axes) -> list[str]:
+    return [text.get_text() for text in axes.texts if text.get_text() and "%" not in str(text)]
+
+
 # --- what is drawn
 
 
@@ -99,7 +150,7 @@ def test_the_stop_is_drawn_where_it_is(name: str) -> None:
     orbit(name).plot("time", axes, periods=2)
     (stop,) = [line for line in axes.get_lines() if line.get_linestyle() == ":"]
     assert set(stop.get_ydata()) == {1.0}
-    assert [text.get_text() for text in axes.texts if text.get_text()] == ["$x_{1}$ = $1$"]
+    assert levels(axes) == ["$x_{1}$ = $1$"]
     places = axes_of(2)
     orbit(name).plot("phase", places)
     counts = [sum(line.get_linestyle() == ":" for line in a.get_lines()) for a in places]
@@ -115,7 +166,7 @@ def test_an_impact_is_drawn_before_and_behind() -> None:
     assert_allclose(points[[switch, switch + 1], 1], [-u, u], atol=1e-12)
 
 
-@pytest.mark.parametrize("masses", [(0,), [1], (1, 0), range(2)])
+@pytest.mark.parametrize("masses", [[1], (1, 0)])
 def test_some_masses_alone(masses: Sequence[int]) -> None:
     (axes,) = axes_of()
     orbit().plot("time", axes, masses=masses)
@@ -123,54 +174,59 @@ def test_some_masses_alone(masses: Sequence[int]) -> None:
     assert legend(axes)[len(masses) :] == CONFIGURATIONS
 
 
-def test_a_phase_that_takes_no_time_has_its_name_in_the_strip() -> None:
+@pytest.mark.parametrize("kind", ["time", "velocity"])
+@pytest.mark.parametrize("of", MOTIONS)
+def test_histories_are_the_motion(of: str, kind: str) -> None:
     (axes,) = axes_of()
-    orbit("dry-friction/solution-ii").plot("strip", axes)
-    assert symbols(axes) == ["$t_{a} = 0$", "$\\tau$", "$\\tau_{1}$", "$\\tau_{2}$"]
-    assert len(bars(axes)) == 3
-
-
-@pytest.mark.parametrize("name", ORBITS)
-@pytest.mark.parametrize(("kind", "first", "periods"), [("time", 0, 1), ("velocity", 2, 2)])
-def test_histories_are_the_motion(name: str, kind: str, first: int, periods: int) -> None:
-    (axes,) = axes_of()
-    orbit(name).plot(kind, axes, periods=periods)
-    motion = orbit(name).motion()
-    prime = "'" * (first > 0)
-    labels = [f"${name[0]}_{{{name[1:]}}}{prime}$" for name in motion.names[:2]]
-    for mass, label in enumerate(labels):
+    drawn, moving = MOTIONS[of](), kind == "velocity"
+    motion, end, breaks, options = drawn, getattr(drawn, "end", None), (), {}
+    if of in ORBITS:
+        motion, options = drawn.motion(), {"periods": 1 + moving}
+        end, breaks = motion.period, motion.breaks
+    drawn.plot(kind, axes, **options)
+    names, noun = motion.names[:2], "velocit" if moving else "position"
+    places, prime = [2, 3] if moving else [0, 1], "'" * moving
+    if "lags" in of:  # states that are neither; of several the first one has no other before it
+        names, noun, prime = motion.names[moving:] or motion.names, "state", ""
+        places = [motion.names.index(name) for name in names]
+    labels = [f"${name[0]}_{{{name[1:]}}}{prime}$" for name in names]
+    for place, label in zip(places, labels, strict=True):
         points = curve(axes, label)
-        assert len(points) > 500 * periods
-        inside = ~np.isin(points[:, 0] % motion.period, motion.breaks)
-        wanted = motion(points[inside, 0])[:, first + mass]
-        assert_allclose(points[inside, 1], wanted, atol=1e-11)
+        assert len(points) > 100
+        inside = ~np.isin(points[:, 0] % end, breaks)
+        assert_allclose(points[inside, 1], motion(points[inside, 0])[:, place], atol=1e-11)
         assert label in axes.get_ylabel()
+    assert axes.get_ylabel().startswith(noun)
     assert axes.get_xlabel().startswith("time $t$")
     assert legend(axes) == [*labels, *dict.fromkeys(motion.configurations)]
-    assert_allclose(axes.get_xlim(), (0, periods * motion.period))
+    assert_allclose(axes.get_xlim(), (0, end * options.get("periods", 1)))
 
 
-def test_phase_portraits_are_the_motion() -> None:
-    (axes,) = axes_of()
+def test_pictures_of_states_that_are_no_positions_name_them() -> None:
+    first, second = thermostat(3).plot("phase", axes_of(2))
+    assert [first.get_xlabel(), first.get_ylabel()] == ["state $a_{0}$", "state $a_{1}$"]
+    assert [second.get_xlabel(), second.get_ylabel()] == ["state $a_{1}$", "state $a_{2}$"]
+    upper, lower, *_ = thermostat(2).plot("all", axes_of(4))
+    assert [upper.get_ylabel(), lower.get_ylabel()] == ["state $a_{0}$", "state $a_{1}$"]
+
+
+def test_phase_portraits_are_the_motion_together_or_apart() -> None:
+    (axes,), places = axes_of(), axes_of(2)
     orbit().plot("phase", axes)
+    assert orbit().plot("phase", places) == tuple(places)
     states = orbit().motion().sample(600).states
-    for mass in (0, 1):
-        points = curve(axes, f"($z_{{{mass + 1}}}$, $z_{{{mass + 1}}}'$)")
-        points = points[np.isfinite(points[:, 0])]
-        assert_array_equal(points, states[:, [mass, 2 + mass]])
-        assert_allclose(points[0], points[-1], atol=1e-12)
+    for mass, own in enumerate(places):
+        label = f"($z_{{{mass + 1}}}$, $z_{{{mass + 1}}}'$)"
+        for drawn in (axes, own):
+            points = curve(drawn, label)
+            points = points[np.isfinite(points[:, 0])]
+            assert_array_equal(points, states[:, [mass, 2 + mass]])
+        assert own.get_xlabel() == f"position $z_{{{mass + 1}}}$ (nondimensional)"
+        assert legend(own) == [label, "sticking"]
     assert axes.get_xlabel() == "positions $z_{1}$, $z_{2}$ (nondimensional)"
     assert axes.get_ylabel() == "velocities $z_{1}'$, $z_{2}'$ (nondimensional)"
     assert legend(axes) == ["($z_{1}$, $z_{1}'$)", "sticking", "($z_{2}$, $z_{2}'$)"]
-    assert [text.get_text() for text in axes.texts if text.get_text()] == ["$V$"]
-
-
-def test_phase_portraits_in_axes_of_their_own() -> None:
-    places = axes_of(2)
-    assert orbit().plot("phase", places) == tuple(places)
-    for mass, axes in enumerate(places, 1):
-        assert axes.get_xlabel() == f"position $z_{{{mass}}}$ (nondimensional)"
-        assert legend(axes) == [f"($z_{{{mass}}}$, $z_{{{mass}}}'$)", "sticking"]
+    assert levels(axes) == ["$V$"]
 
 
 def test_sticking_parts_and_belt_are_drawn_at_its_velocity() -> None:
@@ -195,12 +251,14 @@ def test_sticking_parts_and_belt_are_drawn_at_its_velocity() -> None:
     )
 
 
-def test_dwell_times_are_named_in_the_strip() -> None:
+@pytest.mark.parametrize(("name", "shown"), [(ORBIT, 4), ("dry-friction/solution-ii", 3)])
+def test_dwell_times_are_named_in_the_strip(name: str, shown: int) -> None:
+    """Also of a phase that takes no time, and has no bar."""
     (axes,) = axes_of()
-    orbit().plot("strip", axes, periods=2)
-    assert [text.get_text() for text in axes.get_yticklabels()] == CONFIGURATIONS
-    assert len(bars(axes)) == 8
-    assert symbols(axes) == ["$t_{a}$", "$\\tau$", "$\\tau_{1}$", "$\\tau_{2}$"] * 2
+    orbit(name).plot("strip", axes, periods=2)
+    assert len(bars(axes)) == 2 * shown
+    none = "" if shown == 4 else " = 0"
+    assert symbols(axes) == [f"$t_{{a}}{none}$", "$\\tau$", "$\\tau_{1}$", "$\\tau_{2}$"] * 2
 
 
 def test_multipliers_stand_in_the_unit_circle() -> None:
@@ -243,47 +301,7 @@ def test_a_configuration_has_one_colour_in_all_pictures() -> None:
     assert len(set(time)) == 4
 
 
-# --- motions and bifurcations
-
-FRICTION = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
-STOP = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": "0.8"}
-
-
-@cache
-def few() -> Trajectory:
-    return simulate("dry-friction", FRICTION, [5, 3, 1, 1], transitions=4)
-
-
-@cache
-def many() -> Trajectory:
-    return simulate("dry-friction", FRICTION, [0, 0, 0, 0], transitions=1500)
-
-
-@cache
-def impacts(count: int = 6) -> Trajectory:
-    return simulate("rigid-stop", {**STOP, "r": 1}, [0, 0.5, 3, 0], transitions=count)
-
-
-def levels(axes: Axes) -> list[str]:
-    return [text.get_text() for text in axes.texts if text.get_text() and "%" not in str(text)]
-
-
-# --- every kind
-
-
-# --- what is drawn
-
-
-def test_histories_of_a_motion() -> None:
-    for kind, first, mark in (("time", 0, ""), ("velocity", 2, "'")):
-        (axes,) = axes_of()
-        few().plot(kind, axes)
-        for mass in (0, 1):
-            points = curve(axes, f"$x_{{{mass + 1}}}${mark}".replace("$'", "'$"))
-            assert len(points) > 1900
-            assert_allclose(points[:, 1], few()(points[:, 0])[:, first + mass], atol=1e-12)
-        assert legend(axes)[2:] == CONFIGURATIONS
-        assert levels(axes) == ([] if kind == "time" else ["$V$"])
+# --- motions
 
 
 def test_the_background_is_the_configuration() -> None:
@@ -330,9 +348,8 @@ def test_the_strip_shows_which_configuration_when() -> None:
     (axes,) = axes_of()
     few().plot("strip", axes)
     assert [text.get_text() for text in axes.get_yticklabels()] == CONFIGURATIONS
-    boxes = [path.get_extents() for bars in axes.collections for path in bars.get_paths()]
-    assert len(boxes) == 4
-    for box in boxes:
+    assert len(bars(axes)) == 4
+    for box in bars(axes):
         row = round((box.y0 + box.y1) / 2)
         assert few().configuration((box.x0 + box.x1) / 2) == CONFIGURATIONS[row]
     found = observe(few()).fractions
@@ -400,7 +417,7 @@ def test_dense_portraits_are_faint_pieces() -> None:
 
 
 def test_a_bifurcation_is_its_samples() -> None:
-    data = {name: value for name, value in FRICTION.items() if name != "V"}
+    data = {name: value for name, value in STICKING.items() if name != "V"}
     start = dict.fromkeys(("x1", "x2", "v1", "v2"), 0)
     diagram = sweep(
         "dry-friction", data, "V", [0.9, 1.0, 1.1], start, state="x1",
@@ -418,18 +435,15 @@ def test_a_bifurcation_is_its_samples() -> None:
     assert axes.get_title(loc="left") == "dry-friction: x1 at each entry of slip-stick"
 
 
-# --- wrong input
-
-
 # --- files
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("ending", [".svg", ".pdf", ".png"])
-def test_files_are_reproducible(ending: str, tmp_path: Path) -> None:
+def test_files_are_reproducible(tmp_path: Path) -> None:
+    """Those of the paper, .svg and .png, are looked at in test_schematics.py."""
     saved = tmp_path / "orbit.json"
     orbit().save(saved)
-    paths = [tmp_path / f"{name}{ending}" for name in ("first", "second")]
+    paths = [tmp_path / f"{name}.pdf" for name in ("first", "second")]
     for path in paths:
         assert run("plot", str(saved), "--kind", "time", "--out", str(path))[0] == 0
     first, second = (path.read_bytes() for path in paths)
@@ -483,33 +497,9 @@ def test_no_picture_of_numbers_that_axes_do_not_hold(large: float) -> None:
 # --- notebooks
 
 
-class Table(HTMLParser):
-    """Reads tables and fails on tags that do not match."""
-
-    def __init__(self, text: str) -> None:
-        super().__init__()
-        self.open: list[str] = []
-        self.tags: set[str] = set()
-        self.texts: list[str] = []
-        self.feed(text)
-        self.close()
-        assert not self.open
-
-    def handle_starttag(self, tag: str, attrs: object) -> None:
-        self.tags.add(tag)
-        if tag != "br":
-            self.open.append(tag)
-
-    def handle_endtag(self, tag: str) -> None:
-        assert self.open.pop() == tag
-
-    def handle_data(self, data: str) -> None:
-        self.texts.append(data)
-
-
 @pytest.mark.parametrize("name", ORBITS)
 def test_notebooks_show_every_orbit(name: str) -> None:
-    text = " ".join(Table(orbit(name)._repr_html_()).texts)
+    text = " ".join(Elements(orbit(name)._repr_html_()).texts)
     told = orbit(name).to_json()
     for number in (told["period"], *told["unknowns"].values()):
         assert number[:10] in text
@@ -524,7 +514,7 @@ def test_notebooks_show_every_orbit(name: str) -> None:
 
 def test_html_says_what_is_wrong() -> None:
     sharp = nonsmooth.refine(nonsmooth.solve(ORBIT, {"chi": "1/2", "us2": "0.8"}), 40)
-    table = Table(sharp._repr_html_())
+    table = Elements(sharp._repr_html_())
     assert table.tags == {"table", "caption", "tr", "th", "td", "br"}
     for part in ("chi = 1/2", "us2 = 0.8", "40 digits", "conditional", "it takes", "us1 > 0"):
         assert part in " ".join(table.texts)
@@ -533,7 +523,7 @@ def test_html_says_what_is_wrong() -> None:
     for word in ("second-breaks-backward", "crossed at", "stick-stick", "0.0456843"):
         assert word in violations
     lost = nonsmooth.solve(ORBIT, {"eta": "1e300"}, throw=False)
-    assert lost.message in " ".join(Table(lost._repr_html_()).texts)
+    assert lost.message in " ".join(Elements(lost._repr_html_()).texts)
     assert lost.message in lost._repr_latex_()
 
 
@@ -562,7 +552,7 @@ def test_equations_in_a_notebook(monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("latex2mathml")
     html = equations._repr_html_()
     assert html is not None
-    table = Table(html)
+    table = Elements(html)
     assert html.count("<tr>") == 6
     assert meaning in "".join(table.texts)
     assert "$" not in "".join(table.texts)

@@ -12,11 +12,8 @@ pytestmark = pytest.mark.browser
 
 @pytest.mark.slow
 def test_page_opens_offline_and_fits(paper: Paper) -> None:
-    fits(paper.folder / "report.html", "proofs")
-
-
-def fits(path: Path, *more: str) -> None:
-    """A report is seen whole in wide and narrow windows, and asks for nothing."""
+    """It is seen whole in wide and narrow windows, and asks for nothing."""
+    path = paper.folder / "report.html"
     for width, seen in zip((1280, 390), look_at(path, 1280, 390), strict=True):
         assert seen.width == width
         assert seen.scroll_width <= width
@@ -24,7 +21,7 @@ def fits(path: Path, *more: str) -> None:
         assert seen.chapters == [
             *("rigid-impact", "soft-impact", "symmetrical-periodic-solution"),
             *("periodic-solution-including-a-global-sticking-phase", "solution-ii"),
-            *("stability-and-the-poincaré-map", *more, "misprints"),
+            *("stability-and-the-poincaré-map", "proofs", "misprints"),
         ]
 
 

@@ -4,52 +4,17 @@ import json
 import re
 from base64 import b64decode
 from collections import Counter
-from html.parser import HTMLParser
 from itertools import pairwise
 from pathlib import Path
-from typing import NoReturn
+from typing import Any, NoReturn
 from xml.etree import ElementTree
 
 import pytest
 
-from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.paper import writing
 from tests.present.conftest import Paper, written
+from tests.present.elements import Elements
 from tests.present.formulas import notes
-
-VOID = {"br", "hr", "img", "input", "link", "meta", "source", "wbr"}
-
-
-class Elements(HTMLParser):
-    """Start tags with their attributes, text, and whether every element is closed in turn."""
-
-    def __init__(self, text: str) -> None:
-        super().__init__()
-        self.found: list[tuple[str, dict[str, str]]] = []
-        self.words = ""
-        self.open: list[str] = []
-        self.feed(text)
-        self.close()
-
-    def handle_starttag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
-        self.handle_startendtag(tag, attributes)
-        if tag not in VOID:
-            self.open.append(tag)
-
-    def handle_startendtag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
-        self.found.append((tag, {name: value or "" for name, value in attributes}))
-
-    def handle_endtag(self, tag: str) -> None:
-        assert self.open.pop() == tag
-
-    def handle_data(self, text: str) -> None:
-        self.words += text
-
-    def attributes(self, name: str, tag: str = "") -> list[str]:
-        """Values of an attribute, on one tag or on all."""
-        return [
-            found[name] for kind, found in self.found if name in found and kind in (tag or kind)
-        ]
 
 
 @pytest.fixture(scope="module")
@@ -121,7 +86,6 @@ def test_markdown_has_every_text(markdown: str, paper: Paper) -> None:
 
 
 def test_page_is_well_formed_and_ordered(page: str, elements: Elements) -> None:
-    assert not elements.open
     tags = [tag for tag, _ in elements.found]
     assert page.startswith('<!DOCTYPE html>\n<html lang="en">')
     assert tags.count("main") == tags.count("nav") == tags.count("h1") == 1
@@ -141,8 +105,7 @@ def test_page_loads_nothing(page: str, elements: Elements) -> None:
     links = [link for name in ("src", "href", "data") for link in elements.attributes(name)]
     assert links
     assert all(link.startswith(("#", "data:")) for link in links)
-    tags = {tag for tag, _ in elements.found}
-    assert not tags & {"script", "link", "iframe", "object", "embed"}
+    assert not elements.tags & {"script", "link", "iframe", "object", "embed"}
     assert not re.search(r"@import|url\((?!#)", page)
 
 
@@ -154,18 +117,19 @@ def test_names_are_unique_and_references_resolve(elements: Elements) -> None:
 
 def test_pictures_scale_and_say_what_they_are(page: str, elements: Elements, paper: Paper) -> None:
     """Each is the file beside the page, and part of the page."""
-    drawings = [found for tag, found in elements.found if tag == "img"]
-    assert len({drawing["alt"] for drawing in drawings}) == len(paper.figures)
-    assert drawings[0]["alt"] == "Fig. 1. Coupled oscillators with a stop."
-    start = "data:image/svg+xml;base64,"
-    assert all(drawing["src"].startswith(start) for drawing in drawings)
-    shown = [b64decode(drawing["src"].removeprefix(start)) for drawing in drawings]
-    assert sorted(shown) == sorted((paper.folder / f"{x}.svg").read_bytes() for x in paper.figures)
+    told = elements.attributes("alt", "img")
+    assert len({*told}) == len(paper.figures)
+    assert told[0] == "Fig. 1. Coupled oscillators with a stop."
+    kinds, shown = zip(*(x.split(",") for x in elements.attributes("src", "img")), strict=True)
+    assert {*kinds} == {"data:image/svg+xml;base64"}
+    assert sorted(map(b64decode, shown)) == sorted(
+        (paper.folder / f"{x}.svg").read_bytes() for x in paper.figures
+    )
     assert re.search(r"\.picture img \{[^}]*max-width: 100%", page)
 
 
 def test_text_is_escaped(page: str, elements: Elements, inline: dict[str, str]) -> None:
-    assert not {"b", "i"} & {tag for tag, _ in elements.found}
+    assert not {"b", "i"} & elements.tags
     assert "<b>no tag</b>" in elements.words
     assert "<i>none</i>" in elements.words
     assert inline["plain"].startswith("Plain &amp; <em>stressed</em> text")
@@ -194,7 +158,7 @@ def test_page_has_every_verdict(page: str, paper: Paper) -> None:
 def test_long_formula_may_break_after_a_sign_outside_of_parentheses(
     inline: dict[str, str],
 ) -> None:
-    pieces = [Elements(piece).words for piece in inline["long"].split("</math>")[:-1]]
+    pieces = [Elements(f"{x}</math>").words for x in inline["long"].split("</math>")[:-1]]
     assert pieces == ["(a+b)2+", "|c−d|=", "e−", "f+", "g"]
     assert inline["short"].count("<math") == 1
 
@@ -226,7 +190,7 @@ def test_full_stop_stays_with_its_formula(inline: dict[str, str]) -> None:
     ],
 )
 def test_unknown_latex_is_refused(
-    latex: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, orbits: dict[str, Orbit]
+    latex: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, orbits: dict[str, Any]
 ) -> None:
     monkeypatch.setattr(writing, "paper_orbits", lambda begin: orbits)
     with pytest.raises(ValueError, match="latex2mathml does not know all of"):

@@ -177,23 +177,6 @@ def test_a_file_lists_its_orbits_with_the_parameters_of_its_system(folder):
     assert {p["name"]: p["default"] for p in third["orbits"][0]["parameters"]} == DATA
 
 
-@pytest.mark.slow
-def test_found_orbits_are_appended_to_the_declaration(folder):
-    shutil.copy(folder / "gear.py", folder / "mine.py")
-    data = [f"{name}={value}" for name, value in DATA.items()]
-    options = ("--starts", "10", "--transitions", "200", "--write", "mine.py")
-    first = answered("find", "mine.py", *data, *options)["itineraries"]
-    second = answered("find", "mine.py", *data, *options)["itineraries"]
-    assert [*first, *second] == [f"found-{k + 1}" for k in range(len(first) + len(second))]
-    names = [orbit["name"] for orbit in answered("list", "mine.py")["systems"][0]["orbits"]]
-    assert names == [f"mine.py:{name}" for name in (*first, *second)] or all(
-        name.endswith(f":found-{k + 1}") for k, name in enumerate(names)
-    )
-    again = ns.solve("mine.py:found-1")
-    found = ns.solve("mine.py:found-1", {"d": "1/2"})
-    assert again.period == pytest.approx(found.period, rel=1e-12)
-
-
 BUMP = """
 import sympy as sp
 from nonsmooth.derive import Harmonic, SoftStop, oscillator
@@ -216,6 +199,11 @@ def test_orbits_that_reach_no_boundary_are_not_appended(folder):
     assert answer["itineraries"] == [f"found-{k + 1}" for k in range(sum(reach))]
     striking = answer["orbits"][reach.index(True)]
     assert ns.solve("bump.py:found-1").period == pytest.approx(float(striking["period"]))
+    again = answered("find", "bump.py", "w=1.45", *options)["itineraries"]
+    count = len(answer["itineraries"])
+    assert again == [f"found-{count + k + 1}" for k in range(count)]
+    names = [orbit["name"] for orbit in answered("list", "bump.py")["systems"][0]["orbits"]]
+    assert [name.rpartition(":")[2] for name in names] == [*answer["itineraries"], *again]
     text = file.read_text()
     code, out, err = run("find", "bump.py", "w=3", *options)
     assert (code, file.read_text()) == (2, text)

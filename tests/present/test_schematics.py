@@ -144,16 +144,19 @@ def test_no_line_crosses_a_label(figure: Figure) -> None:
 # --- what it shows
 
 
-def test_the_second_mass_is_tied_to_the_ground_and_the_stop_faces_the_first(paper: Paper) -> None:
-    figure = paper.figures[STOP]
-    row = [place(figure, label)[0] for label in ("k_2", "m_2", "k_1", "m_1", "1", "k_3")]
-    assert (np.diff(row) > 0).all()
+@pytest.mark.parametrize(
+    ("stem", "labels"),
+    [(STOP, ("k_2", "m_2", "k_1", "m_1", "1", "k_3")), (BELT, ("k_1", "m_1", "k_2", "m_2"))],
+)
+def test_masses_springs_and_the_stop_stand_in_a_row(
+    labels: tuple[str, ...], figure: Figure
+) -> None:
+    """The second mass is tied to the ground before the stop, and the first one on the belt."""
+    assert (np.diff([place(figure, label)[0] for label in labels]) > 0).all()
 
 
-def test_the_first_mass_is_tied_to_the_ground_on_the_belt(paper: Paper) -> None:
+def test_forces_act_between_the_belt_and_the_masses(paper: Paper) -> None:
     figure = paper.figures[BELT]
-    row = [place(figure, label)[0] for label in ("k_1", "m_1", "k_2", "m_2")]
-    assert (np.diff(row) > 0).all()
     for number in (1, 2):
         force, mass = place(figure, f"F_{number}"), place(figure, f"m_{number}")
         assert place(figure, "V")[1] < force[1] < mass[1]

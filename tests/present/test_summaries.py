@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 from functools import cache
-from html.parser import HTMLParser
 from typing import Any
 
 import numpy as np
@@ -12,10 +11,11 @@ import nonsmooth as ns
 from tests.certified import kicked
 from tests.core.test_result_files import file_of, looped
 from tests.places import records
+from tests.present.elements import Elements
 from tests.present.test_load import TYPES
+from tests.two_masses import CHAIN, RUBBING
 
-DATA = dict(chi="0.4", eta=4, V="0.6773", us1="0.0127", ur1="0.0255", us2="0.5", ur2=1)
-RIGID = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
+RIGID = CHAIN | {"r": 1}
 START = {"x1": 1, "x2": 0, "v1": -1, "v2": 0}
 REST = {"x1": 0, "x2": 0, "v1": 0, "v2": 0}
 KINDS = {name for name, kind in records().items() if hasattr(kind, "_repr_html_")}
@@ -39,7 +39,7 @@ def result(kind: str) -> Any:
         case "Motion":
             return ns.solve(ORBIT).motion()
         case "Trajectory":
-            return ns.simulate("dry-friction", DATA, REST, transitions=60)
+            return ns.simulate("dry-friction", RUBBING, REST, transitions=60)
         case "Trajectories":
             return ns.simulate("rigid-stop", RIGID, np.full((5, 4), 0.5), transitions=3)
         case "Recurrence":
@@ -59,22 +59,6 @@ def result(kind: str) -> Any:
     raise AssertionError(f"a new public result: tell here how one is made: {kind}")
 
 
-class Tags(HTMLParser):
-    """Open tags, and whether each is closed in its turn."""
-
-    def __init__(self, text: str) -> None:
-        super().__init__()
-        self.open: list[str] = []
-        self.feed(text)
-
-    def handle_starttag(self, tag: str, attributes: Any) -> None:
-        if tag != "br":
-            self.open.append(tag)
-
-    def handle_endtag(self, tag: str) -> None:
-        assert self.open.pop() == tag
-
-
 @pytest.mark.parametrize("kind", sorted(KINDS))
 def test_a_result_tells_what_it_is(kind: str) -> None:
     lines = repr(result(kind)).splitlines()
@@ -84,7 +68,7 @@ def test_a_result_tells_what_it_is(kind: str) -> None:
     assert "array(" not in repr(result(kind))
     html = result(kind)._repr_html_()
     assert html.startswith("<table>")
-    assert Tags(html).open == []
+    assert Elements(html).words
 
 
 def test_the_words_are_those_of_the_result() -> None:

@@ -8,7 +8,6 @@ from functools import cache
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.runtime.model.naming import shown_name
 from tests.cli.terminal import on_terminal
 from tests.cli.test_cli import run
 from tests.places import GALLERY
@@ -56,18 +55,3 @@ def test_words_are_broken_into_lines_in_a_pipe() -> None:
     out = run(*command.split(), "--starts", "20")[1]
     assert "overshoot-stick, first-reaches-belt" in out
     assert max(map(len, out.splitlines())) < 160
-
-
-@pytest.mark.parametrize(
-    ("name", "shown"),
-    [
-        ("/home/me/gear.py:rattle", "gear/rattle"),
-        ("gear.py", "gear"),
-        ("found.json:2", "found.json:2"),
-        ("/home/me/my_kernels:loop", "my_kernels/loop"),
-        ("dry-friction/symmetric", "dry-friction/symmetric"),
-        ("dry-friction", "dry-friction"),
-    ],
-)
-def test_names_are_no_paths(name: str, shown: str) -> None:
-    assert shown_name(name) == shown

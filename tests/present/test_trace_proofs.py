@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from decimal import Decimal
-from functools import cache
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-from nonsmooth import InputError, refine, solve
-from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.present.report import trace_proof_json
+from nonsmooth import InputError
 from nonsmooth.runtime.proof import certify_orbit
-from tests.places import CHECKOUT
+from tests.cli.test_cli import told
+from tests.places import GALLERY
 
 STICK, RIGID = "dry-friction/global-stick", "rigid-stop/one-impact"
-RATIONAL = {"m1": 1, "m2": 2, "k1": 2, "k2": 4}  # frequencies 1 and 2
+IMPACTS = f"{GALLERY / 'impact_oscillator.py'}:one-period"
 BUMP = """
 import sympy as sp
 from nonsmooth.derive import Itinerary, Parameter, Reference, SoftStop, oscillator
@@ -37,66 +33,48 @@ orbits = [Itinerary(
 """
 
 
-@cache
-def sharp(name: str, **given: Any) -> Orbit:
-    return refine(solve(name, given), 20)
-
-
-def elsewhere() -> Orbit:
-    """Numbers around which no box holds an orbit."""
-    orbit = sharp(STICK)
-    return replace(orbit, unknowns={n: x + 1 for n, x in orbit.unknowns.items()})
-
-
-def gallery(name: str, **given: Any) -> Orbit:
-    return sharp(f"{CHECKOUT / 'docs/gallery'}/{name}", **given)
-
-
 CASES = {
-    "rank one, stable": (lambda: sharp(STICK), "|trace| < 1", "proved", None),
-    "rank one, unstable": (lambda: sharp(STICK, chi="0.9"), "|trace| < 1", "refuted", None),
-    "conservative": (lambda: sharp(RIGID), "|trace - 1| < 2", "proved", None),
-    "rank two": (lambda: sharp("dry-friction/symmetric"), None, None, None),
+    "rank one, stable": (STICK, "|trace| < 1", "proved", ""),
+    "rank one, unstable": (f"{STICK} chi=0.9", "|trace| < 1", "refuted", ""),
+    "conservative": (RIGID, "|trace - 1| < 2", "proved", ""),
+    "rank two": ("dry-friction/symmetric", None, None, ""),
     "grazing": (
-        lambda: sharp(RIGID, **RATIONAL, T="pi"),
+        f"{RIGID} m1=1 m2=2 k1=2 k2=4 T=pi",  # frequencies 1 and 2
         "|trace - 1| < 2",
         "undecided",
         "a boundary may be reached tangentially",
     ),
-    "no box": (elsewhere, "|trace| < 1", "undecided", "no box around it"),
+    "a border collision": ("dry-friction/solution-ii", "|trace| < 1", "proved", ""),
     "tables, a multiplier of 1e-10": (
-        lambda: gallery("impact_oscillator.py:one-period", r="1e-5"),
-        "every nontrivial multiplier is inside the unit circle",
-        "proved",
-        None,
+        f"{IMPACTS} r=1e-5", "every nontrivial multiplier is inside the unit circle", "proved", ""
     ),
-}
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("kind", CASES)
 def test_each_verdict_has_its_enclosure_or_its_reason(kind: str) -> None:
-    solved, statement, verdict, reason = CASES[kind]
-    orbit = solved()
-    proof = trace_proof_json(orbit)
+    words, statement, verdict, reason = CASES[kind]
+    code = int(verdict == "undecided")
+    found = told("verify", *words.split(), "--digits", "20", code=code)
+    proof = found["proof"]
     assert (proof["statement"], proof["verdict"]) == (statement, verdict)
-    assert not proof["one_sided"]
-    assert (proof["trace"] is None) == (reason is not None) == ("reason" in proof)
-    if reason is not None:
-        assert reason in proof["reason"]
-        return
-    middle, radius = (Decimal(proof["trace"][part]) for part in ("mid", "rad"))
-    assert abs(Decimal(str(orbit.trace)) - middle) < radius + Decimal("1e-18")
+    assert proof["one_sided"] == (kind == "a border collision")
+    assert (proof["trace"] is None) == bool(reason) == ("reason" in proof)
+    assert reason in proof.get("reason", "")
+    if not reason:
+        middle, radius = (Decimal(proof["trace"][part]) for part in ("mid", "rad"))
+        assert abs(Decimal(found["trace"]) - middle) < radius + Decimal("1e-18")
 
 
 def test_a_system_that_is_not_stated_exactly_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
-    told = "the declaration holds no steps of a contact law"
+    reason = "the declaration holds no steps of a contact law"
 
     def refused(*_: object) -> None:
-        raise InputError(told)
+        raise InputError(reason)
 
     monkeypatch.setattr(certify_orbit, "certify", refused)
-    proof = trace_proof_json(gallery("impact_oscillator.py:one-period", r="1e-5"))
-    assert proof.pop("reason") == told
+    proof = told("verify", IMPACTS, "--digits", "20")["proof"]
+    assert proof.pop("reason") == reason
     assert not any(proof.values())
 
 
@@ -104,15 +82,8 @@ def test_a_multiplier_one_that_energy_enforces_is_no_verdict(tmp_path: Path) -> 
     """One mass before an elastic stop: the map has rank one, and it is 1 in each orbit."""
     file = tmp_path / "one.py"
     file.write_text(BUMP)
-    orbit = refine(solve(f"{file}:one"), 20)
-    assert [m.trivial for m in orbit.stability.multipliers] == [True]
-    assert (orbit.stability.verdict, orbit.stability.margin) == ("neutral", 0)
-    proof = trace_proof_json(orbit)
-    assert proof["statement"] is proof["verdict"] is None
-    assert proof["trace"]["mid"].startswith("1.0000000000")
-
-
-def test_at_a_border_collision_all_is_about_one_side() -> None:
-    proof = trace_proof_json(sharp("dry-friction/solution-ii"))
-    assert proof["one_sided"]
-    assert (proof["statement"], proof["verdict"]) == ("|trace| < 1", "proved")
+    found = told("verify", f"{file}:one", "--digits", "20")
+    assert [m["trivial"] for m in found["multipliers"]] == [True]
+    assert (found["stability"], float(found["margin"])) == ("neutral", 0)
+    assert found["proof"]["statement"] is found["proof"]["verdict"] is None
+    assert found["proof"]["trace"]["mid"].startswith("1.0000000000")

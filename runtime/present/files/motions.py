@@ -26,11 +26,10 @@ from nonsmooth.runtime.core.files import check_target, path_of, read_file, write
 from nonsmooth.runtime.core.json_codec import AnyDigits, Digits, one_of
 from nonsmooth.runtime.core.result_files import DAMAGED, FileFormat, array_in, naming, parsed
 from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.model.boundary_sets import mask_of, mask_type, members_of
+from nonsmooth.runtime.model.boundary_sets import mask_of, mask_type
 from nonsmooth.runtime.model.engine_run import Grazing, Run, Status
-from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import load_system
-from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
+from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.saved_system import SAVED_VERSION, KeptSystem
 from nonsmooth.runtime.model.structure import Structure
 from nonsmooth.runtime.simulation.starting import check_forcing
@@ -39,7 +38,6 @@ from nonsmooth.runtime.simulation.trajectory import Trajectory
 __all__ = ["ENDINGS", "load_trajectory", "save_trajectory"]
 
 ENDINGS = (".npz", ".csv")
-_TOLERANCE = 1e-8  # of motions by another derivation
 # How many times as large as what is stored: of times, which differ; of text. Names repeat.
 _LOOSEST = {"times": 16, "header": 100}
 _LONGEST_NAME = 1 << 12  # characters, of boundaries that are reached together
@@ -122,10 +120,8 @@ def save_trajectory(trajectory: Trajectory, path: str | os.PathLike[str]) -> Non
 def load_trajectory(path: str | os.PathLike[str]) -> Trajectory:
     """Read a motion that `Trajectory.save` wrote.
 
-    Kernels of another derivation are accepted if they have the same names, and the motion
-    is one of their system. An `InputError` with the file's name is raised if the file
-    cannot be read, is cut, edited or foreign, or holds what is no motion of the installed
-    systems.
+    An `InputError` with the file's name is raised if the file cannot be read, is cut, edited
+    or foreign, or was written with another derivation of its system.
 
     Examples
     --------
@@ -312,7 +308,7 @@ def _trajectory(header: MotionHeader, table: _Table) -> Trajectory:
     if not (run.times[0] == 0 and (np.diff(run.times) >= 0).all() and run.end >= run.times[-1]):
         raise InputError("its times do not increase from 0 to its end")
     derivation = kernels.module.DERIVATION
-    if header.derivation != derivation and not _moves(system, run):
+    if header.derivation != derivation:
         raise InputError(
             f"not a motion of {structure.name} as it is installed"
             f" (its derivation {header.derivation}, here {derivation})"
@@ -344,31 +340,3 @@ def _grazing(structure: Structure, entry: tuple[float, str, str, float]) -> Graz
     time, name, boundary, depth = entry
     configuration = structure.configuration(name)
     return Grazing(time, configuration, structure.boundary(configuration, boundary), depth)
-
-
-def _moves(system: PiecewiseLinear, run: Run) -> bool:
-    """Whether flows and resets of a system lead from each entry to the next.
-
-    A duration is the difference of two times, so that its error is their spacing.
-    """
-    count = len(run.times) - 1
-    for configuration in np.unique(run.configurations[:-1]).tolist():
-        entries = np.flatnonzero(run.configurations[:-1] == configuration)
-        durations = run.times[entries + 1] - run.times[entries]
-        found = flow_states(system, configuration, durations, run.states[entries])
-        ends = run.before[entries + 1]
-        extended = np.concatenate([ends, np.ones((len(ends), 1))], axis=1)
-        speeds = np.abs(extended) @ np.abs(system.fields[configuration]).sum(axis=0)
-        sizes = _TOLERANCE * (1 + np.abs(extended).max(axis=1))
-        allowed = sizes + 8 * np.spacing(run.times[entries + 1]) * speeds
-        if not (np.abs(found - ends).max(axis=1) <= allowed).all():
-            return False
-    for entry in range(1, count + 1):
-        source, target = run.configurations[entry - 1 : entry + 1].tolist()
-        boundaries = members_of(int(run.sets[entry]))
-        resets = {t.reset for t in system.structure.transitions_to(source, boundaries, target)}
-        extended = np.append(run.before[entry], 1.0)
-        misses = [np.abs(system.resets[r] @ extended - run.states[entry]).max() for r in resets]
-        if not min(misses, default=math.inf) <= _TOLERANCE * (1 + np.abs(extended).max()):
-            return False
-    return True
