@@ -10,7 +10,6 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 import nonsmooth as ns
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
-from nonsmooth.runtime.simulation.trajectory import Trajectory
 from tests.differences import in_doubles
 from tests.moved_motions import compared_at_random
 
@@ -65,7 +64,7 @@ def _ball() -> ns.derive.System:
     )  # fmt: skip
 
 
-def _grazing() -> Trajectory:
+def _grazing() -> Any:
     """An oscillation that just touches a stop at 1."""
     clearance = Parameter("c", "clearance")
     stop = RigidStop("x", clearance.symbol, 0.5, name="wall")
