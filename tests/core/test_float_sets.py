@@ -9,7 +9,7 @@ import pytest
 from flint import arb, arb_mat, fmpq, fmpq_mat
 
 from nonsmooth.runtime.core.exponentials.float_flows import FloatFlow
-from nonsmooth.runtime.core.float_sets import ManySets, Rounded, joined_sets
+from nonsmooth.runtime.core.float_sets import ManySets, Rounded
 from nonsmooth.runtime.core.values import flint_precision
 
 COUNT, SIZE, SIDES = 40, 4, 5
@@ -110,17 +110,6 @@ def test_a_cut_holds_every_state_that_meets_the_condition(zero):
     assert narrower > 10
 
 
-def test_a_condition_that_is_far_from_met_leaves_nothing_and_one_that_is_met_everything():
-    _, sets = drawn(3)
-    for sign in (-1.0, 1.0):
-        row = np.zeros((1, SIZE))
-        row[0, -1] = sign
-        left, alive = sets.cut(Rounded(row, np.zeros_like(row)))
-        assert (alive == (sign > 0)).all()
-    assert np.array_equal(left.sides, sets.sides)
-    assert np.array_equal(left.centre, sets.centre)
-
-
 def test_a_thin_oblique_part_is_thin():
     square = ManySets.of_boxes(np.array([[-1.0, -1.0]]), np.array([[1.0, 1.0]]))
     row = Rounded(np.array([[1.0, 1.0, 0.0]]), np.zeros((1, 3)))
@@ -160,14 +149,6 @@ def test_halves_are_the_set():
         low, high = both[[k, k + COUNT]].hull
         assert ((points[k] >= low.min(axis=0)) & (points[k] <= high.max(axis=0))).all()
         assert np.abs(both.sides[k]).sum() < np.abs(sets.sides[k]).sum()
-
-
-def test_joined_sets_keep_what_they_are():
-    _, few = drawn(7, 2)
-    _, many = drawn(8, 4)
-    both = joined_sets([few, many])
-    assert both.sides.shape == (2 * COUNT, SIZE, 4)
-    assert np.array_equal(both.spread, np.concatenate([few.spread, many.spread]))
 
 
 # flows

@@ -34,43 +34,6 @@ def rubbed(start, data=STICKING, configuration="slip-slip"):
     return motion, motion.run.sets[1]
 
 
-@pytest.mark.parametrize("wait", [0.4, 0.31, 0.17])
-@pytest.mark.parametrize("shift", [0.0, 1e-9, -1e-9])
-def test_two_boundaries_reached_at_one_instant_are_one_set(shift, wait):
-    meeting = np.array([-0.5, 0.25, 1.0, 1.0, 1.0])  # both accelerate, both at V
-    assert ((generator(STICKING) @ meeting)[2:4] > 0.1).all()
-    late = meeting + np.array([0, 0, 0, shift, 0])
-    motion, reached = rubbed((expm(-wait * generator(STICKING)) @ late)[:4])
-    assert motion.times[1] == pytest.approx(wait, abs=1e-8)
-    # both within their static friction: they stick
-    expected = {0.0: (3, "stick-stick"), 1e-9: (2, "slip-stick"), -1e-9: (1, "stick-slip")}[shift]
-    assert (reached, motion.configurations[1]) == expected
-    if shift == 0:
-        assert (motion.states[1][2:] == 1.0).all()
-
-
-@pytest.mark.parametrize("ulps", [-4, -2, -1, 0, 1, 2, 4])
-def test_a_force_at_its_limit_is_judged_by_its_derivative(ulps):
-    # the second mass arrives with f2 = -ur2, which then shrinks as the first falls behind
-    meeting = np.array([2.0, -0.9662, -0.4, 1.0, 1.0])
-    start = (expm(-0.3 * generator(STICKING)) @ meeting)[:4]
-    limit = 0.5 * (2.0 + 0.9662)
-    for shift, target in (
-        (ulps * math.ulp(limit), "slip-stick"), (-1e-9, "slip-overshoot"), (1e-9, "slip-stick")
-    ):  # fmt: skip
-        motion, reached = rubbed(start, STICKING | {"ur2": limit + shift})
-        assert (reached, motion.configurations[1]) == (2, target)
-
-
-def test_a_set_can_be_reached_at_the_very_start():
-    system = piecewise("dry-friction", STICKING)
-    motion = follow(system, np.array([-0.5, 0.25, 1.0, 1.0]), 0, transitions=2)
-    assert (motion.times[1], motion.sets[1], motion.configurations[1]) == (0, 3, 4)
-    # beyond the boundary counts as reached as well
-    motion = follow(system, np.array([-0.5, 0.25, 1.5, 0.0]), 0, transitions=1)
-    assert (motion.times[1], motion.sets[1]) == (0, 1)
-
-
 def test_a_velocity_that_only_touches_the_belt_is_an_event():
     rates = generator(RUBBING)
     # at V with no acceleration, and its next derivative negative: the maximum is V
