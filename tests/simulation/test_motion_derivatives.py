@@ -10,11 +10,24 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 import nonsmooth as ns
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
+from tests.differences import in_doubles
 from tests.moved_motions import compared_at_random
 
 DATA = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 0.5}
 START = [0, 0, 1.5, 0.3]
 ALL = ("m1", "m2", "k1", "k2", "r", "x10", "x20", "v10", "v20")
+
+
+@pytest.mark.parametrize(
+    ("asked", "atol"), [({"times": [1.0, 5.0, 9.9]}, 3e-9), ({"transitions": 6}, 1e-8)], ids=str
+)
+def test_states_and_times_follow_all_numbers_through_impacts(
+    asked: dict[str, Any], atol: float
+) -> None:
+    found = ns.motion_function("rigid-stop", DATA, START, by=ALL, **asked)
+    assert_allclose(
+        found.jacobian(found.reference), in_doubles(found, found.reference), rtol=1e-8, atol=atol
+    )
 
 
 @pytest.mark.parametrize("times", [None, [0.5, 7.0]])

@@ -14,6 +14,7 @@ import nonsmooth as ns
 from nonsmooth.derive import RigidStop, oscillator
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import TransitionShape, mode_shapes
+from nonsmooth.runtime.simulation import stepping
 from nonsmooth.runtime.simulation.simulate import follow
 from tests.large_systems import by_tables
 from tests.two_masses import CHAIN, RUBBING, STICKING
@@ -111,6 +112,33 @@ def test_a_bouncing_ball_comes_to_rest_after_a_geometric_sum(r):
     assert_allclose(motion.before[1:40, 1], -(r ** np.arange(39.0)), rtol=1e-12)
     assert motion.end == motion.times[-1]
     assert (motion.states[-1] == 0).all()
+
+
+def test_what_was_located_is_zero_behind_the_event_unless_a_reset_moves_it(monkeypatch):
+    told, watches = [], stepping._Stepper.watches
+
+    def watched(self, *known):
+        told.append(known[-1])
+        return watches(self, *known)
+
+    monkeypatch.setenv("NONSMOOTH_BACKEND", "numpy")
+    monkeypatch.setattr(stepping._Stepper, "watches", watched)
+    for name, data, start, seen in (
+        ("rigid-stop", CHAIN | {"r": 1}, [0, 0, 1, 0], {False}),  # an impact moves no place
+        # the velocity that reaches the belt's is set to it
+        ("dry-friction", STICKING, [0.5, -0.3, 0.2, 0.1], {False, True}),
+    ):
+        told.clear()
+        motion = ns.simulate(name, data, start, transitions=12)
+        moved = set()
+        assert told[0] == frozenset()
+        for i, zero in enumerate(told[1:]):
+            shapes = motion.structure.boundaries[int(motion.run.configurations[i])]
+            located = [b for b in shapes if b.name in motion.boundaries[i + 1]]
+            kept = {b.row for b in located if not b.name.endswith("belt")}
+            assert zero == kept
+            moved.add(len(located) > len(kept))
+        assert moved == seen
 
 
 IDENTITY = np.eye(2, 3)
