@@ -14,7 +14,7 @@ from numpy.testing import assert_allclose
 from nonsmooth import InputError, NoConvergence, solve
 from nonsmooth.runtime.model import kernels
 from nonsmooth.runtime.model.completion import complete, complete_arrays
-from nonsmooth.runtime.model.kernels import load_orbit, load_system, orbit_names
+from nonsmooth.runtime.model.kernels import load_orbit, load_system
 from tests.declared import RANGES
 
 SYSTEM, ORBIT = "dry-friction", "dry-friction/global-stick"
@@ -165,22 +165,6 @@ def test_an_edited_or_cut_kernel_file_is_named_with_the_remedy(generated):
 
 
 # --- flows
-
-
-@pytest.mark.parametrize("name", orbit_names())
-def test_flows_lead_an_orbit_from_each_transition_to_the_next(name):
-    """In its own coordinates: positions are the same before and behind a transition."""
-    orbit, found = load_orbit(name), solve(name)
-    parameters = [found.values[parameter] for parameter in orbit.parameter_names]
-    spectrum, _ = orbit.spectrum(parameters)
-    at = (parameters, spectrum, list(found.unknowns.values()))
-    states, positions = orbit.evaluate("states", at=at), len(orbit.table["states"]) // 2
-    for place, (configuration, _, _) in enumerate(orbit.table["phases"]):
-        time = found.dwell_times[place]
-        end = orbit.flow(configuration, parameters, spectrum, time, states[place])
-        assert_allclose(end[:positions], states[place + 1][:positions], atol=1e-13)
-        many = orbit.flow(configuration, [parameters] * 3, spectrum, time, states[place])
-        assert_allclose(many, [end] * 3, atol=1e-15)
 
 
 # --- parameters

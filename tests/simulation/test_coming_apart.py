@@ -186,21 +186,6 @@ def twins() -> System:
 TWINS = {"h1": 0.5, "h2": 0.5, "r1": 0.5, "r2": 0.75, "k": 1.25, "d": 0.0}
 
 
-def test_a_damper_tells_which_mass_strikes_first() -> None:
-    """In between it changes the other mass's velocity, which the impact then turns or not."""
-    system, times = twins(), np.array([0.625])
-    motion = ns.simulate(system, TWINS | {"d": 0.25}, [0, 0, 1, 1], until=0.75)
-    with pytest.raises(ns.InputError, match="no derivative by h1"):
-        motion.derivatives(["h1"])
-    both = []
-    for sign, side in ((1, "+"), (-1, "-")):
-        found = motion.derivatives(["h1"], times=times, one_sided=side).states[..., 0]
-        expected = one_sided_digits(system, _part(motion, "h1", sign), "h1", sign, times)
-        assert_allclose(found, expected, atol=1e-12)
-        both.append(found)
-    assert np.abs(both[0] - both[1]).max() > 0.1
-
-
 def test_orders_that_agree_have_a_derivative() -> None:
     """Impacts of two masses: in whichever order, as springs have no time to act in between."""
     system, data = twins(), TWINS

@@ -8,6 +8,8 @@ import pytest
 import nonsmooth
 from nonsmooth import InputError, NoConvergence
 from nonsmooth.derive import Harmonic, Regions, RigidStop, Terms, oscillator
+from nonsmooth.runtime.model.piecewise import piecewise
+from nonsmooth.runtime.simulation.recurrence import sizes_of
 from tests.handmade import DATA, pair, two_stops
 from tests.two_masses import STICKING
 
@@ -135,13 +137,18 @@ def test_a_motion_that_does_not_come_back() -> None:
         nonsmooth.itinerary_of(short, period=float("nan"))
 
 
-@pytest.mark.parametrize(("length", "rate"), [(1.0, 1.0), (1e-12, 1e3), (1e6, 1e-9)])
-def test_what_comes_back_does_so_in_all_units(length: float, rate: float) -> None:
+@pytest.mark.parametrize(("length", "rate"), [(1e-12, 1e3), (1e6, 1e-9)])
+def test_sizes_of_states_have_their_units(length: float, rate: float) -> None:
     """Two masses, one at a stop at 0 whenever something happens, the other one at rest."""
-    stop = RigidStop("x1", at=0, restitution=1, name="stop")
-    stiffness = rate**2 * np.eye(2)
-    system = oscillator("two", ["x1", "x2"], np.eye(2), stiffness, elements=[stop])
-    motion = nonsmooth.simulate(system, {}, [-length, 0, 0, 0], transitions=40)
-    found = nonsmooth.itinerary_of(motion)
-    assert found.itinerary == (("free", "stop-reaches-stop"),)
-    assert found.dwell_times[0] == pytest.approx(np.pi / rate)
+    names = ["x1", "x2"]
+    system = oscillator("two", names, [[1, 0], [0, 1]], [[1, 0], [0, 1]],
+                        elements=[RigidStop("x1", at=0, restitution=1, name="stop")])  # fmt: skip
+    structure = piecewise(system, {}).structure
+    states = np.array([[1e-17, 0.0, 2.0, 1e-18], [-1e-17, 1e-18, -1.0, 0.0]])
+    times = np.array([0.0, 3.0])
+    wanted = sizes_of(structure, states, times)
+    assert wanted[2] == 2.0
+    assert (wanted[[0, 1, 3]] > 1e-9).all()
+    units = length * np.array([1, 1, rate, rate])
+    found = sizes_of(structure, states * units, times / rate)
+    np.testing.assert_allclose(found, wanted * units, rtol=1e-14)
