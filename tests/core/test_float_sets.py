@@ -110,6 +110,17 @@ def test_a_cut_holds_every_state_that_meets_the_condition(zero):
     assert narrower > 10
 
 
+def test_a_condition_that_is_far_from_met_leaves_nothing_and_one_that_is_met_everything():
+    _, sets = drawn(3)
+    for sign in (-1.0, 1.0):
+        row = np.zeros((1, SIZE))
+        row[0, -1] = sign
+        left, alive = sets.cut(Rounded(row, np.zeros_like(row)))
+        assert (alive == (sign > 0)).all()
+    assert np.array_equal(left.sides, sets.sides)
+    assert np.array_equal(left.centre, sets.centre)
+
+
 def test_a_thin_oblique_part_is_thin():
     square = ManySets.of_boxes(np.array([[-1.0, -1.0]]), np.array([[1.0, 1.0]]))
     row = Rounded(np.array([[1.0, 1.0, 0.0]]), np.zeros((1, 3)))

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 from scipy.linalg import expm
+from scipy.optimize import brentq
 
 import nonsmooth as ns
 from nonsmooth.derive import RigidStop, oscillator
@@ -49,6 +50,22 @@ def test_a_velocity_that_only_touches_the_belt_is_an_event():
     assert motion.times[1] == pytest.approx(0.5, abs=1e-7)
     motion, _ = rubbed(start - np.array([0, 0, 1e-9, 0]), RUBBING)
     assert motion.times[1] > 0.6
+
+
+def test_a_force_that_only_touches_its_limit_is_passed_by_and_told():
+    # f1 = x1 - chi x2 has its maximum where v2 = V/chi; the limit is set to it
+    rates, where = generator(STICKING, 5), "stick-overshoot"
+    row = np.array([1.0, -0.5, 0, 0, 0])
+    state = np.array([0.0, -6.0, 1.0, 1.2, 1.0])
+    slope = brentq(lambda t: row @ rates @ expm(rates * t) @ state, 0.1, 0.9, xtol=1e-15)
+    limit = row @ expm(rates * slope) @ state
+    motion, _ = rubbed(state[:4], STICKING | {"ur1": limit}, where)
+    (grazing,) = motion.grazings
+    assert (grazing.configuration, grazing.boundary) == (5, 0)
+    assert grazing.time == pytest.approx(slope, abs=1e-6)
+    assert abs(grazing.depth) < 1e-13
+    assert motion.times[1] > slope + 0.01
+    assert rubbed(state[:4], STICKING | {"ur1": limit - 1e-9}, where)[0].times[1] < slope
 
 
 def test_elastic_impacts_keep_the_energy(backend):
