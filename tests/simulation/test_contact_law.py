@@ -102,8 +102,8 @@ def test_neither_order_nor_direction_of_a_declaration_matters(
         if not stop:  # where bounces accumulate, rounding tells how many there are
             assert_array_equal(motion.run.configurations, run.configurations)
             assert_allclose(motion.states, run.states, atol=1e-11)
+            Newton(*matrices, **more).obeyed_by(motion)
         assert_allclose(motion(run.times[-1])[:count], run.states[-1][:count], atol=1e-7)
-        Newton(*matrices, **more).obeyed_by(motion)
         touched |= any("contact" in name for name in motion.configurations)
         ends.append((motion.transitions, sign * motion(12.0)[: 2 * count]))
     assert touched
