@@ -11,9 +11,12 @@ from numpy.testing import assert_allclose
 import nonsmooth as ns
 from nonsmooth import InputError, lyapunov, simulate
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, System, oscillator
+from nonsmooth.runtime.explore.finding.unsettled import stretching
 from nonsmooth.runtime.model.flows import flow_states
+from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.simulation.lyapunov import lyapunov_spectrum
+from nonsmooth.runtime.simulation.recurrence import scales_of
 from tests.two_masses import CHAIN, RUBBING, STICKING
 
 pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
@@ -126,6 +129,27 @@ def test_a_chaotic_motion_shrinks_areas_as_its_impacts_do() -> None:
     rate = (motion.times > motion.end / 5).sum() / (0.8 * motion.end)
     errors = found[0].error + found[1].error
     assert sum(e.value for e in found) == pytest.approx(2 * math.log(0.62) * rate, abs=errors)
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize(
+    "data",
+    [{"sigma": "0.1", "w": "7.57", "r": "0.62"}, {"sigma": "0.2", "w": "3.7", "r": "0.8"}],
+)
+def test_neighbours_part_as_perturbations_of_one_motion_grow(data: dict) -> None:
+    motion = ns.simulate(IMPACT, data, {"x": -0.5, "v": 1}, transitions=2000)
+    one = lyapunov(motion, motion.end / 5)
+    kernels = load_system(IMPACT)
+    values = {name: float(value) for name, value in motion.system.parameters.items()}
+    many = simulate(kernels, values, motion.states[-1:], transitions=200, keep=129)
+    found = stretching(kernels, values, many, scales_of(motion.system, many))
+    if np.isnan(found.exponents[0]):  # a motion that repeats to the last bit has no neighbours
+        assert one.value < 0
+        assert len(np.unique(many.last_states[0, :-1], axis=0)) < 32
+        return
+    errors = 3 * (one.error + found.errors[0])
+    assert found.exponents[0] == pytest.approx(one.value, abs=errors)
+    assert errors < abs(one.value)
 
 
 @pytest.mark.slow
