@@ -18,7 +18,8 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from nonsmooth import InputError
 from nonsmooth.runtime.model.modes.numeric_modes import grouped_modes, numeric_modes
-from nonsmooth.runtime.model.modes.precise_modes import exponentials_at
+from nonsmooth.runtime.model.modes.precise_modes import exponentials_at, precise_candidates
+from nonsmooth.runtime.model.modes.subspace_modes import subspace_modes
 from nonsmooth.runtime.model.time_functions import (
     derivative_matrix,
     function_bounds,
@@ -238,6 +239,20 @@ def test_eigenvalues_that_cannot_be_told_apart() -> None:
     field[-1, 0] = 1e-13
     with pytest.raises(InputError, match="neither equal nor apart"):
         numeric_modes(turned(field))
+
+
+@pytest.mark.parametrize("rate", [1e-10, 1e-11, 1e-12, 1e-13])
+def test_what_decays_slowly_is_not_taken_for_a_constant(rate: float) -> None:
+    """Over the longest search its motion changes by more than rounding."""
+    matrix = np.array([[-rate, 1.0, 0.0], [0.0, -rate, 0.0], [0.0, 0.0, -1.0]])
+    quick = subspace_modes(matrix, np.ones((3, 3), dtype=bool))
+    assert quick is not None
+    found = [quick[0].exponents[:, 0].tolist()]
+    for clusters in precise_candidates(matrix, 1.0):
+        found.append([cluster.poles[0].real for cluster in clusters])
+    for centres in found:
+        assert min(centres, key=abs) == pytest.approx(-rate, rel=1e-2)
+    assert len(found) > 2
 
 
 @pytest.mark.parametrize(("count", "which"), [(3, 2), (4, 1), (6, 0), (8, 7)])
