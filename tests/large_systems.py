@@ -14,7 +14,7 @@ import numpy as np
 from scipy.linalg import expm
 from scipy.optimize import brentq
 
-from nonsmooth.runtime.model.factored_flows import FactoredFlows
+from nonsmooth.runtime.model.modes.numeric_modes import numeric_modes
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import (
     BoundaryShape,
@@ -60,14 +60,14 @@ def by_tables(
 
 def _modes(field: np.ndarray, factored: bool) -> tuple[Any, np.ndarray, Any]:
     """Pairs of complex eigenvalues from eigenvectors; what is left belongs to zero."""
+    if factored:
+        return tuple(numeric_modes(field))
     size = len(field)
     whole = np.vstack([field, np.zeros(size + 1)])
     values, right = np.linalg.eig(whole)
     left = np.linalg.inv(right)
     places = np.flatnonzero(values.imag > 1e-6)
     assert 2 * len(places) + np.count_nonzero(abs(values) < 1e-9) == size + 1
-    if factored:
-        return _factored(values, right, left, places)
     terms = []
     for k in places:
         projector = np.outer(right[:, k], left[k])
@@ -77,21 +77,6 @@ def _modes(field: np.ndarray, factored: bool) -> tuple[Any, np.ndarray, Any]:
     exponents[np.abs(exponents) < 1e-13] = 0.0
     shapes = mode_shapes([(1, False), *[(1, True)] * len(places)])
     return shapes, exponents, np.array(terms)[:, :size]
-
-
-def _factored(
-    values: np.ndarray, right: np.ndarray, left: np.ndarray, places: np.ndarray
-) -> tuple[Any, np.ndarray, FactoredFlows]:
-    """Factors of the pairs; a matrix of what belongs to zero."""
-    size = len(values) - 1
-    columns, rows = right[:size, places].T, left[places]
-    both = np.stack([2 * columns.real, -2 * columns.imag], axis=1).reshape(-1, size)
-    parts = np.stack([rows.real, rows.imag], axis=1).reshape(-1, size + 1)
-    shapes = mode_shapes([(1, False), *[(1, True, False, False, True)] * len(places)])
-    exponents = np.array([(0.0, 0.0), *((values[k].real, values[k].imag) for k in places)])
-    exponents[np.abs(exponents) < 1e-13] = 0.0
-    constant = np.eye(size, size + 1) - both.T @ parts
-    return shapes, exponents, FactoredFlows(shapes, constant[None], both, parts)
 
 
 def chain(count: int, rubbing: int | None = None, factored: bool = False) -> PiecewiseLinear:
@@ -104,7 +89,7 @@ def chain(count: int, rubbing: int | None = None, factored: bool = False) -> Pie
     rubbing : int, optional
         The mass with friction, from 0.
     factored : bool
-        Whether modes have factors instead of matrices.
+        Whether modes have factors instead of matrices: those that the package finds.
 
     Returns
     -------

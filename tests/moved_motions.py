@@ -7,6 +7,7 @@ by Newton's method with exponentials of the fields in balls, of which the middle
 from __future__ import annotations
 
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 from flint import arb, arb_mat
@@ -26,7 +27,6 @@ from nonsmooth.runtime.core.arithmetic import Balls
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.piecewise import piecewise_in
 from nonsmooth.runtime.simulation.motion_linearisation import MotionLinearisation
-from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 BITS = 220
 STEP = Fraction(1, 10**20)
@@ -94,7 +94,7 @@ def random_oscillator(
 class MovedMotion:
     """A motion's sequence of configurations, followed in fifty digits from moved numbers."""
 
-    def __init__(self, system: System, motion: Trajectory, apart: np.ndarray | None = None) -> None:
+    def __init__(self, system: System, motion: Any, apart: np.ndarray | None = None) -> None:
         self.system, self.motion = system, motion
         own = np.zeros(motion.transitions, dtype=bool) if apart is None else apart
         linearisation = MotionLinearisation(motion, (), np.empty((0, 0)), np.empty(0), own)
@@ -201,7 +201,7 @@ class MovedMotion:
 
 
 def compared_with_digits(
-    system: System, motion: Trajectory, rng: np.random.Generator, count: int
+    system: System, motion: Any, rng: np.random.Generator, count: int
 ) -> float | None:
     """Largest error of a motion's derivatives, in units of its condition and of the largest.
 

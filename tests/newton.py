@@ -14,7 +14,6 @@ import numpy as np
 import sympy as sp
 
 from nonsmooth.derive import Friction, RigidStop, Slider
-from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 _STEP = 5e-4  # of differences of fourth order
 _FORCE, _PLACE = 2e-8, 1e-9  # what may be missing of a force, of a place or velocity
@@ -53,7 +52,7 @@ class Newton:
         known = {symbol: (state or {})[symbol.name] for symbol in found.free_symbols}
         return float(found.subs(known) if known else found)
 
-    def obeyed_by(self, motion: Trajectory) -> None:
+    def obeyed_by(self, motion: Any) -> None:
         """Check all phases that are long enough to take differences, and all transitions."""
         for begin, end in pairwise([*motion.times.tolist(), motion.end]):
             if end > begin + 0.01:
@@ -69,7 +68,7 @@ class Newton:
             self._struck(before[:size], before[size : 2 * size], behind[size : 2 * size])
             self._begun(motion, k + 1)
 
-    def _between(self, motion: Trajectory, time: float) -> None:
+    def _between(self, motion: Any, time: float) -> None:
         size = len(self.names)
         near = motion(time + _STEP * np.array([-2, -1, 1, 2]))
         changes = np.array([1, -8, 8, -1]) @ near / (12 * _STEP)
@@ -165,7 +164,7 @@ class Newton:
         along = np.linalg.lstsq(rows_.T, jump, rcond=None)[0]
         assert abs(jump - along @ rows_).max() < 4 * _PLACE * self.mass.max()
 
-    def _begun(self, motion: Trajectory, k: int) -> None:
+    def _begun(self, motion: Any, k: int) -> None:
         """The only contact with friction slips from rest where its static limit is exceeded."""
         rubs = [(e, row) for e, row in zip(self.elements, self.rows, strict=True)
                 if isinstance(e, Friction)]  # fmt: skip

@@ -118,19 +118,6 @@ def test_a_box_alone_is_a_grid_and_parts_know_what_they_are_parts_of():
     assert last != more
 
 
-@pytest.mark.parametrize("first", [-1, 0, 1, 2])
-@pytest.mark.parametrize("end", [1e30, -1e30, np.inf, -np.inf, np.nan])
-def test_boxes_beyond_all_integers_are_not_covered(first, end):
-    # the other coordinate is where no box is among the chosen ones
-    grid = BoxGrid((0, 0), (first, first), (2, 2))
-    sums = grid.sums(np.array([True, False, True, False]))
-    inner = first + 1.2
-    for low, high in ((end, end), (min(end, 0.5), max(end, 0.5))):
-        box = np.array([[low, inner]]), np.array([[high, inner]])
-        assert not grid.covered(sums, *box).any()
-        assert not grid.met(*box)[2].any()
-
-
 def test_what_is_no_number_may_be_in_any_box():
     box = np.array([[np.nan, 2.2]])
     owner, number, inside = BoxGrid((0, 0), (1, 1), (2, 2)).numbers_met(box, box)

@@ -4,34 +4,15 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 from scipy.optimize import check_grad, least_squares, minimize
+from tests.face.functions import made
 
-from nonsmooth import DifferentiableFunction, InputError
-
-
-def _made(*, pulled: bool) -> DifferentiableFunction:
-    def evaluate(x: np.ndarray) -> np.ndarray:
-        return np.stack([x[:, 0] * x[:, 1], x[:, 0] ** 2, np.sin(x[:, 1])], axis=1)
-
-    def differentiate(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        found = np.zeros((len(x), 3, 2))
-        found[:, 0, 0], found[:, 0, 1] = x[:, 1], x[:, 0]
-        found[:, 1, 0], found[:, 2, 1] = 2 * x[:, 0], np.cos(x[:, 1])
-        return evaluate(x), found
-
-    def pull(x: np.ndarray, y: np.ndarray) -> np.ndarray:
-        by_first = y[:, 0] * x[:, 1] + 2 * y[:, 1] * x[:, 0]
-        return np.stack([by_first, y[:, 0] * x[:, 0] + y[:, 2] * np.cos(x[:, 1])], axis=1)
-
-    names = ("a", "b"), ("product", "square", "sine")
-    return DifferentiableFunction(
-        *names, np.ones(2), evaluate, differentiate, pull if pulled else None
-    )
+from nonsmooth import InputError
 
 
 @pytest.mark.parametrize("pulled", [True, False])
 @pytest.mark.parametrize("lead", [(), (4,), (2, 3)])
 def test_both_modes_are_those_of_the_jacobian(lead: tuple[int, ...], pulled: bool) -> None:
-    function, rng = _made(pulled=pulled), np.random.default_rng(3)
+    function, rng = made(pulled=pulled), np.random.default_rng(3)
     x, dx, dy = (rng.normal(size=(*lead, k)) for k in (2, 2, 3))
     jacobian = function.jacobian(x)
     assert function(x).shape == (*lead, 3)
@@ -46,11 +27,11 @@ def test_both_modes_are_those_of_the_jacobian(lead: tuple[int, ...], pulled: boo
 @pytest.mark.parametrize("x", [1.0, [1.0], np.ones((2, 3))])
 def test_points_of_the_wrong_length_are_refused_by_name(x: object) -> None:
     with pytest.raises(InputError, match="takes 2 numbers: a, b"):
-        _made(pulled=False)(x)
+        made(pulled=False)(x)
 
 
 def test_scipy_takes_all_values_or_one() -> None:
-    function, x = _made(pulled=False), np.array([0.3, 0.4])
+    function, x = made(pulled=False), np.array([0.3, 0.4])
     fun, jac = function.scipy_pair()
     assert_array_equal(fun(x), function(x))
     assert_array_equal(jac(x), function.jacobian(x))

@@ -12,7 +12,7 @@ from flint import arb
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
+from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath, exact_ball
 from nonsmooth.runtime.core.json_codec import decode, encode
 from nonsmooth.runtime.core.taylor_models import space_of
 from nonsmooth.runtime.core.values import flint_precision
@@ -39,15 +39,6 @@ def test_doubles_have_the_digits_of_the_exact_flow(
     factors, allowed = drawn
     t, k = time_of(factors, count), min(k, sum(map(len, factors)) - 1)
     assert error(float(FLOATS.exponential_difference(k, t, *factors)), k, t, factors) <= allowed
-
-
-@pytest.mark.parametrize("beside", [0.0, 1e-12, 1e-9, 1e-6, 1e-3])
-@pytest.mark.parametrize("damping", [0.0, 1e-6, 0.05])
-def test_resonance_has_no_pole(beside: float, damping: float) -> None:
-    factors = [(1.0, 2 * damping), ((1 + beside) ** 2, 0.0)]
-    for t in (0.1, 3.0, 40.0, 628.0):
-        for k in range(4):
-            assert error(float(FLOATS.exponential_difference(k, t, *factors)), k, t, factors) <= 1
 
 
 @pytest.mark.parametrize(
@@ -108,16 +99,11 @@ def test_hostile_numbers_end(bad: float) -> None:
 @settings(max_examples=15)
 @given(repeated(), periods, st.integers(0, 3))
 def test_mpmath_has_its_digits(factors: list[Factor], count: float, k: int) -> None:
-    lib, t = Mpmath(40), time_of(factors, count)
-    found = lib.exponential_difference(k, t, *factors)
-    assert found == pytest.approx(float(exact(k, t, factors)), rel=1e-14, abs=1e-300)
-    sharp = Mpmath(45).exponential_difference(k, t, *factors)
-    assert abs(found - sharp) <= abs(sharp) * lib.mp.mpf(10) ** -39
-
-
-def test_mpmath_of_what_is_no_number() -> None:
-    lib = Mpmath(20)
-    assert lib.mp.isnan(lib.exponential_difference(0, lib.mp.inf, (1, 0)))
+    t = time_of(factors, count)
+    found = exact_ball(Mpmath(40).exponential_difference(k, t, *factors))
+    with flint_precision(300):
+        wanted = exact(k, t, factors)
+        assert abs(found - wanted) < abs(wanted) * arb("1e-38") + arb("1e-75")
 
 
 @settings(max_examples=40)
@@ -169,31 +155,6 @@ def test_models_contain_the_range_and_keep_what_variables_share() -> None:
         enclosed = found.at([arb(x), arb(y)])
         assert enclosed.overlaps(value)
         assert float(enclosed.rad()) < 1e-11
-
-
-@settings(max_examples=20)
-@given(forced(), periods.filter(lambda x: x > 0.01), st.integers(0, 1))
-def test_derivative_rules(factors: list[Factor], count: float, k: int) -> None:
-    """d/dt raises k; d/dc_j of factor i is minus that of order k + j with the factor again."""
-    lib, step = Mpmath(50), 10.0**-15
-    t = lib.mp.mpf(time_of(factors, count))
-    k = min(k, sum(map(len, factors)) - 2)
-
-    def value(order: int, t: Any, chosen: list[Factor]) -> Any:
-        return lib.exponential_difference(order, t, *chosen)
-
-    slope = (value(k, t + step, factors) - value(k, t - step, factors)) / (2 * lib.mp.mpf(step))
-    assert slope == pytest.approx(value(k + 1, t, factors), rel=1e-12, abs=1e-22)
-    for i, factor in enumerate(factors):
-        for j in range(len(factor)):
-            ends = []
-            for sign in (1, -1):
-                moved = [lib.mp.mpf(c) for c in factor]
-                moved[j] += sign * lib.mp.mpf(step)
-                ends.append(value(k, t, [*factors[:i], tuple(moved), *factors[i + 1 :]]))
-            slope = (ends[0] - ends[1]) / (2 * lib.mp.mpf(step))
-            wanted = -value(k + j, t, [*factors, factor])
-            assert slope == pytest.approx(wanted, rel=1e-9, abs=1e-20)
 
 
 def test_written_down_as_data_it_gives_the_same_digits() -> None:

@@ -9,7 +9,7 @@ import pytest
 from flint import arb, arb_mat, fmpq, fmpq_mat
 
 from nonsmooth.runtime.core.exponentials.float_flows import FloatFlow
-from nonsmooth.runtime.core.float_sets import ManySets, Rounded, joined_sets
+from nonsmooth.runtime.core.float_sets import ManySets, Rounded
 from nonsmooth.runtime.core.values import flint_precision
 
 COUNT, SIZE, SIDES = 40, 4, 5
@@ -160,14 +160,6 @@ def test_halves_are_the_set():
         low, high = both[[k, k + COUNT]].hull
         assert ((points[k] >= low.min(axis=0)) & (points[k] <= high.max(axis=0))).all()
         assert np.abs(both.sides[k]).sum() < np.abs(sets.sides[k]).sum()
-
-
-def test_joined_sets_keep_what_they_are():
-    _, few = drawn(7, 2)
-    _, many = drawn(8, 4)
-    both = joined_sets([few, many])
-    assert both.sides.shape == (2 * COUNT, SIZE, 4)
-    assert np.array_equal(both.spread, np.concatenate([few.spread, many.spread]))
 
 
 # flows

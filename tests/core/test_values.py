@@ -19,7 +19,6 @@ from nonsmooth.runtime.core.values import (
     as_value,
     decimal_string,
     parse,
-    parse_assignment,
     real_array,
 )
 
@@ -292,17 +291,6 @@ def test_arrays_of_objects_hold_the_doubles_that_arrays_of_doubles_hold(x: float
 def test_a_number_of_sympy_with_a_double_in_it_has_the_digits_of_a_double(number: float) -> None:
     symbolic = sp.Float(number) * sp.sqrt(2)
     assert float(as_value(symbolic)) == float(symbolic)
-
-
-def test_assignments() -> None:
-    assert parse_assignment("eta=0.98") == ("eta", parse("0.98"))
-    assert parse_assignment(" e1 = 2*pi ") == ("e1", parse("2*pi"))
-    for text in ("eta", "eta=", "=1", "", "2x=1", "a b=1"):
-        with pytest.raises(InputError, match="is not of the form name=value"):
-            parse_assignment(text)
-    for text in ("eta=0.5x", "eta==1", "eta=1=2"):
-        with pytest.raises(InputError, match=r"^eta: '.*' is not a number or expression: "):
-            parse_assignment(text)
 
 
 @pytest.mark.parametrize(

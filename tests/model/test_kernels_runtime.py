@@ -10,15 +10,12 @@ from itertools import product
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-from scipy.linalg import expm
 
 from nonsmooth import InputError, NoConvergence, solve
-from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model import kernels
 from nonsmooth.runtime.model.completion import complete, complete_arrays
-from nonsmooth.runtime.model.kernels import load_orbit, load_system, orbit_names
+from nonsmooth.runtime.model.kernels import load_orbit, load_system
 from tests.declared import RANGES
-from tests.two_masses import SYSTEMS
 
 SYSTEM, ORBIT = "dry-friction", "dry-friction/global-stick"
 MOTIONS = ("slip", "stick", "overshoot")
@@ -150,10 +147,6 @@ def generated(tmp_path, monkeypatch):
         cache.cache_clear()
 
 
-def test_an_untouched_copy_loads(generated):
-    assert load_orbit(ORBIT).name == ORBIT
-
-
 @pytest.mark.parametrize("text", ["", "{", "[]", "{}", '{"systems": 3, "files": {}}', None])
 def test_a_cut_or_foreign_provenance_is_named_with_the_remedy(generated, text):
     path = generated / "PROVENANCE.json"
@@ -174,69 +167,7 @@ def test_an_edited_or_cut_kernel_file_is_named_with_the_remedy(generated):
 # --- flows
 
 
-@pytest.mark.parametrize("name", SYSTEMS)
-def test_flows_are_exponentials_of_the_fields_at_all_times_and_points(name):
-    system, random = load_system(name), np.random.default_rng(31)
-    names = [p.name for p in system.parameters]
-    points = np.exp(random.uniform(-1.5, 1.5, (8, len(names))))
-    if name == SYSTEM:
-        points[:, names.index("chi")] = random.uniform(0.05, 0.95, 8)
-    places = [names.index(each) for each in system.table["spectrum_parameters"]]
-    spectrum = system.evaluate("spectrum", points[:, None, places], outputs=1)
-    fields = system.evaluate("fields", points).reshape(8, len(system.configurations), 4, 5)
-    times = np.array([0.0, *random.uniform(-3, 8, 5)])
-    for place, configuration in enumerate(system.configurations):
-        kernel = f"flow_{configuration.replace('-', '_')}"
-        if kernel not in system.module.KERNELS:
-            continue
-        states = random.uniform(-2, 2, (8, 4))
-        for mass, motion in enumerate(configuration.split("-")):
-            if motion == "stick":
-                states[:, 2 + mass] = points[:, names.index("V")]
-        found = system.evaluate(kernel, points[:, None], spectrum, times, states[:, None])
-        assert found.shape == (8, 6, 4)
-        for k, i in np.ndindex(8, 6):
-            whole = np.vstack([fields[k, place], np.zeros(5)])
-            wanted = (expm(whole * times[i]) @ [*states[k], 1])[:4]
-            assert_allclose(found[k, i], wanted, rtol=1e-10, atol=1e-10)
-
-
-@pytest.mark.parametrize("name", orbit_names())
-def test_flows_lead_an_orbit_from_each_transition_to_the_next(name):
-    """In its own coordinates: positions are the same before and behind a transition."""
-    orbit, found = load_orbit(name), solve(name)
-    parameters = [found.values[parameter] for parameter in orbit.parameter_names]
-    spectrum, _ = orbit.spectrum(parameters)
-    at = (parameters, spectrum, list(found.unknowns.values()))
-    states, positions = orbit.evaluate("states", at=at), len(orbit.table["states"]) // 2
-    for place, (configuration, _, _) in enumerate(orbit.table["phases"]):
-        time = found.dwell_times[place]
-        end = orbit.flow(configuration, parameters, spectrum, time, states[place])
-        assert_allclose(end[:positions], states[place + 1][:positions], atol=1e-13)
-        many = orbit.flow(configuration, [parameters] * 3, spectrum, time, states[place])
-        assert_allclose(many, [end] * 3, atol=1e-15)
-
-
 # --- parameters
-
-
-def test_one_of_three_forces_leaves_the_sum_what_it_is_by_default():
-    for given, us1 in (({}, None), ({"us1": 1}, 1), ({"ur1": 5}, 5 - Fraction("3.0195"))):
-        point = complete(load_orbit(ORBIT), given)
-        assert point.values["e1"].exact == Fraction("3.0195")
-        assert point.values["e2"].exact == Fraction("0.4831")
-        assert "us2" not in point.opened
-        assert point.opened.get("us1") == (None if us1 is None else as_value(us1))
-
-
-def test_irrational_forces_are_compared_with_many_digits():
-    door = load_orbit(ORBIT)
-    given = {"us1": "pi/4", "ur1": "pi/3"}
-    derived = complete(door, given).values["e1"]
-    assert abs(derived.ball(300) - as_value("pi/12").ball(300)) < 1e-80
-    complete(door, given | {"e1": "pi/12"})
-    with pytest.raises(InputError, match="contradicts"):
-        complete(door, given | {"e1": "pi/12 + 1e-60"})
 
 
 @pytest.mark.parametrize(
@@ -350,12 +281,6 @@ def test_forces_without_influence_are_checked_and_kept():
 def test_what_a_border_collision_solves_for_is_not_given(given, named):
     with pytest.raises(InputError, match=named):
         complete(load_orbit("dry-friction/solution-ii"), given)
-
-
-def test_what_is_solved_for_takes_no_value():
-    point = complete(load_orbit(ORBIT), {"us1": 1}, ["e1"])
-    assert list(point.values) == ["chi", "eta", "V", "e2"]
-    assert point.opened["us1"].exact == 1
 
 
 def test_a_force_given_beside_an_exchange_decides():

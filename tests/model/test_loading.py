@@ -102,13 +102,6 @@ def test_an_orbit_of_a_folder_is_the_closed_form(tmp_path: Path) -> None:
     assert load_orbit(f"{path}:loop").table == load_orbit(name).table
 
 
-def test_an_itinerary_in_python_needs_no_file(tmp_path: Path) -> None:
-    itinerary: Any = read(declare(tmp_path)).orbits[0]
-    kernels = load_orbit(itinerary)
-    assert kernels.name == f"{kernels.system.name}:loop"
-    assert load_orbit(kernels.name).table == kernels.table
-
-
 def test_a_motion_is_the_same_from_a_file_a_folder_and_a_system(tmp_path: Path) -> None:
     path = declare(tmp_path)
     folder = write_emitted(tmp_path / "kernels", path)
@@ -168,18 +161,6 @@ def test_names_are_whole_paths(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
 
 
 # --- systems without closed forms --------------------------------------------------------
-
-
-def test_a_damped_system_has_flows_and_no_table_of_modes(tmp_path: Path) -> None:
-    kernels = load_system(str(declare(tmp_path, DAMPED)))
-    assert kernels.table["modes"] is None
-    assert kernels.table["spectrum"] == []
-    assert set(kernels.module.KERNELS) == {
-        "fields", "rows", "resets", "spectrum", "flow_left", "flow_right",
-    }  # fmt: skip
-    fields = kernels.evaluate("fields", [[3.0, 0.5], [7.0, 0.5]]).reshape(2, 2, 2, 3)
-    expected = [[0, 1, 0], [-3, -1, 0]], [[0, 1, 0], [-4, 0, 0]]
-    np.testing.assert_array_equal(fields[0], expected)
 
 
 def test_an_orbit_without_a_closed_form_is_kept_to_be_composed(tmp_path: Path) -> None:

@@ -57,31 +57,6 @@ def test_an_argument_of_another_shape_is_refused(function) -> None:
         function(np.zeros((4, 3)))
 
 
-@pytest.mark.parametrize(
-    ("result", "shape"),
-    [
-        (lambda x, y: [[x, 1], [2, y]], (2, 2)),
-        (lambda x, y: [[x, y]], (1, 2)),
-        (lambda x, y: [y], (1,)),
-        (lambda x, y: x * y, ()),
-        (lambda x, y: [[3, 4]], (1, 2)),
-    ],
-)
-def test_one_result_is_no_tuple(result, shape) -> None:
-    points = np.array([[0.5, 2.0], [3.0, -1.0], [0.25, 8.0]])
-    results = function_of(lambda point, lib: result(*point), [(2,)], [shape])(points)
-    assert results.shape == (3, *shape)
-    for point, one in zip(points, results, strict=True):
-        assert_array_equal(one, result(*point))
-
-
-def test_one_of_two_results_may_be_the_same_everywhere() -> None:
-    function = function_of(lambda point, lib: ([1, 2], [point[0]]), [(1,)], [(2,), (1,)])
-    same, varying = function(np.array([[5.0], [6.0], [7.0]]))
-    assert_array_equal(same, [[1, 2]] * 3)
-    assert_array_equal(varying, [[5], [6], [7]])
-
-
 @pytest.mark.parametrize("order", [slice(None), slice(None, None, -1), slice(None, None, 2)])
 def test_results_never_lie_in_the_memory_of_arguments(order) -> None:
     function = function_of(lambda point, lib: (point, point[0]), [(2,)], [(2,), ()])
@@ -92,16 +67,3 @@ def test_results_never_lie_in_the_memory_of_arguments(order) -> None:
         assert not np.shares_memory(result, points)
         result[...] = np.nan
     assert_array_equal(points, before)
-
-
-def test_compiled_kernels_take_and_give_no_arrays_without_entries() -> None:
-    def compiled(*arrays):
-        return arrays
-
-    x, y, nothing = np.ones((4, 2)), np.zeros((4, 3)), np.empty((4, 0))
-    shapes = [(2,), (0,), (3,)]
-    first, none, second = function_of(None, shapes, shapes, compiled)(x, nothing, y)
-    assert first is x
-    assert second is y
-    assert none.shape == (4, 0)
-    assert function_of(None, [(2,), (), (3,)], [()], compiled) is compiled

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from nonsmooth.runtime.model import piecewise as module
 from nonsmooth.runtime.model.kernels import load_system
+from nonsmooth.runtime.model.modes.numeric_modes import grouped_modes, numeric_modes
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at
 from nonsmooth.runtime.shooting.shooting_map import finite_at, itinerary_shape, numbers_in
 from tests.declared_documents import chain
@@ -21,9 +21,9 @@ def test_modes_of_visited_configurations_are_the_same_and_no_others_are_found(
     known = {place: k for group in whole for k, place in enumerate(group.places.tolist())}
     groups = {place: group for group in whole for place in group.places.tolist()}
     calls = []
-    for name in ("numeric_modes", "grouped_modes"):
-        own = getattr(module, name)
-        monkeypatch.setattr(module, name, lambda *a, own=own: calls.append(1) or own(*a))
+    for own in (numeric_modes, grouped_modes):
+        place = f"nonsmooth.runtime.model.piecewise.{own.__name__}"
+        monkeypatch.setattr(place, lambda *a, own=own: calls.append(1) or own(*a))
     for group in numbers_at(kernels, points, visited):
         found = numbers_in(group.structure, group.flat)
         for k, place in enumerate(group.places.tolist()):

@@ -21,7 +21,6 @@ from nonsmooth.derive import (
     Transition,
     oscillator,
 )
-from nonsmooth.runtime.simulation.trajectory import Trajectory
 from tests.moved_motions import MovedMotion
 
 BY = ("p", "q", "s", "a0", "b0", "c0")
@@ -101,34 +100,41 @@ def test_the_order_is_that_of_the_moved_motion(seed: int, side: str) -> None:
 
 @pytest.mark.parametrize("side", ["+", "-"])
 def test_moved_motions_differ_by_the_one_sided_derivative(side: str) -> None:
-    """By the simulation itself, of a moved start: what comes first is not handed over."""
+    """By the simulation itself, of moved numbers: what comes first is not handed over.
+
+    Along a direction it is no sum; observables follow the sequence as well.
+    """
     system, data = corner(7, APART)
     start, step = np.array([0, 0, 0.25]), 1e-6 if side == "+" else -1e-6
     motion = ns.simulate(system, data, start, "low", until=1.5)
-    found = motion.derivatives(BY, times=[1.5], one_sided=side)
-    for place, name in enumerate(BY):
-        moved, own = data.copy(), start.copy()
-        if name in data:
-            moved[name] += step
-        else:
-            own[place - 3] += step
-        other = ns.simulate(system, moved, own, "low", until=1.5)
-        assert name in ("s", "c0") or other.transitions == 2
-        difference = (other(1.5) - motion(1.5)) / step
-        assert_allclose(found.states[0, :, place], difference, atol=2e-5)
-
-
-def test_one_sided_derivatives_along_a_direction_are_no_sum() -> None:
-    system, data = corner(3, APART)
-    start, step = np.array([0, 0, 0.25]), 1e-6
-    motion = ns.simulate(system, data, start, "low", until=1.5)
-    found = motion.derivatives(BY, times=[1.5], one_sided="+")
-    along = {"a0": 1.0, "b0": 2.0}
-    moved = ns.simulate(system, data, start + step * np.array([1, 2, 0]), "low", until=1.5)
-    difference = (moved(1.5) - motion(1.5)) / step
-    assert_allclose(found.jvp(along)["states"][0], difference, atol=2e-5)
-    summed = found.states[0] @ np.array([along.get(name, 0.0) for name in BY])
-    assert np.abs(summed - difference).max() > 1e-3
+    here, found = ns.observe(motion), motion.derivatives(BY, times=[1.5], one_sided=side)
+    several = np.array([0, 0, 0, 1.0, 2.0, 0])
+    for along in (*np.eye(6), several):
+        moves = dict(zip("pqs", along * step, strict=False))
+        moved = {name: data[name] + moves[name] for name in data}
+        other = ns.simulate(system, moved, start + along[3:] * step, "low", until=1.5)
+        assert other.transitions == (1 if np.flatnonzero(along)[0] in (2, 5) else 2)
+        forward = found.jvp(along)
+        for rates, now, before in (
+            (forward["states"][0], other(1.5), motion(1.5)),
+            (forward["event_times"][0], other.times[1], motion.times[1]),
+            (forward["before"][1], other.before[1], motion.before[1]),
+            (forward["behind"][1], other.states[-1], motion.states[-1]),
+        ):
+            assert_allclose(rates, (now - before) / step, atol=2e-5)
+    summed = found.states[0] @ several
+    assert np.abs(summed - found.jvp(several)["states"][0]).max() > 1e-3
+    told = motion.derivatives(["a0", "b0"], one_sided=side).observables()
+    for place in (0, 1):
+        own = start + step * np.eye(3)[place]
+        moved_ = ns.observe(ns.simulate(system, data, own, "low", until=1.5))
+        for kind, names in (("fractions", motion.structure.configurations),
+                            ("means", motion.names), ("maxima", motion.names)):  # fmt: skip
+            for name in names:
+                now, before = (getattr(each, kind)[name] for each in (moved_, here))
+                difference = getattr(now, "value", now) - getattr(before, "value", before)
+                rate = getattr(told, kind)[name][place]
+                assert rate == pytest.approx(difference / step, abs=2e-5)
 
 
 @pytest.mark.parametrize("side", ["+", "-"])
@@ -180,21 +186,6 @@ def twins() -> System:
 TWINS = {"h1": 0.5, "h2": 0.5, "r1": 0.5, "r2": 0.75, "k": 1.25, "d": 0.0}
 
 
-def test_a_damper_tells_which_mass_strikes_first() -> None:
-    """In between it changes the other mass's velocity, which the impact then turns or not."""
-    system, times = twins(), np.array([0.625])
-    motion = ns.simulate(system, TWINS | {"d": 0.25}, [0, 0, 1, 1], until=0.75)
-    with pytest.raises(ns.InputError, match="no derivative by h1"):
-        motion.derivatives(["h1"])
-    both = []
-    for sign, side in ((1, "+"), (-1, "-")):
-        found = motion.derivatives(["h1"], times=times, one_sided=side).states[..., 0]
-        expected = one_sided_digits(system, _part(motion, "h1", sign), "h1", sign, times)
-        assert_allclose(found, expected, atol=1e-12)
-        both.append(found)
-    assert np.abs(both[0] - both[1]).max() > 0.1
-
-
 def test_orders_that_agree_have_a_derivative() -> None:
     """Impacts of two masses: in whichever order, as springs have no time to act in between."""
     system, data = twins(), TWINS
@@ -240,36 +231,6 @@ def test_configurations_that_were_not_visited_are_made() -> None:
         assert_allclose(found_rates.states[0, :, place], difference, atol=2e-5)
 
 
-def _part(motion: Trajectory, name: str, sign: int) -> Any:
+def _part(motion: Any, name: str, sign: int) -> Any:
     (part,) = motion.derivatives([name], one_sided="+" if sign > 0 else "-").parts
     return part
-
-
-def test_times_of_transitions_are_those_of_the_first_and_the_last() -> None:
-    system, data = corner(5, APART, linear=False)
-    motion = ns.simulate(system, data, [0, 0, 0.25], "low", until=1.5)
-    found = motion.derivatives(["a0", "b0"], one_sided="+")
-    # a is there by the first of both, then b moves by 3, or a by 1
-    assert_allclose(found.event_times, [[-1, -1]])
-    assert_allclose(found.before[1, :2], [[0, -1], [-1, 0]], atol=1e-15)
-    assert_allclose(found.behind[1, :2], [[2 / 3, 0], [0, 2]], atol=1e-14)
-
-
-def test_observables_follow_the_sequence() -> None:
-    system, data = corner(6, APART)
-    start, step = np.array([0, 0, 0.25]), 1e-6
-    motion = ns.simulate(system, data, start, "low", until=1.5)
-    found = motion.derivatives(["a0", "b0"], one_sided="+").observables()
-    for place in (0, 1):
-        own = start.copy()
-        own[place] += step
-        moved = ns.observe(ns.simulate(system, data, own, "low", until=1.5))
-        here = ns.observe(motion)
-        for name in motion.structure.configurations:
-            rate = (moved.fractions[name] - here.fractions[name]) / step
-            assert found.fractions[name][place] == pytest.approx(rate, abs=2e-5)
-        for state in motion.names:
-            rate = (moved.means[state] - here.means[state]) / step
-            assert found.means[state][place] == pytest.approx(rate, abs=2e-5)
-            rate = (moved.maxima[state].value - here.maxima[state].value) / step
-            assert found.maxima[state][place] == pytest.approx(rate, abs=2e-5)

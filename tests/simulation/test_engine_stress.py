@@ -18,7 +18,7 @@ from stressing_motions import (
 from stressing_steps import broken_step
 
 import nonsmooth as ns
-from nonsmooth.runtime.model.engine_run import LONGEST_WAIT, Status
+from nonsmooth.runtime.model.engine_run import LONGEST_WAIT
 from nonsmooth.runtime.model.kernels import compiled_engine
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.simulation.simulate import follow
@@ -120,69 +120,24 @@ def test_a_wait_up_to_the_last_radian_ends_quietly() -> None:
         state = np.array([centre[0] + 0.5, centre[1] + 0.4, 0.3, 0.2])
         found = follow(system, state, 0)
         if len(found.times) == 1:
-            assert found.status == Status.QUIET
+            assert found.status.name == "QUIET"
         wait = 1.5 * LONGEST_WAIT / np.hypot(*system.exponents[0].T).max()
         later = follow(system, state, 0, wait)
-        assert later.status == Status.UNTIL or len(later.times) > 1
-
-
-@pytest.mark.parametrize(
-    ("state", "expected"),
-    [
-        # f1 = f2 = ur: f1' > 0 decides the first mass, then f2'' > 0 the second
-        ([8, 12, 1, 1], ("slip-slip", "slip-stick")),
-        # f1 = ur alone, and f1' > 0
-        ([7, 10, 1, 1], ("slip-stick", "slip-slip")),
-        # f1 = -ur, and f1' > 0 leads inside
-        ([-7, -10, 1, 1], ("stick-stick", "slip-stick")),
-        # f1 > ur: it cannot stick
-        ([8, 9, 1, 1], ("slip-stick", "slip-slip")),
-        # at the belt and leaving it
-        ([7, 3, 1, 0], ("slip-slip", "slip-stick")),
-        # reaches the belt with f1 < -ur: passes through
-        ([-9, -9, "0.9", 0], ("slip-slip", "overshoot-slip")),
-    ],
-)
-@pytest.mark.usefixtures("backend")
-def test_starts_on_boundaries(state: list, expected: tuple[str, ...]) -> None:
-    motion = ns.simulate("dry-friction", LIMITS, state, transitions=1)
-    assert motion.configurations == expected
-    assert motion.times[1] > 0
+        assert later.status.name == "UNTIL" or len(later.times) > 1
 
 
 @pytest.mark.parametrize("system", ["elastic-stop", "rigid-stop"])
 @pytest.mark.parametrize("miss", [0.0, 1e-9, -1e-9])
 @pytest.mark.usefixtures("backend")
-def test_grazing_within_rounding_and_a_miss(system: str, miss: float) -> None:
-    """Both masses in the slow mode, x1 = (1 - miss) cos wt."""
+def test_each_maximum_may_graze_within_rounding_or_miss(system: str, miss: float) -> None:
+    """Both masses in the slow mode, x1 = (1 - miss) cos wt with w = 1."""
     data = dict(m1=1, m2=1, k1=2, k2=3) | ({"r": 1} if system == "rigid-stop" else {"k3": 1})
-    ratio = 0.5  # of the slow mode, w^2 = 1
-    amplitude = 1 - miss
-    start = [-amplitude, -amplitude * ratio, 0, 0]
-    motion = ns.simulate(system, data, start, until=5.0)
-    touched = [(g.time, g.depth) for g in motion.grazings]
+    start = [miss - 1, (miss - 1) / 2, 0, 0]
+    motion = ns.simulate(system, data, start, until=600.0 if miss == 0 else 5.0)
+    times, depths = ([getattr(g, name) for g in motion.grazings] for name in ("time", "depth"))
+    assert (motion.transitions > 0) == (miss < 0)
     if miss == 0:
-        assert motion.transitions == 0
-        ((time, depth),) = touched
-        assert time == pytest.approx(math.pi, abs=1e-6)
-        assert abs(depth) < 1e-14
+        np.testing.assert_allclose(times, math.pi * np.arange(1, 191, 2), rtol=0, atol=1e-5)
+        assert abs(depths[0]) < 1e-14
     else:
-        assert not touched
-        assert (motion.transitions > 0) == (miss < 0)
-
-
-@pytest.mark.usefixtures("backend")
-def test_each_maximum_may_graze() -> None:
-    data = dict(m1=1, m2=1, k1=2, k2=3, k3=1)
-    motion = ns.simulate("elastic-stop", data, [-1, "-0.5", 0, 0], until=600)
-    times = [g.time for g in motion.grazings]
-    np.testing.assert_allclose(times, math.pi * np.arange(1, 191, 2), rtol=0, atol=1e-5)
-
-
-@pytest.mark.usefixtures("backend")
-def test_what_never_comes() -> None:
-    """At the centre of slip-slip it rests; around it no boundary is reached."""
-    rest = ns.simulate("dry-friction", SLOW, [4, 6, 0, 0], until=1e9)
-    assert (rest.status, rest.end, rest.transitions) == (Status.UNTIL, 1e9, 0)
-    for state in ([4, 6, 0, 0], ["4.1", 6, 0, 0]):
-        assert ns.simulate("dry-friction", SLOW, state, transitions=9).status == Status.QUIET
+        assert not times

@@ -31,8 +31,9 @@ FREQUENCY, SPEED = 1000, sp.Rational(1, 20)  # many radians pass before the even
 def shaken(kind: str) -> System:
     """Two oscillators on one slope: the functions of both are zero at one instant.
 
-    Together both are boundaries of `early`; else the first one's is, a phase without duration
-    follows, and of the second one it is asked whether it rises then.
+    Together both are boundaries of `early`; else the first one's is. Then a phase without
+    duration follows, and of the second one it is asked whether it rises then; or it is a
+    boundary of what follows, where it falls from the zero that it has but for rounding.
     """
     u, a, _, p, _, k = states = sp.symbols("u a b p q k", real=True)
     height = sp.Symbol("height", positive=True)
@@ -42,10 +43,14 @@ def shaken(kind: str) -> System:
     first, second = a + u - height, p + 3 * u - 3 * height
     one, two, now = Boundary("one", first), Boundary("two", second), Boundary("now", k)
     back = FirstOrder(-matrix, [-SPEED, 0, 0, 0, 0, 0])
-    names = ("right", "wrong") if kind == "falls" else ("wrong", "right")
+    names = ("right", "wrong") if kind.startswith("falls") else ("wrong", "right")
     fields = zip(names, (back, moving), strict=True)
-    ends = tuple(Configuration(name, field, ()) for name, field in fields)
-    if kind == "together":
+    left = {"right": (two,)} if kind == "falls behind" else {}
+    ends = tuple(Configuration(name, field, left.get(name, ())) for name, field in fields)
+    if kind == "falls behind":
+        begins = (Configuration("early", moving, (one,)),)
+        transitions = Transition("early", {"one"}, "right"), Transition("right", {"two"}, "wrong")
+    elif kind == "together":
         begins = (Configuration("early", moving, (one, two)),)
         transitions = (
             Transition("early", {"one"}, "wrong"),
@@ -71,10 +76,10 @@ def shaken(kind: str) -> System:
     )
 
 
-@pytest.mark.parametrize("kind", ["together", "rises", "falls"])
+@pytest.mark.parametrize("kind", ["together", "rises", "falls", "falls behind"])
 def test_what_is_zero_at_one_instant_is_one_event(kind: str, backend: str) -> None:
-    rng = np.random.default_rng(3)
-    for height, angle in rng.uniform([1.8, 0], [2.2, 6], (8 if backend == "c" else 2, 2)):
+    rng, slow = np.random.default_rng(3), 4 if kind == "falls behind" else 2
+    for height, angle in rng.uniform([1.8, 0], [2.2, 6], (8 if backend == "c" else slow, 2)):
         cosine, sine = np.cos(angle), np.sin(angle)
         start = dict(u=0, a=cosine, b=sine, p=3 * cosine, q=3 * sine, k=0)
         motion = ns.simulate(shaken(kind), {"height": height}, start, until=30)

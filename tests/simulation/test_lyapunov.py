@@ -2,6 +2,7 @@
 
 import math
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
@@ -16,7 +17,6 @@ from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.simulation.lyapunov import lyapunov_spectrum
 from nonsmooth.runtime.simulation.recurrence import scales_of
-from nonsmooth.runtime.simulation.trajectory import Trajectory
 from tests.two_masses import CHAIN, RUBBING, STICKING
 
 pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
@@ -49,7 +49,7 @@ def forced(kind: str) -> System:
     )  # fmt: skip
 
 
-def comes_back(motion: Trajectory) -> bool:
+def comes_back(motion: Any) -> bool:
     try:
         ns.itinerary_of(motion)
     except InputError:
@@ -57,7 +57,7 @@ def comes_back(motion: Trajectory) -> bool:
     return True
 
 
-def law(system: object, motion: Trajectory) -> list[float]:
+def law(system: object, motion: Any) -> list[float]:
     """Check exponents of a motion that settles against log|multiplier| / period; give these."""
     orbit = ns.solve(system, motion.parameters, itinerary=ns.itinerary_of(motion))
     assert orbit.converged
@@ -200,7 +200,7 @@ def test_nothing_is_told_of_a_motion_at_rest() -> None:
         lyapunov(motion)
 
 
-def meeting(system: str, data: dict, time: float, state: list[float], until: float) -> Trajectory:
+def meeting(system: str, data: dict, time: float, state: list[float], until: float) -> Any:
     """A motion that is in a state of its first configuration at a time, followed backwards."""
     (start,) = flow_states(piecewise(system, data), 0, np.array([-time]), np.array(state))
     return simulate(system, data, start, until=until)

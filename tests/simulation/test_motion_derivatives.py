@@ -10,7 +10,6 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 import nonsmooth as ns
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
-from nonsmooth.runtime.simulation.trajectory import Trajectory
 from tests.differences import in_doubles
 from tests.moved_motions import compared_at_random
 
@@ -65,26 +64,12 @@ def _ball() -> ns.derive.System:
     )  # fmt: skip
 
 
-def _grazing() -> Trajectory:
+def _grazing() -> Any:
     """An oscillation that just touches a stop at 1."""
     clearance = Parameter("c", "clearance")
     stop = RigidStop("x", clearance.symbol, 0.5, name="wall")
     system = oscillator("touch", ["x"], [[1]], [[1]], elements=[stop], parameters=[clearance])
     return ns.simulate(system, {"c": 1}, [0, 1], until=3)
-
-
-def test_a_thrown_mass_falls_as_in_the_textbook() -> None:
-    motion = ns.simulate(_ball(), {"g": 2, "r": "0.5"}, [-1, -1], transitions=2)
-    found = motion.derivatives()
-    assert found.by == ("g", "r", "x0", "v0")
-    # the first impact at (1 + sqrt(1 + 2 g)) / g with the speed u = sqrt(1 + 2 g), then 2 r u / g
-    g, r, u = 2.0, 0.5, np.sqrt(5.0)
-    first = [(g / u - 1 - u) / g**2, 0, -1 / u, -(1 + 1 / u) / g]
-    assert_allclose(found.event_times[0], first, rtol=1e-13)
-    expected = first[0] + 2 * r * (g / u - u) / g**2, 2 * u / g
-    assert_allclose(found.event_times[1, :2], expected, rtol=1e-13)
-    assert_allclose(found.behind[1, 1, :2], [-r / u, -u], rtol=1e-13)
-    assert_allclose(found.end, found.event_times[1])
 
 
 def test_impacts_that_accumulate_are_named() -> None:

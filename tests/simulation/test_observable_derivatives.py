@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.runtime.simulation.trajectory import Trajectory
 from tests.moved_motions import random_oscillator
 
 STEP = 1e-6
@@ -25,7 +24,7 @@ def _numbers(found: Any) -> Iterator[Any]:
             yield getattr(contact, name)
 
 
-def _values(found: Trajectory) -> np.ndarray:
+def _values(found: Any) -> np.ndarray:
     parts = _numbers(ns.observe(found, 2.0))
     return np.array([getattr(part, "value", part) for part in parts])
 

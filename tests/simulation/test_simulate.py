@@ -8,7 +8,6 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from nonsmooth import InputError, MissingExtra, simulate
-from nonsmooth.runtime.model.engine_run import Status
 from tests.two_masses import CHAIN, STICKING
 
 STOP, ELASTIC = CHAIN | {"r": "0.8"}, CHAIN | {"k3": 10}
@@ -40,7 +39,8 @@ def test_at_a_transition_the_state_is_the_one_behind_it():
     assert_array_equal(
         motion.configuration(times), np.take(where, motion.run.configurations[phases])
     )
-    assert (motion.status, motion.transitions, motion.boundaries[0]) == (Status.TRANSITIONS, 6, ())
+    assert (motion.status.name, motion.transitions) == ("TRANSITIONS", 6)
+    assert motion.boundaries[0] == ()
     assert motion(motion.end).shape == (4,)
 
 
@@ -63,17 +63,10 @@ def test_the_order_of_the_names_does_not_matter():
     assert simulate("dry-friction", data, texts, transitions=9).boundaries == one.boundaries
 
 
-def test_what_is_not_hit_keeps_its_energy_and_waits():
-    motion = simulate("rigid-stop", STOP, [0, 0, 0.1, 0], until=1e3)
-    assert motion.status is Status.UNTIL
-    assert motion.end == 1e3
-    assert motion.transitions == 0
+def test_what_is_never_hit_is_told():
     quiet = simulate("rigid-stop", STOP, [0, 0, 0.1, 0], transitions=1)
-    assert quiet.status is Status.QUIET
+    assert quiet.status.name == "QUIET"
     assert "no boundary" in quiet.message
-    x1, x2, v1, v2 = motion(np.linspace(0, 1e3, 50)).T
-    energy = v1**2 / 2 + v2**2 + (x1 - x2) ** 2 / 2 + 2.5 * x2**2
-    assert_allclose(energy, 0.005, rtol=1e-11)
 
 
 def test_a_sample_has_every_transition_twice():
@@ -175,43 +168,6 @@ def test_a_mass_that_leans_on_the_stop_is_in_contact():
     assert arriving.states[1][2] == pytest.approx(-0.8)
 
 
-@pytest.mark.parametrize(
-    ("changes", "match"),
-    [
-        ({"system": "dry-frictoin"}, "did you mean 'dry-friction'"),
-        ({"parameters": {}}, "needs a value for: chi"),
-        ({"parameters": STICKING | {"mu": 1}}, "unknown parameter 'mu'"),
-        ({"parameters": STICKING | {"us1": 5}}, "does not hold"),
-        ({"parameters": STICKING | {"eta": -1}}, "eta = -1"),
-        ({"parameters": STICKING | {"eta": math.nan}}, "eta"),
-        ({"state": [0, 0, 0]}, "3 values"),
-        ({"state": {"x1": 0}}, "needs a value for: x2, v1, v2"),
-        ({"state": {"z1": 0}}, "unknown state 'z1'"),
-        ({"state": [0, 0, 0, math.nan]}, "v2"),
-        ({"state": [0, 0, 0, np.float64("inf")]}, "v2 is inf"),
-        ({"state": [0, 0, 0, 1j]}, "v2"),
-        ({"configuration": "stick"}, "unknown configuration 'stick'"),
-        ({"configuration": 3}, "unknown configuration '3'"),
-        ({"transitions": 0}, "transitions = 0"),
-        ({"transitions": None}, "nothing ends the motion"),
-        ({"until": 0}, "until = 0.0 is not a positive time"),
-        ({"until": -1}, "until = -1.0"),
-        ({"until": math.nan}, "until = nan"),
-        ({"until": "soon"}, "until"),
-        ({"until": None}, "until"),
-    ],
-)
-def test_bad_input(changes, match):
-    arguments = {
-        "system": "dry-friction",
-        "parameters": STICKING,
-        "state": [0, 0, 0, 0],
-        "transitions": 3,
-    }
-    with pytest.raises(InputError, match=match):
-        simulate(**(arguments | changes))
-
-
 # --- many motions
 
 
@@ -230,7 +186,7 @@ def test_many_are_the_single_ones(backend):
         one = simulate(
             "dry-friction", STICKING | {"V": velocities[j]}, starts[i, 0], transitions=12
         )
-        assert many.status[i, j] == Status.TRANSITIONS
+        assert many.status[i, j] == one.status
         assert many.transitions[i, j] == 12
         assert many.times[i, j] == pytest.approx(one.end, abs=1e-11)
         assert_allclose(many.states[i, j], one.states[-1], rtol=0, atol=1e-10)
@@ -257,7 +213,7 @@ def test_each_motion_has_its_own_end():
     until = np.array([1.0, 7.5, 20.0])
     many = simulate("dry-friction", STICKING, start, until=until)
     whole = simulate("dry-friction", STICKING, start, until=20)
-    assert many.status.tolist() == [Status.UNTIL] * 3
+    assert many.status.tolist() == [whole.status] * 3
     assert_array_equal(many.times, until)
     assert_allclose(many.states, whole(until), rtol=0, atol=1e-12)
 
@@ -265,64 +221,85 @@ def test_each_motion_has_its_own_end():
 def test_what_belongs_nowhere_has_a_status_of_its_own():
     starts = [[0, 0, 1, 0], [2, 0, 0, 0], [0, math.nan, 0, 0]]
     many = simulate("rigid-stop", STOP, starts, transitions=3, keep=2)
-    assert many.status.tolist() == [Status.TRANSITIONS, -1, -1]
+    over = simulate("rigid-stop", STOP, starts[0], transitions=3).status
+    assert many.status.tolist() == [over, -1, -1]
     assert np.isnan(many.states[1:]).all()
     assert (many.configurations[1:] == -1).all()
     lost = simulate("dry-friction", STICKING | {"V": [-1, 1]}, [0] * 4, transitions=3)
-    assert lost.status.tolist() == [-1, Status.TRANSITIONS]
+    assert lost.status.tolist() == [-1, over]
     stuck = simulate(
         "dry-friction", STICKING, [[0, 0, 1, 1], [0, 0, 0, 1]], "stick-stick", transitions=1
     )
-    assert stuck.status.tolist() == [Status.TRANSITIONS, -1]
+    assert stuck.status.tolist() == [over, -1]
     none = simulate("dry-friction", STICKING, np.zeros((0, 4)), transitions=3, keep=2)
     assert none.last_states.shape == (0, 2, 4)
 
 
 @pytest.mark.compiled
-@pytest.mark.parametrize("threads", [1, 3])
-def test_threads_change_nothing(threads):
+def test_threads_change_nothing():
     starts = np.random.default_rng(8).uniform(-3, 3, (300, 4))
-    found = simulate("dry-friction", STICKING, starts, transitions=20, threads=threads)
     wanted = simulate("dry-friction", STICKING, starts, transitions=20)
-    assert_array_equal(found.states, wanted.states)
-    assert_array_equal(found.times, wanted.times)
+    for threads in (1, 3):
+        found = simulate("dry-friction", STICKING, starts, transitions=20, threads=threads)
+        assert_array_equal(found.states, wanted.states)
+        assert_array_equal(found.times, wanted.times)
+
+
+REFUSED = [
+    ({"system": "dry-frictoin"}, "did you mean 'dry-friction'"),
+    ({"parameters": {}}, "needs a value for: chi"),
+    ({"parameters": STICKING | {"mu": 1}}, "unknown parameter 'mu'"),
+    ({"transitions": 0}, "transitions = 0"),
+    ({"transitions": None}, "nothing ends the motion"),
+    ({"until": math.nan}, "until = nan"),
+    ({"until": "soon"}, "until"),
+    ({"configuration": "stick"}, "unknown configuration 'stick'"),
+]
+OF_ONE = [
+    ({"parameters": STICKING | {"us1": 5}}, "does not hold"),
+    ({"parameters": STICKING | {"eta": -1}}, "eta = -1"),
+    ({"parameters": STICKING | {"eta": math.nan}}, "eta"),
+    ({"state": [0, 0, 0]}, "3 values"),
+    ({"state": {"x1": 0}}, "needs a value for: x2, v1, v2"),
+    ({"state": {"z1": 0}}, "unknown state 'z1'"),
+    ({"state": [0, 0, 0, math.nan]}, "v2"),
+    ({"state": [0, 0, 0, np.float64("inf")]}, "v2 is inf"),
+    ({"state": [0, 0, 0, 1j]}, "v2"),
+    ({"configuration": 3}, "unknown configuration '3'"),
+    ({"until": 0}, "until = 0.0 is not a positive time"),
+    ({"until": -1}, "until = -1.0"),
+    ({"until": None}, "until"),
+    ({"keep": 1}, "keep and threads: of many motions only"),
+    ({"threads": 1}, "keep and threads: of many motions only"),
+]
+OF_MANY = [
+    ({"state": {"x1": [0, 1]}}, "needs a value for: x2, v1, v2"),
+    ({"state": dict(x1=[0, 1], x2=[1, 2, 3], v1=0, v2=0)}, "broadcast"),
+    ({"state": [[0, 0, 0, 0], [1, 2]]}, "state"),
+    ({"state": np.zeros((2, 4), complex)}, "state"),
+    ({"state": np.zeros((2, 3))}, "not 4 long"),
+    ({"state": np.zeros((2, 1, 5))}, "not 4 long"),
+    ({"until": [1, -1]}, "until = -1.0"),
+    ({"until": [1, math.nan]}, "until = nan"),
+    ({"until": [1, 2, 3]}, "broadcast"),
+    # one of the two would never end
+    ({"transitions": None, "until": [1, math.inf]}, "nothing ends the motion"),
+    ({"keep": -1}, "keep = -1"),
+    ({"threads": 0}, "threads = 0"),
+    ({"parameters": STICKING | {"V": "fast"}}, "V"),
+    ({"parameters": STICKING | {"V": [1, 2, 3]}}, "broadcast"),
+]
 
 
 @pytest.mark.parametrize(
-    ("changes", "match"),
-    [
-        ({"state": {"x1": [0, 1]}}, "needs a value for: x2, v1, v2"),
-        ({"state": dict(x1=[0, 1], x2=[1, 2, 3], v1=0, v2=0)}, "broadcast"),
-        ({"state": [[0, 0, 0, 0], [1, 2]]}, "state"),
-        ({"state": np.zeros((2, 4), complex)}, "state"),
-        ({"state": np.zeros((2, 3))}, "not 4 long"),
-        ({"state": np.zeros((2, 1, 5))}, "not 4 long"),
-        ({"until": "soon"}, "until"),
-        ({"until": [1, -1]}, "until = -1.0"),
-        ({"until": [1, math.nan]}, "until = nan"),
-        ({"until": [1, 2, 3]}, "broadcast"),
-        ({"transitions": None}, "nothing ends the motion"),
-        # one of the two would never end
-        ({"transitions": None, "until": [1, math.inf]}, "nothing ends the motion"),
-        ({"transitions": 0}, "transitions = 0"),
-        ({"keep": -1}, "keep = -1"),
-        ({"threads": 0}, "threads = 0"),
-        ({"state": [0] * 4, "keep": 1}, "keep and threads: of many motions only"),
-        ({"state": [0] * 4, "threads": 1}, "keep and threads: of many motions only"),
-        ({"configuration": "slip"}, "unknown configuration"),
-        ({"parameters": STICKING | {"V": "fast"}}, "V"),
-        ({"parameters": STICKING | {"V": [1, 2, 3]}}, "broadcast"),
-    ],
+    ("start", "changes", "match"),
+    [([0] * 4, *case) for case in REFUSED + OF_ONE]
+    + [(np.zeros((2, 4)), *case) for case in REFUSED + OF_MANY],
 )
-def test_bad_input_of_many(changes, match):
-    arguments = {
-        "system": "dry-friction",
-        "parameters": STICKING,
-        "state": np.zeros((2, 4)),
-        "transitions": 3,
-    }
+def test_bad_input(start, changes, match):
+    usual = {"system": "dry-friction", "parameters": STICKING, "state": start, "transitions": 3}
     with pytest.raises(InputError, match=match):
-        simulate(**(arguments | changes))
+        simulate(**(usual | changes))
 
 
 def test_the_largest_count_is_no_limit_and_larger_ones_are_refused():

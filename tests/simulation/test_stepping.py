@@ -12,7 +12,6 @@ from scipy.optimize import brentq
 
 import nonsmooth as ns
 from nonsmooth.derive import RigidStop, oscillator
-from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import TransitionShape, mode_shapes
 from nonsmooth.runtime.simulation import stepping
@@ -34,43 +33,6 @@ def rubbed(start, data=STICKING, configuration="slip-slip"):
     motion = ns.simulate("dry-friction", data, start, configuration, transitions=1)
     assert motion.transitions == 1
     return motion, motion.run.sets[1]
-
-
-@pytest.mark.parametrize("wait", [0.4, 0.31, 0.17])
-@pytest.mark.parametrize("shift", [0.0, 1e-9, -1e-9])
-def test_two_boundaries_reached_at_one_instant_are_one_set(shift, wait):
-    meeting = np.array([-0.5, 0.25, 1.0, 1.0, 1.0])  # both accelerate, both at V
-    assert ((generator(STICKING) @ meeting)[2:4] > 0.1).all()
-    late = meeting + np.array([0, 0, 0, shift, 0])
-    motion, reached = rubbed((expm(-wait * generator(STICKING)) @ late)[:4])
-    assert motion.times[1] == pytest.approx(wait, abs=1e-8)
-    # both within their static friction: they stick
-    expected = {0.0: (3, "stick-stick"), 1e-9: (2, "slip-stick"), -1e-9: (1, "stick-slip")}[shift]
-    assert (reached, motion.configurations[1]) == expected
-    if shift == 0:
-        assert (motion.states[1][2:] == 1.0).all()
-
-
-@pytest.mark.parametrize("ulps", [-4, -2, -1, 0, 1, 2, 4])
-def test_a_force_at_its_limit_is_judged_by_its_derivative(ulps):
-    # the second mass arrives with f2 = -ur2, which then shrinks as the first falls behind
-    meeting = np.array([2.0, -0.9662, -0.4, 1.0, 1.0])
-    start = (expm(-0.3 * generator(STICKING)) @ meeting)[:4]
-    limit = 0.5 * (2.0 + 0.9662)
-    for shift, target in (
-        (ulps * math.ulp(limit), "slip-stick"), (-1e-9, "slip-overshoot"), (1e-9, "slip-stick")
-    ):  # fmt: skip
-        motion, reached = rubbed(start, STICKING | {"ur2": limit + shift})
-        assert (reached, motion.configurations[1]) == (2, target)
-
-
-def test_a_set_can_be_reached_at_the_very_start():
-    system = piecewise("dry-friction", STICKING)
-    motion = follow(system, np.array([-0.5, 0.25, 1.0, 1.0]), 0, transitions=2)
-    assert (motion.times[1], motion.sets[1], motion.configurations[1]) == (0, 3, 4)
-    # beyond the boundary counts as reached as well
-    motion = follow(system, np.array([-0.5, 0.25, 1.5, 0.0]), 0, transitions=1)
-    assert (motion.times[1], motion.sets[1]) == (0, 1)
 
 
 def test_a_velocity_that_only_touches_the_belt_is_an_event():
@@ -106,30 +68,6 @@ def test_a_force_that_only_touches_its_limit_is_passed_by_and_told():
     assert rubbed(state[:4], STICKING | {"ur1": limit - 1e-9}, where)[0].times[1] < slope
 
 
-@pytest.mark.parametrize("data", [STICKING, RUBBING], ids=["A", "B"])
-def test_event_times_hold_to_40_digits(data):
-    motion = ns.simulate("dry-friction", data, [0.5, -0.3, 0.2, 0.1], transitions=12)
-    system, high = motion.system, mp.MPContext()
-    high.dps = 40
-    for i in range(12):
-        configuration = int(motion.run.configurations[i])
-        rates = high.matrix(generator(data, configuration).tolist())
-        state = high.matrix([*motion.states[i].tolist(), 1.0])
-        index = int(motion.run.sets[i + 1]).bit_length() - 1
-        boundary = system.structure.boundaries[configuration][index]
-        row = high.matrix([system.rows[boundary.row].tolist()])
-        # Newton in 40 digits from the time found
-        time = high.mpf(float(motion.times[i + 1])) - high.mpf(float(motion.times[i]))
-        found = time
-        for _ in range(4):
-            arrived = high.expm(rates * time, method="taylor") * state
-            time -= (row * arrived)[0] / (row * (rates * arrived))[0]
-        slope = abs((row * (rates * arrived))[0])
-        assert abs(time - found) <= 4 * math.ulp(motion.times[i + 1]) + 1e-14 / slope
-        for j in range(4):
-            assert abs(motion.before[i + 1][j] - arrived[j]) <= 2e-14 / min(slope, 1)
-
-
 def test_elastic_impacts_keep_the_energy(backend):
     """Each impact errs by a few roundings, and they add up no faster than their number."""
     count = 100_000 if backend == "c" else 300
@@ -139,7 +77,7 @@ def test_elastic_impacts_keep_the_energy(backend):
         x1, x2, v1, v2 = y.T
         return (v1**2 + 2 * v2**2 + (x1 - x2) ** 2 + 5 * x2**2) / 2
 
-    assert motion.status is Status.TRANSITIONS
+    assert motion.status.name == "TRANSITIONS"
     after = energy(motion.states)
     assert (np.abs(after / after[0] - 1) <= 1e-15 + 5e-16 * np.arange(count + 1)).all()
     assert np.abs(after / energy(motion.before) - 1).max() <= 5e-16
@@ -148,27 +86,13 @@ def test_elastic_impacts_keep_the_energy(backend):
     assert (motion.states[1:, 2] == -motion.before[1:, 2]).all()
 
 
-@pytest.mark.parametrize(("r", "fewest", "most"), [(0.5, 40, 60), (0.9, 250, 400), (0, 2, 2)])
+@pytest.mark.parametrize(("r", "fewest", "most"), [(0.5, 40, 60), (0, 2, 2)])
 def test_impacts_that_accumulate_end_in_contact_which_releases(r, fewest, most):
-    start = (0.999 if r == 0.9 else 0.9, 3.0, 0.0, 0.0)
-    motion = ns.simulate("rigid-stop", CHAIN | {"k2": "0.1", "r": r}, start, until=8.0)
+    motion = ns.simulate("rigid-stop", CHAIN | {"k2": "0.1", "r": r}, [0.9, 3, 0, 0], until=8.0)
     first = motion.configurations.index("contact")
     assert fewest <= first <= most
     assert (motion.states[first, [0, 2]] == (1.0, 0.0)).all()
     assert (np.diff(motion.times[: first + 1]) >= 0).all()
-    impacts = motion.before[1 : first - 1, 2]
-    if r:
-        flights = np.diff(motion.times[1 : first - 1])
-        # the force changes little in short flights: velocities and times shrink by r
-        short = np.flatnonzero(impacts[1:] < 1e-5)
-        assert short.size > 20
-        early = short[impacts[1:][short] > 1e-9]
-        assert_allclose(impacts[1:][early] / impacts[:-1][early], r, rtol=1e-4)
-        assert_allclose(flights[early[1:]] / flights[early[:-1]], r, rtol=1e-4)
-        # exact, in the limit: the times of all later flights are a geometric series
-        i = int(early[0])
-        rest = flights[i] / (1 - r)
-        assert motion.times[first] - motion.times[i + 1] == pytest.approx(rest, rel=1e-3)
     # it leaves where the spring between the masses begins to pull
     assert motion.configurations[first + 1] == "free"
     assert motion.before[first + 1, 1] == pytest.approx(1.0, abs=1e-14)
@@ -179,7 +103,7 @@ def test_impacts_that_accumulate_end_in_contact_which_releases(r, fewest, most):
 def test_a_bouncing_ball_comes_to_rest_after_a_geometric_sum(r):
     data = {"gravity": 1, "r": r}
     motion = ns.simulate("docs/gallery/bouncing_ball.py", data, [0.5, 0], transitions=10_000)
-    assert motion.status is Status.QUIET
+    assert motion.status.name == "QUIET"
     assert motion.configurations[-1] == "contact"
     # flights that a time in two doubles cannot tell from none are not made
     assert len(motion.times) <= 30 + 104 * math.log(2) / -math.log(r)
@@ -233,7 +157,7 @@ def straight(speeds, level, *transitions, reset=IDENTITY):
 @pytest.mark.parametrize("speeds", [(1.0, 2.0), (2.0, 1.0), (4.0, 0.5), (-1.0, 0.25), (3.0, 3.0)])
 def test_of_two_straight_flights_the_shorter_one_ends_first(speeds):
     motion = follow(straight(speeds, 1), np.zeros(2), 0)
-    assert motion.status is Status.UNDECLARED
+    assert motion.status.name == "UNDECLARED"
     assert motion.end == 1 / max(speeds)
 
 
@@ -244,13 +168,13 @@ def test_times_are_sums_without_rounding_errors_that_grow():
     motion = follow(system, np.zeros(2), 0, transitions=3000)
     assert motion.times.tolist() == [float(k * Fraction(0.1)) for k in range(3001)]
     motion = follow(system, np.zeros(2), 0, until=0.25, transitions=9)
-    assert (motion.status, motion.end, len(motion.times)) == (Status.UNTIL, 0.25, 3)
+    assert (motion.status.name, motion.end, len(motion.times)) == ("UNTIL", 0.25, 3)
 
 
 def test_transitions_without_time_between_them_end():
     stay = TransitionShape(frozenset({0}), (), 0, 0)
     motion = follow(straight((1.0, 0.0), 0.1, stay), np.zeros(2), 0, transitions=10_000)
-    assert motion.status is Status.IMMEDIATE
+    assert motion.status.name == "IMMEDIATE"
     assert 100 <= len(motion.times) - 1 <= 105
 
 
@@ -292,4 +216,4 @@ def test_a_slow_coordinate_is_waited_for_beside_a_fast_one():
     assert arrived[1] == pytest.approx(1.1, abs=1e-9)
     early = 0.9 * motion.end
     waiting = ns.simulate(system, {}, start, until=early)
-    assert (waiting.status, waiting.transitions, waiting.end) == (Status.UNTIL, 0, early)
+    assert (waiting.status.name, waiting.transitions, waiting.end) == ("UNTIL", 0, early)
