@@ -119,6 +119,10 @@ def test_the_rewritten_file_of_the_same_graph_passes(content, tmp_path):
     assert signed(same) == content
 
 
+def test_flows_may_be_rounded_otherwise(content):
+    believed(signed({**content, "bits": content["bits"] + 33}))
+
+
 def test_a_component_is_not_split(found, content, tmp_path):
     own = found.components[0].boxes
     half = {*own[: len(own) // 2].tolist()}
