@@ -17,10 +17,9 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
-import numpy as np
 import pytest
 import sympy as sp
-from flint import arb, arb_mat, ctx
+from flint import arb_mat, ctx
 from typer.testing import CliRunner
 
 import nonsmooth as ns
@@ -30,13 +29,6 @@ from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.__main__ import judged
 from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.orbits.points import JudgedOrbit
-from nonsmooth.runtime.checker.orbits.stability import (
-    _inside,
-    _neutral,
-    characteristic,
-    multipliers,
-    others_below,
-)
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.present.tell import tell
 from nonsmooth.runtime.proof.certificate import Certificate
@@ -459,131 +451,6 @@ def test_the_declaration_is_the_declared_one() -> None:
             rest = boundary.function.subs(dict.fromkeys(system.states, 0))
             row = sp.Matrix([[*gradient, rest]])
             assert same([entry["boundaries"][boundary.name]], row)
-
-
-def similar(eigenvalues: Any, rng: np.random.Generator) -> Any:
-    """Balls of a real matrix with these eigenvalues: real ones, and one of each complex pair."""
-    size = sum(1 + bool(np.iscomplex(m)) for m in eigenvalues)
-    block, place = np.zeros((size, size)), 0
-    for m in eigenvalues:
-        if np.iscomplex(m):
-            block[place : place + 2, place : place + 2] = [[m.real, m.imag], [-m.imag, m.real]]
-        else:
-            block[place, place] = m.real
-        place += 1 + bool(np.iscomplex(m))
-    change = rng.normal(size=(size, size)) + 3 * np.eye(size)
-    with ctx.workprec(200):
-        basis = arb_mat(change.tolist())
-        return basis * arb_mat(block.tolist()) * basis.inv()
-
-
-@pytest.mark.parametrize("size", [1, 2, 3, 5])
-def test_roots_inside_the_unit_circle_are_told_from_others(size: int) -> None:
-    rng = np.random.default_rng(size)
-    seen = set()
-    with ctx.workprec(200):
-        for _ in range(40):
-            matrix = rng.normal(size=(size, size)) / np.sqrt(size)
-            largest = max(abs(np.linalg.eigvals(matrix)))
-            found = _inside(characteristic(arb_mat(matrix.tolist())))
-            assert found == ("proved" if largest < 1 else "refuted")
-            seen.add(found)
-        assert _inside(characteristic(arb_mat([[1]]))) == "undecided"
-    assert seen == {"proved", "refuted"}
-
-
-def test_of_wide_coefficients_a_root_outside_is_seen_and_none_is_made_up() -> None:
-    """As next to a grazing, where a trace is large and the product of the roots is not known."""
-    assert _inside([arb(1), arb(3e9, 4e8), arb(0, 1e13)]) == "refuted"
-    wide = [(1.64, 2e-3), (2.509, 4e-4), (1.66, 2e-3), (0.706343, 1e-7)]
-    assert _inside([arb(1), *(arb(*x) for x in wide)]) == "refuted"
-    rng = np.random.default_rng(4)
-    for _ in range(60):
-        size = int(rng.integers(1, 6))
-        roots = np.exp(2j * np.pi * rng.random(size // 2)) * rng.random(size // 2) ** 0.1
-        real = rng.uniform(-1, 1, size % 2)
-        middles = np.poly([*roots, *roots.conj(), *real]).real[1:]
-        away = 10.0 ** rng.uniform(-6, 2, size)
-        # not around its own polynomial, but around others that are as near
-        others = middles + rng.uniform(-0.99, 0.99, size) * away
-        told = [arb(float(x), float(r)) for x, r in zip(others, away, strict=True)]
-        assert _inside([arb(1), *told]) != "refuted"
-
-
-@pytest.mark.parametrize(
-    ("pairs", "verdict"),
-    [
-        ((), "proved"),
-        ((np.exp(1j),), "proved"),
-        ((np.exp(1j), np.exp(2.5j)), "proved"),
-        ((np.exp(1j), np.exp(1.0001j), np.exp(3j)), "proved"),
-        ((np.exp(1j), np.exp(1j)), "undecided"),
-        ((2.0, 0.5), "refuted"),
-        ((-2.0, -0.5, np.exp(1j)), "refuted"),
-        ((-2.0, -0.5, 3.0, 1 / 3), "refuted"),
-        ((1.1 * np.exp(1j), np.exp(1j) / 1.1), "refuted"),
-    ],
-)
-@pytest.mark.parametrize("rest", [(1.0, 0.0), (1.0,)])
-def test_pairs_on_the_unit_circle_are_told_from_others(
-    pairs: tuple[complex, ...], verdict: str, rest: tuple[float, ...]
-) -> None:
-    square = similar((*rest, *pairs), np.random.default_rng(3))
-    size = 2 + sum(1 + bool(np.iscomplex(m)) for m in pairs)
-    with ctx.workprec(200):
-        # the numbers are doubles: the balls have to contain the exact ones
-        wide = arb_mat([[x + arb(0, 1e-12) for x in row] for row in square.tolist()])
-        assert _neutral(wide, size) == verdict
-
-
-def map_of(square: Any, size: int, stability: str) -> Any:
-    """An orbit whose Poincare map, of so many coordinates, has a derivative on a section."""
-    return SimpleNamespace(
-        section=square, declared=SimpleNamespace(free=range(size), stability=stability)
-    )
-
-
-@pytest.mark.parametrize("seed", range(5))
-def test_multipliers_are_enclosed_and_all_others_are_below_their_bound(seed: int) -> None:
-    rng = np.random.default_rng(seed)
-    pair = 0.7 * np.exp(1j * rng.uniform(0.3, 2.8))
-    wanted = [*rng.uniform(-1.4, 1.4, 2), pair, pair.conjugate(), 1e-30]
-    with ctx.workprec(200):
-        square = similar((*wanted[:3], 1e-30), rng)
-        found = multipliers(map_of(square, 6, "stable"))
-        assert len(found) == 4
-        for m in wanted[:4]:
-            assert sum(abs(complex(x) - m) < 1e-12 for x in found) == 1
-        assert [abs(complex(x)) for x in found] == sorted(abs(complex(x)) for x in found)[::-1]
-        assert sum(x.imag.is_zero() for x in found) == 2
-        for left in range(4):
-            known = found[:left] + found[left + 1 :]
-            bound = others_below(map_of(square, 6, "stable"), known)
-            assert abs(found[left]) < bound
-        assert others_below(map_of(square, 6, "stable"), found) < 1e-25
-
-
-def test_multipliers_that_lie_too_near_are_not_stated() -> None:
-    """To each other, to the trivial 1, or to zero, of which there are as many as are left."""
-
-    def told(*diagonal: Any, more: int = 0, trivial: bool = False) -> list[complex]:
-        square = arb_mat(
-            [[x if i == j else 0 for j in range(len(diagonal))] for i, x in enumerate(diagonal)]
-        )
-        kind = "neutral" if trivial else "stable"
-        return [complex(m) for m in multipliers(map_of(square, len(diagonal) + more, kind))]
-
-    with ctx.workprec(192):
-        tiny = arb(2) ** -80
-        assert told(arb("0.5"), arb("-0.25"), 1, more=1, trivial=True) == [0.5, -0.25]
-        near, half = arb(2) ** -40, arb("0.5")
-        assert told(half, half + near, half - near, -half) == [-0.5]
-        assert told(half, half + tiny, -half) == []  # nor any beside them
-        assert told(half, 1 - near, 1 + near, 1, trivial=True) == [0.5]
-        assert told(arb("0.5"), 1, 1, trivial=True) == []
-        assert told(1 - tiny) == [1]
-        assert told(tiny, more=1) == []
-        assert told(tiny) == [float(tiny)]
 
 
 RUNTIME = files("nonsmooth.runtime")

@@ -323,31 +323,6 @@ def test_undecided_events_claim_nothing(content: dict[str, Any]) -> None:
     refused({**content, "events": [{**event, "claim": "refuted"}]}, "claim")
 
 
-@pytest.mark.parametrize("size", [2, 3, 4, 5])
-def test_products_of_multipliers_by_their_polynomial(size: int) -> None:
-    square = np.random.default_rng(size).normal(size=(size, size))
-    pairs = combinations(np.linalg.eigvals(square), 2)
-    expected = np.prod([1 - x * y for x, y in pairs]).real
-    found = products_less_one(characteristic(arb_mat(square.tolist())))
-    assert float(found) == pytest.approx(expected, rel=1e-9)
-
-
-@pytest.mark.parametrize(
-    ("roots", "told"),
-    [
-        ([np.exp(1j), np.exp(-1j)], True),
-        ([np.exp(1j), np.exp(-1j), 0.5, 0.3], True),
-        ([2.0, 0.5, 0.1], False),
-        ([2 * np.exp(1j), 2 * np.exp(-1j), np.exp(1j) / 2, np.exp(-1j) / 2], False),
-        ([0.5, 0.5, 0.3], False),
-        ([0.5, 0.3], True),
-    ],
-)
-def test_pairs_on_the_circle_are_told_from_others(roots: list[complex], told: bool) -> None:
-    polynomial = [arb(float(c), 1e-12) for c in np.poly(roots).real]
-    assert paired(polynomial) is told
-
-
 @of_files("torus")
 def test_a_torus_takes_a_pair_that_is_not_real(content: dict[str, Any]) -> None:
     event = event_of(content, "neimark-sacker")
