@@ -8,16 +8,14 @@ import random
 from collections.abc import Callable
 from fractions import Fraction
 from functools import cache
-from itertools import combinations
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 import mpmath
 import numpy as np
 import pytest
 import sympy as sp
-from flint import arb, arb_mat
+from flint import arb
 from typer.testing import CliRunner
 
 import nonsmooth as ns
@@ -29,13 +27,7 @@ from nonsmooth.derive import (
     Transition,
 )
 from nonsmooth.runtime.checker import Failure
-from nonsmooth.runtime.checker.orbits import events
 from nonsmooth.runtime.checker.orbits.events import JudgedEvent
-from nonsmooth.runtime.checker.orbits.stability import (
-    characteristic,
-    paired,
-    products_less_one,
-)
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.model.kernels import load_system
@@ -321,16 +313,6 @@ def test_undecided_events_claim_nothing(content: dict[str, Any]) -> None:
     refused({**content, "events": [{**event, "enclosures": {"T": entry}}]}, "no event")
     refused({**content, "events": [{**event, "claim": "proved"}]})
     refused({**content, "events": [{**event, "claim": "refuted"}]}, "claim")
-
-
-@of_files("torus")
-def test_a_torus_takes_a_pair_that_is_not_real(content: dict[str, Any]) -> None:
-    event = event_of(content, "neimark-sacker")
-    judge = JudgedEvent(event)
-    assert judge.located(event["box"]).keys() == event["enclosures"].keys()
-    of_pair = SimpleNamespace(declared=judge.declared, section=arb_mat([[3, 0], [0, arb(1) / 3]]))
-    with pytest.raises(Failure, match="the pair may be real"):
-        events._multiplier(of_pair, "neimark-sacker")
 
 
 @of_files("wall")

@@ -9,8 +9,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+import sympy as sp
 from flint import arb, arb_mat, ctx
 
+import nonsmooth as ns
+from nonsmooth.derive import Boundary, Configuration, FirstOrder, Parameter, System, Transition
 from nonsmooth.runtime.checker.orbits.stability import (
     _inside,
     multipliers,
@@ -19,6 +22,7 @@ from nonsmooth.runtime.checker.orbits.stability import (
     passing,
     stability,
 )
+from tests.certified import content_of, refused
 
 
 @pytest.fixture(autouse=True)
@@ -171,3 +175,48 @@ def test_multipliers_that_lie_too_near_are_not_stated(
     """To each other, to the trivial 1, or to zero, of which there are as many as are left."""
     orbit = map_of(diagonal(*entries), kind, len(entries) + more)
     assert [complex(m) for m in multipliers(orbit)] == told
+
+
+p, q = (Parameter(name, "what multipliers depend on", lower=-sp.oo) for name in "pq")
+
+
+def branch(*rows: list[Any]) -> ns.Branch:
+    """States at rest, which are mapped by a matrix each time that a clock comes to 1: p = -1."""
+    *states, clock = sp.symbols(f"y1:{len(rows) + 1} clock", real=True)
+    field = FirstOrder(sp.zeros(len(rows) + 1), [*[0] * len(rows), 1])
+    mapped = zip(states, sp.Matrix(rows) * sp.Matrix(states), strict=True)
+    system = System(
+        "mapped",
+        "states at rest, mapped at times",
+        (*states, clock),
+        (p, q),
+        (Configuration("rest", field, (Boundary("tick", clock - 1),)),),
+        (Transition("rest", {"tick"}, "rest", (), {**dict(mapped), clock: sp.Integer(0)}),),
+    )
+    guess, itinerary = [1.0, *[0.0] * (len(rows) + 1)], [("rest", "tick")]
+    orbit = ns.solve(system, {"p": "-1", "q": "1/3"}, guess, itinerary=itinerary)
+    return ns.continue_orbit(orbit, "p", (-1.125, -0.875))
+
+
+def test_a_neutral_saddle_is_no_torus() -> None:
+    """Where p = 3, two real multipliers have the product 1."""
+    flips = branch([p.symbol, 0], [0, q.symbol])
+    content = content_of(ns.certify.event(flips, flips.events[0]))
+    (event,) = content["events"]
+    event["kind"] = "neimark-sacker"
+    for ball in (event["box"][-1], event["enclosures"]["p"]):
+        ball["mid"] = "3"
+    refused(content, "the pair may be real")
+
+
+def test_no_event_is_proved_where_multipliers_pass_the_circle_in_two_ways() -> None:
+    """By one that is p, and by a pair that is i p and -i p."""
+    both = branch(
+        [p.symbol, 0, 0, 0], [0, 0, -p.symbol, 0], [0, p.symbol, 0, 0], [0, 0, 0, q.symbol]
+    )
+    assert [event.kind for event in both.events] == ["flip", "neimark-sacker"]
+    ends = "-9/8", "-7/8"
+    along = ns.certify.branch(both, interval=ends, tiles=8)
+    over = ns.certify.box(both.orbit, {"p": ends, "q": ("1/4", "3/8")}, tiles=9)
+    for tiles in (along.tiles, over.tiles):
+        assert not any(tile.event for tile in tiles)
