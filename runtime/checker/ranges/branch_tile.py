@@ -308,7 +308,7 @@ class _CheckedEvent:
             claim = admissibility(orbit).claim
             demand(claim == "proved" or (claim, kind) == ("refuted", "fold"), "it may be no motion")
             if claim == "proved":
-                pass
+                demand_alone(orbit, kind)
             claims.add(claim)
 
         self.tile.parts(no_other)
