@@ -2,6 +2,7 @@
 
 import json
 from math import prod
+from typing import Any
 
 import numpy as np
 import pytest
@@ -243,30 +244,35 @@ def test_false_tiles_are_not_followed_for_ever(content):
 
 
 X, Z = sp.symbols("x z", real=True)
-RELAY = System(
-    "relay",
-    "x turns at 0 and 1; going up, it falls off beyond x = z",
-    (X, Z),
-    (),
-    (
-        Configuration("up", FirstOrder([[0, 0], [0, -1]], [1, "-1/2"]),
-                      (Boundary("top", X - 1), Boundary("beyond", Z - X))),
-        Configuration("down", FirstOrder([[0, 0], [0, -1]], [-1, "-1/2"]),
-                      (Boundary("bottom", -X),)),
-        Configuration("off", FirstOrder([[1, 0], [0, -1]], [1, 0]), ()),
-    ),
-    (
-        Transition("up", {"top"}, "down"),
-        Transition("down", {"bottom"}, "up"),
-        Transition("up", {"beyond"}, "off"),
-    ),
-)  # fmt: skip
+
+
+def relay(side: str, beyond: Any, rate: Any, drift: Any = 0, parameters: Any = ()) -> System:
+    """Where x turns at 0 and 1 while z decays; on one side it falls off beyond a boundary."""
+    ends, decay = {"up": Boundary("top", X - 1), "down": Boundary("bottom", -X)}, [0, -rate]
+    sides = [
+        Configuration(
+            name,
+            FirstOrder([[0, 0], decay], [speed, drift]),
+            (ends[name], *[Boundary("beyond", beyond)] * (name == side)),
+        )
+        for name, speed in (("up", 1), ("down", -1))
+    ]
+    ways = ("up", "top", "down"), ("down", "bottom", "up"), (side, "beyond", "off")
+    return System(
+        "relay",
+        "x turns at 0 and 1, or falls off",
+        (X, Z),
+        parameters,
+        (*sides, Configuration("off", FirstOrder([[1, 0], decay], [1, 0]), ())),
+        [Transition(source, {boundary}, target) for source, boundary, target in ways],
+    )
 
 
 def test_boxes_from_which_nothing_arrives_have_no_rank(tmp_path):
     """At the bottom with z > 0 a state is beyond already: it is in no motion."""
     itinerary = [("down", "bottom"), ("up", "top")]
-    orbit = ns.solve(RELAY, guess=[1, 1], itinerary=itinerary)
+    system = relay("up", Z - X, 1, sp.Rational(-1, 2))
+    orbit = ns.solve(system, guess=[1, 1], itinerary=itinerary)
     box = {"x": (0.25, 0.75), "z": (-0.75, 0.75)}
     ns.certify.basin(orbit, box=box, side=0.25).save(tmp_path / "basin.json")
     content = json.loads((tmp_path / "basin.json").read_text())

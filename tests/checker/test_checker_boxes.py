@@ -19,7 +19,7 @@ import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.derive import Harmonic, Parameter, SoftStop, oscillator
 from nonsmooth.runtime.checker import Failure
-from nonsmooth.runtime.checker.ranges.folded import _is_beyond, neighbours
+from nonsmooth.runtime.checker.ranges.folded import beyond_folds, neighbours
 from nonsmooth.runtime.checker.ranges.tiles import MapTile
 from nonsmooth.runtime.checker.stated.parameters import independent
 from nonsmooth.runtime.core.rational_functions import symbols
@@ -29,6 +29,7 @@ from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.files.kept import format_named
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from tests.certified import believed, claimed, loop, moved, refused, saved
+from tests.checker.test_checker import other_systems
 
 WRONG = (Failure, ArithmeticError, KeyError, ValueError, TypeError, IndexError)
 
@@ -125,6 +126,13 @@ def test_centres_outside_their_enclosures_are_refused(content: dict[str, Any]) -
         refused(totalled(changed), f"{name} is not in its enclosure")
 
 
+@pytest.mark.slow
+@of("stick", "rigid", "forced", "irrational")
+def test_another_system_has_another_orbit(content: dict[str, Any]) -> None:
+    for _ in other_systems(content["declaration"], "11/10", 6):
+        refused(content)
+
+
 @of("stick", "flip", "rigid", "unstable", "wall", "coarse")
 def test_claims_of_another_verdict_are_refused(
     content: dict[str, Any], request: pytest.FixtureRequest
@@ -193,29 +201,6 @@ def test_wider_boxes_are_refused(content: dict[str, Any]) -> None:
             refused(changed, "in the tile")
         changed["box"][name] = [str(high), str(low)]
         refused(changed, "the box is empty")
-
-
-@pytest.mark.slow
-@of("stick", "rigid", "forced", "irrational")
-def test_another_system_has_another_orbit(content: dict[str, Any]) -> None:
-    configurations = content["declaration"]["configurations"]
-    visited = {phase["configuration"] for phase in content["declaration"]["phases"]}
-    rows = [row for name in sorted(visited) for row in configurations[name]["field"]]
-    places = [(row, k) for row in rows for k, entry in enumerate(row) if entry != "0"]
-    tried = 0
-    for row, place in random.Random(7).sample(places, len(places)):
-        entry = row[place]
-        row[place] = changed = copy.deepcopy(entry)
-        if isinstance(entry, str):
-            row[place] = str(Fraction(entry) * Fraction(11, 10))
-        else:
-            for term in changed["above"]:
-                term[0] = str(Fraction(term[0]) * Fraction(11, 10))
-        if row[place] != entry and tried < 6:  # a zero has no terms
-            refused(content)
-            tried += 1
-        row[place] = entry
-    assert tried >= 3
 
 
 def test_constants_may_not_depend_on_each_other() -> None:
@@ -297,34 +282,26 @@ def test_the_orbit_is_the_same_on_all_of_a_tile(monkeypatch: pytest.MonkeyPatch)
     content = json.loads(written("flip"))
     tile = proved(content)[0]
     (step, level), (low, high) = tile["place"][0], map(Fraction, content["box"]["r"])
-    width = (high - low) / 2**level
-    ends = [1 / (1 - low - (step + k) * width) for k in (0, 1)]
+    first, last = (low + (step + k) * (high - low) / 2**level for k in (0, 1))
+    ends = 1 / (1 - first), 1 / (1 - last)
     middle, radius = sum(ends) / 2, abs(ends[1] - ends[0]) / 2
     entry = tile["enclosures"]["v0"]  # so narrow that halves tell
     entry["mid"], entry["rad"] = (f"{round(x * 10**30)}e-30" for x in (middle, radius * 101 / 100))
     totalled(content)
     believed(content)
-
-    box = [low + step * width, low + (step + 1) * width]
     orbit, seen = MapTile._orbit, []
 
     def exchanged(self: MapTile, where: Any, guess: Any) -> Any:
-        here = [Fraction(int(x.p), int(x.q)) for x in where[0]]
-        if self.tile is tile and here != box:
+        (here,) = where
+        if self.tile is tile and here[1] - here[0] < last - first:
             seen.append(here)
-            where = [tuple(fmpq(*x.as_integer_ratio()) for x in _other(here, box))]
-            guess = [arb(x) for x in tile["guess"]]
+            other = [fmpq(*(first + last).as_integer_ratio()) - x for x in reversed(here)]
+            where, guess = [tuple(other)], [arb(x) for x in tile["guess"]]
         return orbit(self, where, guess)
 
     monkeypatch.setattr(MapTile, "_orbit", exchanged)
     refused(content, "another orbit is found on a part of it")
     assert seen
-
-
-def _other(part: list[Fraction], whole: list[Fraction]) -> list[Fraction]:
-    """The part of the other half that is placed as this one in its own."""
-    half = (whole[1] - whole[0]) / 2
-    return [x - half if part[0] >= whole[0] + half else x + half for x in part]
 
 
 @of("stick", "rigid")
@@ -402,6 +379,20 @@ def test_a_map_with_tiles_of_no_orbit_passes(tmp_path: Path) -> None:
     refused(content, "reasons for other claims")
 
 
+Place = list[tuple[int, int]]
+
+
+def ends(place: Place) -> list[tuple[Fraction, Fraction]]:
+    """Where a tile is in the box, which is 0 to 1 along each axis."""
+    return [(Fraction(step, 2**level), Fraction(step + 1, 2**level)) for step, level in place]
+
+
+def both(one: Place, other: Place) -> list[tuple[Fraction, Fraction]]:
+    """What tiles have in common, along each axis: empty if its ends are not in order."""
+    pairs = zip(ends(one), ends(other), strict=True)
+    return [(max(low, least), min(high, most)) for (low, high), (least, most) in pairs]
+
+
 @pytest.mark.parametrize("seed", range(4))
 def test_neighbours_are_the_tiles_with_an_edge_in_common(seed: int) -> None:
     drawn = random.Random(seed)
@@ -409,58 +400,42 @@ def test_neighbours_are_the_tiles_with_an_edge_in_common(seed: int) -> None:
     for _ in range(60):
         place = places.pop(drawn.randrange(len(places)))
         axis = drawn.randrange(2)
-        (step, level), other = place[axis], place[1 - axis]
+        step, level = place[axis]
         for half in (0, 1):
-            cut = (2 * step + half, level + 1)
-            places.append([cut, other] if axis == 0 else [other, cut])
-
-    def ends(part: tuple[int, int]) -> tuple[Fraction, Fraction]:
-        step, level = part
-        return Fraction(step, 2**level), Fraction(step + 1, 2**level)
-
-    def overlap(one: tuple[int, int], other: tuple[int, int]) -> Fraction:
-        (low, high), (least, most) = ends(one), ends(other)
-        return min(high, most) - max(low, least)
-
+            places.append([*place[:axis], (2 * step + half, level + 1), *place[axis + 1 :]])
     for k, found in enumerate(neighbours(places)):
-        wanted = [
-            other
-            for other, place in enumerate(places)
-            if (shared := sorted(map(overlap, places[k], place)))[0] == 0 < shared[1]
+        lengths = [sorted(high - low for low, high in both(places[k], place)) for place in places]
+        assert sorted(found) == [
+            n for n, length in enumerate(lengths) if length[0] == 0 < length[1]
         ]
-        assert sorted(found) == wanted
 
 
 @pytest.mark.parametrize("steep", [True, False])
-def test_an_edge_is_beyond_a_fold_only_where_all_its_points_are(steep: bool) -> None:
+def test_a_tile_is_beyond_a_fold_only_where_all_of_its_edge_is(steep: bool) -> None:
     """And always there, if the curve only rises or falls."""
-    chance = random.Random(5)
-    answers = []
+    drawn, answers = random.Random(5), []
+    fold: Place = [(1, 2), (2, 2)]
+    middles = [(low + high) / 2 for low, high in ends(fold)]
     for _ in range(500):
-        centre = [chance.randint(-4, 4) / 8, 0.0, *(chance.randint(-4, 4) / 8 for _ in "ab")]
+        centre = [drawn.randint(-12, 12) / 8, 0.0, *(drawn.randint(-4, 4) / 8 for _ in "ab")]
         bends = 2 * abs(centre[2]) + 3 * abs(centre[3])
-        centre[1] = chance.choice((-1, 1)) * (bends + 1 / 8 if steep else bends / 2)
-        sign = chance.choice((-1, 1))
+        centre[1] = drawn.choice((-1, 1)) * (bends + 1 / 8 if steep else bends / 2)
+        sign, axis, beside, level = (drawn.choice(x) for x in ((-1, 1), (0, 1), (0, 1), (2, 4, 5)))
         event = {
-            "kind": "fold", "centre": centre, "radius": 1 / 16,
+            "kind": "fold", "centre": centre, "radius": 1 / 16, "axis": axis + 1,
             "above": "beyond a fold" if sign > 0 else "stable",
         }  # fmt: skip
-        low, high = sorted(fmpq(k, 8) for k in chance.choices(range(-8, 9), k=2))
-        along = [low + (high - low) * fmpq(k, 16) for k in range(17)]
-        curve = [
-            sum(fmpq(*c.as_integer_ratio()) * t**k for k, c in enumerate(centre)) for t in along
-        ]
-        first = chance.choice((curve[0], curve[-1])) + sign * fmpq(
-            chance.randint(2, chance.choice((12, 96))), 64
-        )
-        units = {"x": (first, first + sign * chance.randint(0, 2) * fmpq(1, 8)), "y": (low, high)}
-        middles = {"x": fmpq(5), "y": fmpq(-1, 3)}  # of the tile, whose halves are 2
-        names = chance.choice((["x", "y"], ["y", "x"]))
-        edge = [tuple(middles[name] + 2 * unit for unit in units[name]) for name in names]
-        place = [(middles[name] - 2, middles[name] + 2) for name in names]
-        true = all((x - c) * sign > fmpq(1, 16) for x in units["x"] for c in curve)
-        event["axis"] = names.index("x") + 1
-        answer = _is_beyond({"event": event}, place, edge)
+        other = [(step * 2 ** (level - 2) + drawn.randrange(2 ** (level - 2)), level)
+                 for step, _ in fold]  # fmt: skip
+        other[beside] = (fold[beside][0] + drawn.choice((-1, 1)), 2)
+        edge = [tuple((x - middle) * 8 for x in part)
+                for part, middle in zip(both(fold, other), middles, strict=True)]  # fmt: skip
+        low, high = edge[1 - axis]
+        along = [low + (high - low) * Fraction(k, 16) for k in range(17)]
+        curve = [sum(Fraction(c) * t**k for k, c in enumerate(centre)) for t in along]
+        true = all((x - c) * sign > Fraction(1, 16) for x in edge[axis] for c in curve)
+        tiles = [{"event": event, "place": fold}, {"event": None, "place": other}]
+        _, answer = beyond_folds(tiles, ["divided", "undecided"], neighbours([fold, other]))
         assert answer == true if steep else answer <= true, event
         answers.append(answer)
     assert 20 < sum(answers) < 480

@@ -16,7 +16,6 @@ import numpy as np
 import pytest
 import sympy as sp
 from flint import arb
-from typer.testing import CliRunner
 
 import nonsmooth as ns
 from nonsmooth.derive import (
@@ -28,7 +27,6 @@ from nonsmooth.derive import (
 )
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.orbits.events import JudgedEvent
-from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.present.files.kept import save_result
@@ -45,6 +43,7 @@ from tests.certified import (
     signed,
     unhashed,
 )
+from tests.checker.test_checker import other_systems
 from tests.explore import test_continuation_forced as impacts
 
 WRONG = (Failure, ArithmeticError, KeyError, ValueError, TypeError, IndexError)
@@ -174,7 +173,8 @@ def test_centres_outside_their_enclosures_are_refused(content: dict[str, Any]) -
             for by in (Fraction(-3, 2), Fraction(3, 2)):
                 changed = copy.deepcopy(content)
                 moved(changed["events"][place]["enclosures"][name], by)
-                refused(changed, f"{name} is not in its enclosure")
+                told = f"event {place + 1}, {event['kind']}: {name} is not in its enclosure"
+                refused(changed, told)
 
 
 @of_files(*BRANCHES)
@@ -265,18 +265,8 @@ def test_other_places_are_refused(content: dict[str, Any]) -> None:
 @of_files("symmetric", "torus", "impacts", "entry")
 def test_another_system_has_another_event(content: dict[str, Any]) -> None:
     event = event_of(content, KINDS[content_name(content)][-1])
-    configuration = event["declaration"]["phases"][0]["configuration"]
-    field = event["declaration"]["configurations"][configuration]["field"]
-    tried = 0
-    for row in field:
-        for k, number in enumerate(row):
-            if number == "0" or not isinstance(number, str):
-                continue
-            row[k] = str(Fraction(number) * Fraction(11, 10))
-            refused(content)
-            row[k] = number
-            tried += 1
-    assert tried
+    for _ in other_systems(event["declaration"], "11/10", 8):
+        refused(content)
 
 
 @of_files("rigid")
@@ -361,24 +351,3 @@ def test_events_are_compared_with_their_system(content: dict[str, Any], tmp_path
     event["parameters"][name] += "+1/1000"
     told = ns.certify.check(saved(content, path)).difference
     assert told is not None  # it is the parameter of the declaration
-
-
-def test_the_command_saves_and_checks_events(tmp_path: Path) -> None:
-    path = tmp_path / "events.json"
-    runner = CliRunner()
-    arguments = ["certify", "event", SYMMETRIC, "V=0.6:1.3", "--save", str(path)]
-    told = runner.invoke(app, arguments)
-    assert told.exit_code == 0, told.output
-    assert "written" in told.output
-    told = runner.invoke(app, ["certify", "check", str(path), "--require", "proved"])
-    assert told.exit_code == 0, told.output
-    assert "every claim holds" in told.output
-    content = json.loads(path.read_text())
-    moved(content["events"][1]["enclosures"]["V"], Fraction(3))
-    saved(content, path)
-    told = runner.invoke(app, ["certify", "check", str(path), "--json"])
-    assert told.exit_code == 1
-    assert "event 2, flip: V is not in its enclosure" in told.output
-    nowhere = str(tmp_path)
-    told = runner.invoke(app, [*arguments[:-1], nowhere])
-    assert told.exit_code == 2

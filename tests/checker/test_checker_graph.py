@@ -5,14 +5,14 @@ from io import BytesIO
 
 import numpy as np
 import pytest
-import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth.derive import Boundary, Configuration, FirstOrder, Parameter, System, Transition
+from nonsmooth.derive import Parameter
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.state_sets.many_sets import ManyMotions
 from nonsmooth.runtime.model.kernels import load_system
 from tests.certified import accepted, believed, claimed, flat, refused_file, runs, signed
+from tests.checker.test_checker_basin import X, Z, relay
 from tests.friction_sets import DATA
 from tests.horseshoes import FRICTION_DATA
 from tests.places import GALLERY
@@ -139,31 +139,11 @@ def test_edges_are_stated_once_and_in_order(content, tmp_path):
     refused_file({**content, "edges": edges[::-1]}, tmp_path, "edges are not in order")
 
 
-X, Z = sp.symbols("x z", real=True)
-RATE = Parameter("k", "rate")
-RELAY = System(
-    "relay",
-    "x turns at 0 and 1; going back, it falls off beyond x = 1 - z",
-    (X, Z),
-    (RATE,),
-    (
-        Configuration("up", FirstOrder([[0, 0], [0, -RATE.symbol]], [1, 0]),
-                      (Boundary("top", X - 1),)),
-        Configuration("down", FirstOrder([[0, 0], [0, -RATE.symbol]], [-1, 0]),
-                      (Boundary("bottom", -X), Boundary("beyond", X - 1 + Z))),
-        Configuration("off", FirstOrder([[1, 0], [0, -RATE.symbol]], [1, 0]), ()),
-    ),
-    (
-        Transition("up", {"top"}, "down"),
-        Transition("down", {"bottom"}, "up"),
-        Transition("down", {"beyond"}, "off"),
-    ),
-)  # fmt: skip
-
-
 def test_boxes_that_hold_no_state_are_no_component(tmp_path):
     start, region = {"x": 0.5, "z": -0.5}, {"z": (-0.9, -0.1)}
-    found = ns.certify.region(RELAY, {"k": 1}, start, "up", region=region, boxes=2)
+    rate = Parameter("k", "rate")
+    system = relay("down", X - 1 + Z, rate.symbol, parameters=[rate])
+    found = ns.certify.region(system, {"k": 1}, start, "up", region=region, boxes=2)
     found.save(tmp_path / "graph.json")
     content = json.loads((tmp_path / "graph.json").read_text())
     # behind the top with z > 0 a state is beyond already: nothing leads from there
