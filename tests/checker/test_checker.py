@@ -11,7 +11,6 @@ from contextlib import nullcontext
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
-from importlib.resources import files
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -208,28 +207,6 @@ def test_another_system_has_another_orbit(content: dict[str, Any]) -> None:
         refused(content)
 
 
-@of_files("global-stick")
-def test_swapped_boundaries_and_phases_are_refused(content: dict[str, Any]) -> None:
-    declared = content["declaration"]
-    changed = copy.deepcopy(content)
-    rows = changed["declaration"]["configurations"]["slip-slip"]["boundaries"]
-    rows["first-reaches-belt"], rows["second-reaches-belt"] = (
-        rows["second-reaches-belt"], rows["first-reaches-belt"],
-    )  # fmt: skip
-    refused(changed)
-    changed = copy.deepcopy(content)
-    changed["itinerary"] = changed["itinerary"][1:] + changed["itinerary"][:1]
-    refused(changed, "itinerary")
-    phases = declared["phases"]
-    changed["declaration"]["phases"] = phases[1:] + phases[:1]
-    refused(changed)
-    changed = copy.deepcopy(content)
-    phase = changed["declaration"]["phases"][2]
-    phase["boundaries"] = ["second-reaches-belt"]
-    changed["itinerary"][2][1] = "second-reaches-belt"
-    refused(changed, "transition")
-
-
 @of_files("kicked", "global-stick")
 def test_boundaries_in_the_way_are_seen(content: dict[str, Any]) -> None:
     phases, configurations = (content["declaration"][k] for k in ("phases", "configurations"))
@@ -308,12 +285,40 @@ def test_what_is_kept_is_not_taken_for_granted(content: dict[str, Any]) -> None:
     refused({**content, "closing": closing}, "functions that vanish though")
 
 
-@of_files("soft", "twice")
-def test_a_phase_of_the_forcing_is_the_only_one(content: dict[str, Any]) -> None:
-    changed = copy.deepcopy(content)
-    changed["declaration"]["phases"][0]["boundaries"] = ["forcing-phase"]
-    changed["itinerary"][0][1] = "forcing-phase"
-    refused(changed, "a forcing's phase beside others")
+def exchange_boundaries(content: dict[str, Any]) -> None:
+    rows = content["declaration"]["configurations"]["slip-slip"]["boundaries"]
+    names = "first-reaches-belt", "second-reaches-belt"
+    rows |= {name: rows[other] for name, other in zip(names, names[::-1], strict=True)}
+
+
+def begin_later(content: dict[str, Any], *parts: str) -> None:
+    for holder, name in ((content, "itinerary"), (content["declaration"], "phases")):
+        if name in parts:
+            holder[name] = holder[name][1:] + holder[name][:1]
+
+
+def end_at(content: dict[str, Any], place: int, boundary: str) -> None:
+    content["declaration"]["phases"][place]["boundaries"] = [boundary]
+    content["itinerary"][place][1] = boundary
+
+
+@pytest.mark.parametrize(
+    ("content", "change", "told"),
+    [
+        ("global-stick", exchange_boundaries, None),
+        ("global-stick", lambda c: begin_later(c, "itinerary"), "itinerary"),
+        ("global-stick", lambda c: begin_later(c, "itinerary", "phases"), None),
+        ("global-stick", lambda c: end_at(c, 2, "second-reaches-belt"), "transition"),
+        ("soft", lambda c: end_at(c, 0, "forcing-phase"), "a forcing's phase beside others"),
+        ("twice", lambda c: end_at(c, 0, "forcing-phase"), "a forcing's phase beside others"),
+    ],
+    indirect=["content"],
+)
+def test_phases_end_where_the_itinerary_says(
+    content: dict[str, Any], change: Callable[[dict[str, Any]], None], told: str | None
+) -> None:
+    change(content)
+    refused(content, told)
 
 
 def ending_at(content: dict[str, Any], boundaries: list[str]) -> dict[str, Any]:
@@ -403,59 +408,48 @@ def test_names_are_not_taken_for_numbers(content: dict[str, Any]) -> None:
     believed(signed(renamed))
 
 
-RUNTIME = files("nonsmooth.runtime")
+# of `core`, with tests of their own
+
+
 # of `core`, with tests of their own
 ARITHMETIC = {
     "taylor_models", "jets", "rational_functions", "irrational_numbers",
-    "float_sets", "exponentials.float_flows", "box_grid",
-    "parallel", "errors", "values",  # no arithmetic: who does which part, and what is no number
+    "float_sets", "exponentials", "exponentials.float_flows", "box_grid",
+    # no arithmetic: who does which part, what is no number, and what is public
+    "parallel", "errors", "values", "registry", "arguments",
 }  # fmt: skip
+ALONE = """
+import atexit, runpy, sys
+atexit.register(lambda: print(*sys.modules))
+runpy.run_module("nonsmooth.runtime.checker", run_name="__main__")
+"""
 
 
-def sources() -> dict[str, str]:
-    """The checker's files."""
-    folder = Path(str(RUNTIME / "checker"))
-    return {str(file.relative_to(folder)): file.read_text() for file in folder.rglob("*.py")}
+def grazing() -> Any:
+    branch = ns.continue_orbit(loop(), "a", (1.5, 3.5))
+    return ns.certify.event(branch, branch.events[-1])
 
 
-@pytest.fixture(scope="module")
-def alone(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The checker and its arithmetic, with nothing else of the package."""
-    root = tmp_path_factory.mktemp("alone")
-    home = root / "nonsmooth" / "runtime"
-    for folder in (home / "core", home / "checker"):
-        folder.mkdir(parents=True)
-    for folder in (home / "core", home, home.parent):
-        (folder / "__init__.py").touch()
-    for name in ARITHMETIC:
-        file = f"core/{name.replace('.', '/')}.py"
-        (home / file).parent.mkdir(exist_ok=True)
-        (home / file).write_text(RUNTIME.joinpath(file).read_text())
-    for file, source in sources().items():
-        (home / "checker" / file).parent.mkdir(exist_ok=True)
-        (home / "checker" / file).write_text(source)
-    for shapes in RUNTIME.glob("checker/stated/*.json"):
-        (home / "checker" / "stated" / shapes.name).write_text(shapes.read_text())
-    return root
-
-
-@pytest.mark.parametrize("name", ["elastic", "map", "events"])
-def test_the_checker_runs_alone(name: str, alone: Path, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    "prove",
+    [
+        lambda: certificate("elastic"),
+        lambda: ns.certify.box(loop(), {"r": ("2/5", "3/5")}),
+        grazing,
+    ],
+)
+def test_the_checker_takes_nothing_but_its_arithmetic(prove: Any, tmp_path: Path) -> None:
     path = tmp_path / "certificate.json"
-    if name == "map":
-        ns.certify.box(loop(), {"r": ("2/5", "3/5")}).save(path)
-    elif name == "events":
-        branch = ns.continue_orbit(loop(), "a", (1.5, 3.5))
-        ns.certify.event(branch, branch.events[-1]).save(path)
-    else:
-        certificate(name).save(path)
-    run = "import sys, runpy; sys.path.insert(0, sys.argv.pop(1));"
-    run += "runpy.run_module('nonsmooth.runtime.checker', run_name='__main__')"
+    prove().save(path)
     done = subprocess.run(
-        [sys.executable, "-I", "-c", run, str(alone), str(path)],
-        capture_output=True, text=True, check=False,
-    )  # fmt: skip
-    assert (done.returncode, done.stdout) == (0, f"{path}: every claim holds\n"), done.stderr
+        [sys.executable, "-c", ALONE, str(path)], capture_output=True, text=True, check=False
+    )
+    told, loaded = done.stdout.splitlines()
+    assert (done.returncode, told) == (0, f"{path}: every claim holds"), done.stderr
+    room = "nonsmooth.runtime."
+    own = {name.removeprefix(room) for name in loaded.split() if name.startswith(room)}
+    others = {name for name in own if name.partition(".")[0] != "checker"}
+    assert others == {"core", *(f"core.{name}" for name in ARITHMETIC)}
 
 
 def with_entry(content: str, change: Callable[[dict[str, Any]], object]) -> str:

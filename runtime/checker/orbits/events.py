@@ -206,5 +206,5 @@ def _multiplier(orbit: CheckedOrbit, kind: str) -> Any:
     few = len(polynomial) < (3 if kind == "neimark-sacker" else 2)
     demand(not few, "too few multipliers differ from zero: the branch meets a border there")
     if kind == "neimark-sacker":
-        pass
+        demand(paired(polynomial), "the pair may be real")
     return passing(polynomial, kind)
