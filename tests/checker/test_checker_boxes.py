@@ -26,8 +26,9 @@ from nonsmooth.runtime.core.rational_functions import symbols
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.present.files.kept import format_named
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
-from tests.certified import PAD, believed, claimed, loop, moved, refused, saved
+from tests.certified import PAD, believed, claimed, content_of, loop, moved, refused, saved
 from tests.checker.test_checker import other_systems
+from tests.proof import test_fold_curves
 
 WRONG = (Failure, ArithmeticError, KeyError, ValueError, TypeError, IndexError)
 
@@ -435,3 +436,14 @@ def test_open_tiles_are_beyond_folds_where_nothing_else_is_beside_them(
             )
         own = verdict == "undecided" and set().union(*(true[one] for one in group)) == {True}
         assert answers[k] == own if steep else answers[k] <= own
+
+
+def test_a_fold_is_where_orbits_meet_and_not_amid_their_tube() -> None:
+    """The tube is moved along the two orbits, and the curve to where the parameter then is."""
+    content = content_of(test_fold_curves.small())
+    (event,) = (tile["event"] for tile in content["tiles"])
+    believed(content)
+    event["fold"]["centre"][0] += event["fold"]["half"] / 250
+    event["centre"][0] += 3.1536e-5
+    event["radius"] = 1.5e-5
+    refused(content, "they may meet beside the band")

@@ -18,6 +18,7 @@ from nonsmooth.runtime.checker.ranges.branch import checked_tiles, curve_of
 from nonsmooth.runtime.checker.ranges.branch_tile import CheckedTile
 from nonsmooth.runtime.core.taylor_models import range_of
 from tests.certified import believed, certified_over, prove_branch, refused, refused_file
+from tests.checker.test_mutations import written
 from tests.shared import shared_file
 
 Content = dict[str, Any]
@@ -55,6 +56,13 @@ def event_of(content: Content, kind: str) -> Any:
 
 def tile_of(content: Content, kind: str) -> Any:
     return next(tile for tile in content["tiles"] if (tile["event"] or {}).get("kind") == kind)
+
+
+def state_it_beside(content: Content, step: int) -> None:
+    """A flip, in the tile before or behind its own: what is so at its ends is told of both."""
+    tiles = content["tiles"]
+    place = tiles.index(tile_of(content, "flip")) + step
+    tiles[place]["event"] = copy.deepcopy(event_of(content, "flip"))
 
 
 def drop_an_event(content: Content) -> None:
@@ -95,6 +103,8 @@ ATTACKS: list[Callable[[Content], object]] = [
     lambda c: c["tiles"][4].update(forwards=False),
     lambda c: c["tiles"][4].update(before="undecided", after="undecided", reason="planted"),
     lambda c: c["tiles"][4].update(event=copy.deepcopy(event_of(c, "flip"))),
+    lambda c: state_it_beside(c, -1),
+    lambda c: state_it_beside(c, 1),
     # no phase of this orbit begins where it ends
     lambda c: c["tiles"][4].update(divided=1),
     lambda c: c.update(interval=["1/2", "13/10"]),
@@ -128,6 +138,13 @@ def test_an_event_is_between_its_bounds(content: Content, kind: str) -> None:
     for ball in tile["event"]["enclosures"].values():
         ball["rad"] = "1"
     refused(edited, "there may be no event between its bounds")
+
+
+@pytest.mark.slow
+def test_only_a_grazing_has_a_window() -> None:
+    edited = json.loads(written("branch-vanishing"))
+    event_of(edited, "vanishing-phase")["window"] = ["1/10", "1/5"]
+    refused(edited, "a window of no grazing")
 
 
 def test_other_parameters_are_another_branch(content: Content, tmp_path: Path) -> None:

@@ -81,7 +81,6 @@ def test_fractions_are_as_good_as_decimals(written, tmp_path):
     found = changed(written, tmp_path, rewrite)
     assert found.difference is None
     for own, other in zip(ns.load(written).h_sets, found.certificate.h_sets, strict=True):
-        assert "/" in other.centre[0]
         assert own.corners.tolist() == other.corners.tolist()
 
 
@@ -250,12 +249,6 @@ def test_strips_may_end_anywhere(rated, tmp_path):
         content["cones"] |= {"expansion": "2", "exponent": "0.17"}
 
     assert changed(rated, tmp_path, wider).difference is None
-
-
-def test_a_file_without_cones_is_proved(rated, tmp_path):
-    found = changed(rated, tmp_path, lambda content: content.update(cones=None))
-    assert found.difference is None
-    assert found.certificate.exponent == "0"
 
 
 def many(content):

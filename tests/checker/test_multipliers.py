@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Iterator
+from functools import cache
 from itertools import combinations
 from types import SimpleNamespace
 from typing import Any
@@ -209,16 +211,47 @@ def test_a_neutral_saddle_is_no_torus() -> None:
     refused(content, "the pair may be real")
 
 
-def test_there_is_no_event_where_multipliers_pass_the_circle_in_two_ways() -> None:
-    """By one that is p, and by a pair: i q and -i q in what is proved, then i p and -i p."""
-    pair = [0, 0, -q.symbol], [0, q.symbol, 0]
-    flips, ends = branch([p.symbol, 0, 0], *pair), ("-9/8", "-7/8")
-    proved = ns.certify.branch(flips, interval=ends)
-    over = ns.certify.box(flips.orbit, {"p": ends, "q": ("1/4", "3/8")}, tiles=3)
-    for content in map(content_of, (proved, over)):
-        assert [tile["event"]["kind"] for tile in content["tiles"] if tile["event"]] == ["flip"]
+P_AND_Q = {
+    "flip": (p.symbol, q.symbol),
+    "neimark-sacker": (q.symbol, p.symbol),
+}
+
+
+@cache
+def ranges(kind: str) -> list[dict[str, Any]]:
+    """A branch and a map with an event where p = -1: the multipliers are a, i b and -i b."""
+    a, b = P_AND_Q[kind]
+    along, ends = branch([a, 0, 0], [0, 0, -b], [0, b, 0]), ("-9/8", "-7/8")
+    over = ns.certify.box(along.orbit, {"p": ends, "q": ("1/4", "3/8")}, tiles=9)
+    found = [*map(content_of, (ns.certify.branch(along, interval=ends), over))]
+    for content in found:
+        assert [tile["event"]["kind"] for tile in content["tiles"] if tile["event"]] == [kind]
         believed(content)
+    return found
+
+
+@pytest.mark.parametrize(
+    ("kind", "pair", "told"),
+    [
+        # i p and -i p
+        ("flip", [["0", "-1"], ["1", "0"]], "there may be another event: neimark-sacker"),
+        # 2 p and p / 2
+        ("neimark-sacker", [["2", "0"], ["0", "1/2"]], "two (multipliers may be|are) real"),
+    ],
+)
+def test_multipliers_that_pass_the_circle_otherwise_are_another_event(
+    kind: str, pair: list[list[str]], told: str
+) -> None:
+    for content in copy.deepcopy(ranges(kind)):
         (transition,) = content["declaration"]["transitions"]
-        for k in (1, 2):
-            transition["reset"][k][3 - k]["above"][0][1] = [1, 0]
-        refused(content, "there may be another event: neimark-sacker")
+        for row, numbers in zip(transition["reset"][1:3], pair, strict=True):
+            row[1:3] = [{"above": [[x, [1, 0]]], "below": [["1", [0, 0]]]} if x != "0" else x
+                        for x in numbers]  # fmt: skip
+        if kind == "neimark-sacker":  # a saddle on both sides
+            for tile in content["tiles"]:
+                told_of = tile if "before" in tile else tile["event"] or {}
+                sides = {"before", "after", "below", "above"} & {*told_of}
+                told_of |= dict.fromkeys(sides, "unstable")
+            for entry in (content, *content["tiles"]):
+                entry.get("enclosures", {})["trace"] = {"mid": "0", "rad": "9"}
+        refused(content, told)
