@@ -178,16 +178,20 @@ def test_boxes_without_the_orbit_are_refused(content: dict[str, Any]) -> None:
 
 
 def other_systems(
-    declared: dict[str, Any], by: str, most: int, ends: bool = True
+    declared: dict[str, Any], by: str, most: int, fixed: bool = False
 ) -> Iterator[None]:
-    """Make numbers of visited fields, and of what ends a phase, larger: one at a time."""
+    """Make numbers of visited fields, and of what ends a phase, larger: one at a time.
+
+    If `fixed`, only those of fields that are no functions of parameters, which may be zero.
+    """
     places = []
     for phase in declared["phases"]:
         entry = declared["configurations"][phase["configuration"]]
         ending = entry["boundaries"][phase["boundaries"][0]]
         # a row that is multiplied as a whole is the same boundary
-        rows = [*entry["field"], *[ending] * (ends and len(ending) > ending.count("0") + 1)]
-        places += [(row, k) for row in rows for k, number in enumerate(row) if number != "0"]
+        rows = [*entry["field"], *[ending] * (not fixed and len(ending) > ending.count("0") + 1)]
+        places += [(row, k) for row in rows for k, number in enumerate(row)
+                   if number != "0" and (isinstance(number, str) or not fixed)]  # fmt: skip
     for row, place in places[:: -(-len(places) // most)]:
         kept = row[place]
         if isinstance(kept, str):

@@ -267,7 +267,7 @@ def relay(side: str, beyond: Any, rate: Any, drift: Any = 0, parameters: Any = (
         (X, Z),
         parameters,
         (*sides, Configuration("off", FirstOrder([[1, 0], decay], [1, 0]), ())),
-        [Transition(source, {boundary}, target) for source, boundary, target in ways],
+        tuple(Transition(source, {boundary}, target) for source, boundary, target in ways),
     )
 
 

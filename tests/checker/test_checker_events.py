@@ -251,7 +251,7 @@ def test_other_places_are_refused(content: dict[str, Any]) -> None:
 @of_files("symmetric", "torus", "impacts", "entry")
 def test_another_system_has_another_event(content: dict[str, Any]) -> None:
     event = event_of(content, KINDS[content_name(content)][-1])
-    for _ in other_systems(event["declaration"], "11/10", 8, ends=False):
+    for _ in other_systems(event["declaration"], "11/10", 8, fixed=True):
         refused(content)
 
 

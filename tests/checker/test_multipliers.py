@@ -182,7 +182,7 @@ def test_multipliers_that_lie_too_near_are_not_stated(
 p, q = (Parameter(name, "what multipliers depend on", lower=-sp.oo) for name in "pq")
 
 
-def branch(*rows: list[Any]) -> ns.Branch:
+def branch(*rows: list[Any]) -> Any:
     """States at rest, which are mapped by a matrix each time that a clock comes to 1: p = -1."""
     *states, clock = sp.symbols(f"y1:{len(rows) + 1} clock", real=True)
     field = FirstOrder(sp.zeros(len(rows) + 1), [*[0] * len(rows), 1])
