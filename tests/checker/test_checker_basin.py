@@ -179,7 +179,7 @@ def test_a_core_that_is_mapped_elsewhere_is_refused(belt, tmp_path):
         ("coordinates", ["x1"], "coordinates"),
         ("states", ["v", "x"], "tiles of other states"),
         ("widest", 0.0, "no limits of sets"),
-        ("boundary", "belt-reaches-belt", "no such transition"),
+        ("boundary", "belt-breaks-forward", "no such transition"),
         ("ranks", [[0, 3]], "another number of boxes"),
         ("claim", "undecided", "numbers of no claim"),
         ("reason", "a reason", "a reason why it is not proved"),

@@ -58,13 +58,6 @@ def tile_of(content: Content, kind: str) -> Any:
     return next(tile for tile in content["tiles"] if (tile["event"] or {}).get("kind") == kind)
 
 
-def state_it_beside(content: Content, step: int) -> None:
-    """A flip, in the tile before or behind its own: what is so at its ends is told of both."""
-    tiles = content["tiles"]
-    place = tiles.index(tile_of(content, "flip")) + step
-    tiles[place]["event"] = copy.deepcopy(event_of(content, "flip"))
-
-
 def drop_an_event(content: Content) -> None:
     tile = tile_of(content, "flip")
     tile["event"] = None
@@ -103,8 +96,6 @@ ATTACKS: list[Callable[[Content], object]] = [
     lambda c: c["tiles"][4].update(forwards=False),
     lambda c: c["tiles"][4].update(before="undecided", after="undecided", reason="planted"),
     lambda c: c["tiles"][4].update(event=copy.deepcopy(event_of(c, "flip"))),
-    lambda c: state_it_beside(c, -1),
-    lambda c: state_it_beside(c, 1),
     # no phase of this orbit begins where it ends
     lambda c: c["tiles"][4].update(divided=1),
     lambda c: c.update(interval=["1/2", "13/10"]),
