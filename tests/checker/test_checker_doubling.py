@@ -174,4 +174,4 @@ def test_a_file_that_was_edited_is_refused(content: Content) -> None:
     with pytest.raises(Failure, match="checksum"):
         believed(edited)
     del edited["ended"]
-    refused(edited, "'ended' is missing")
+    refused(edited, "'ended' of the file is missing")
