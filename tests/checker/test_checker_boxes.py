@@ -219,7 +219,7 @@ def test_what_is_kept_is_not_taken_for_granted(content: dict[str, Any]) -> None:
     reset = content["declaration"]["transitions"][0]["reset"]
     assert reset[2][2] == "-1"
     reset[2][2] = "-9/10"
-    refused(content)
+    refused(content, "a reset keeps neither energy nor form")
 
 
 @of("flip")
