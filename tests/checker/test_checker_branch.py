@@ -18,6 +18,7 @@ from nonsmooth.runtime.checker.ranges.branch import checked_tiles, curve_of
 from nonsmooth.runtime.checker.ranges.branch_tile import CheckedTile
 from nonsmooth.runtime.core.taylor_models import range_of
 from tests.certified import believed, certified_over, prove_branch, refused, refused_file
+from tests.checker.test_mutations import written
 from tests.shared import shared_file
 
 Content = dict[str, Any]
@@ -128,6 +129,13 @@ def test_an_event_is_between_its_bounds(content: Content, kind: str) -> None:
     for ball in tile["event"]["enclosures"].values():
         ball["rad"] = "1"
     refused(edited, "there may be no event between its bounds")
+
+
+@pytest.mark.slow
+def test_only_a_grazing_has_a_window() -> None:
+    edited = json.loads(written("branch-vanishing"))
+    event_of(edited, "vanishing-phase")["window"] = ["1/10", "1/5"]
+    refused(edited, "a window of no grazing")
 
 
 def test_other_parameters_are_another_branch(content: Content, tmp_path: Path) -> None:

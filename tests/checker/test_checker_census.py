@@ -10,7 +10,6 @@ from typing import Any
 
 import pytest
 import sympy as sp
-from flint import arb
 
 import nonsmooth as ns
 from nonsmooth.derive import (
@@ -22,7 +21,6 @@ from nonsmooth.derive import (
     System,
     Transition,
 )
-from nonsmooth.runtime.checker.counting.census import Side
 from nonsmooth.runtime.present.check_file import Check
 from nonsmooth.runtime.proof.counting.census import Census
 from tests.certified import (
@@ -181,15 +179,6 @@ def test_what_is_false_is_refused(
 ) -> None:
     change(content)
     refused_file(content, tmp_path, told)
-
-
-@pytest.mark.parametrize(
-    ("side", "inside"),
-    [("0 < tau", True), ("0.5 <= tau", True), ("0.25 <= tau <= 0.5", True), ("0.75 <= tau", False),
-     ("0 < tau <= 0.25", False), ("0.4 <= tau <= 0.499", False)],
-)  # fmt: skip
-def test_bounds_belong_to_a_box(side: str, inside: bool) -> None:
-    assert Side.stated(side).holds(arb("0.5")) == inside
 
 
 def waiting() -> Any:

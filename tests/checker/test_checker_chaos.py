@@ -81,7 +81,6 @@ def test_fractions_are_as_good_as_decimals(written, tmp_path):
     found = changed(written, tmp_path, rewrite)
     assert found.difference is None
     for own, other in zip(ns.load(written).h_sets, found.certificate.h_sets, strict=True):
-        assert "/" in other.centre[0]
         assert own.corners.tolist() == other.corners.tolist()
 
 
@@ -164,32 +163,24 @@ class Stretched:
 
 
 @pytest.mark.parametrize(
-    ("change", "told"),
+    ("change", "bend", "told"),
     [
-        ({}, None),
-        ({"expansion": "91/10"}, "cone condition"),
-        ({"exponent": "1.04"}, "larger"),
-        ({"contraction": "1/2"}, "do not shrink"),
-        ({"strips": [["A", "A", [["-1/4", "1/2"]]]]}, "stretched by"),
+        ({}, 0.0, None),
+        ({"expansion": "91/10"}, 0.0, "cone condition"),
+        ({"exponent": "1.04"}, 0.0, "larger"),
+        ({"contraction": "1/2"}, 0.0, "do not shrink"),
+        ({"strips": [["A", "A", [["-1/4", "1/2"]]]]}, 0.0, "stretched by"),
+        # the derivative over the strip is from 2.7 to 3.4, or from 2.6 to 3.3
+        *(({"expansion": "13/2", "exponent": "0.9"}, bend, None) for bend in (0.4, -0.4)),
+        *(({"exponent": "0.9"}, bend, "cone condition") for bend in (0.4, -0.4)),
     ],
 )
-def test_cones_on_a_section_of_one_coordinate(change, told):
+def test_cones_on_a_section_of_one_coordinate(change, bend, told):
     # what comes to the set is within -1/3 and 1/3; log(8) / 2 = 1.0397...
     stated = {"forms": {"A": ["1"]}, "strips": [["A", "A", [["-3/8", "1/2"]]]]}
     stated |= {"expansion": "8", "contraction": "0", "exponent": "1.0397", **change}
     with pytest.raises(Failure, match=told) if told else nullcontext():
-        check_cones(stated, {"A": ["A"]}, lambda name: Stretched(), 1, 1)
-
-
-@pytest.mark.parametrize("bend", [0.4, -0.4])
-def test_all_parts_of_a_strip_count(bend):
-    # the derivative over the strip is from 2.7 to 3.4, or from 2.6 to 3.3
-    stated = {"forms": {"A": ["1"]}, "strips": [["A", "A", [["-3/8", "1/2"]]]]}
-    stated |= {"expansion": "13/2", "contraction": "0", "exponent": "0.9"}
-    check_cones(stated, {"A": ["A"]}, lambda name: Stretched(bend), 1, 1)
-    faster = {**stated, "expansion": "8"}
-    with pytest.raises(Failure, match="cone condition"):
-        check_cones(faster, {"A": ["A"]}, lambda name: Stretched(bend), 1, 1)
+        check_cones(stated, {"A": ["A"]}, lambda name: Stretched(bend), 1, 1)
 
 
 @pytest.mark.parametrize(
@@ -260,24 +251,6 @@ def test_strips_may_end_anywhere(rated, tmp_path):
     assert changed(rated, tmp_path, wider).difference is None
 
 
-def test_a_file_without_cones_is_proved(rated, tmp_path):
-    found = changed(rated, tmp_path, lambda content: content.update(cones=None))
-    assert found.difference is None
-    assert found.certificate.exponent == "0"
-
-
-def doubled(content):
-    """Each set once more, elsewhere, with the coverings of the first."""
-    other = json.loads(json.dumps(content["h_sets"]).replace('"name": "', '"name": "other '))
-    for place, own in enumerate(other):
-        own["centre"] = [str(Fraction(x) + 9 * (place + 1)) for x in own["centre"]]
-    content["h_sets"] += other
-    ways = content["itineraries"]
-    ways |= {f"other {name}": way for name, way in ways.items()}
-    pairs = content["coverings"]
-    content["coverings"] = pairs + [[f"other {a}", b] for a, b in pairs]
-
-
 def many(content):
     """A horseshoe of very many sets, of which each covers all."""
     own = content["h_sets"][0]
@@ -339,7 +312,6 @@ def few(coned):
 @pytest.mark.parametrize(
     "change",
     [
-        doubled,
         many,
         again,
         raised,
@@ -376,26 +348,16 @@ def test_another_phase_is_refused(coned, tmp_path, phase):
 
 
 @pytest.mark.slow
-def test_the_command(rated, tmp_path, monkeypatch):
+def test_the_command(tmp_path, monkeypatch):
     monkeypatch.setattr("nonsmooth.runtime.proof.chaos.certify_chaos._BASES", 100)
-    runner = CliRunner()
-    words = ["certify", "chaos", str(FOLDED), "r=2.9", "c=0.8"]
     target = tmp_path / "command.json"
-    more = [*("--from", "x=0,v=0.4637", "--iterates", "1", "--save", str(target), "--json")]
-    told = runner.invoke(app, [*words, *more])
+    words = ["certify", "chaos", str(FOLDED), "r=2.9", "c=0.8", "--from", "x=0,v=0.4637"]
+    words += ["--iterates", "1", "--save", str(target), "--json"]
+    told = CliRunner().invoke(app, words)
     assert told.exit_code == 0, told.output
     answer = json.loads(told.stdout)
-    assert answer["claim"] == "proved"
-    assert answer["cones"] is None
+    assert (answer["claim"], answer["cones"]) == ("proved", None)
     assert ns.load(target).entropy == answer["entropy"]
-    stated = json.loads(rated.read_text())
-    told = runner.invoke(app, ["certify", "check", str(rated), "--require", "proved"])
-    assert told.exit_code == 0
-    assert f"entropy: at least {stated['entropy']}" in told.stdout
-    assert f"exponents: at least {stated['cones']['exponent']}" in told.stdout
-    told = runner.invoke(app, words)
-    assert told.exit_code == 2
-    assert "start is missing" in told.output
 
 
 def test_the_command_where_there_is_no_chaos(tmp_path):

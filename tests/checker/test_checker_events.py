@@ -8,17 +8,14 @@ import random
 from collections.abc import Callable
 from fractions import Fraction
 from functools import cache
-from itertools import combinations
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 import mpmath
 import numpy as np
 import pytest
 import sympy as sp
-from flint import arb, arb_mat
-from typer.testing import CliRunner
+from flint import arb
 
 import nonsmooth as ns
 from nonsmooth.derive import (
@@ -29,14 +26,7 @@ from nonsmooth.derive import (
     Transition,
 )
 from nonsmooth.runtime.checker import Failure
-from nonsmooth.runtime.checker.orbits import events
 from nonsmooth.runtime.checker.orbits.events import JudgedEvent
-from nonsmooth.runtime.checker.orbits.stability import (
-    characteristic,
-    paired,
-    products_less_one,
-)
-from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.present.files.kept import save_result
@@ -51,8 +41,8 @@ from tests.certified import (
     refused,
     saved,
     signed,
-    unhashed,
 )
+from tests.checker.test_checker import other_systems
 from tests.explore import test_continuation_forced as impacts
 
 WRONG = (Failure, ArithmeticError, KeyError, ValueError, TypeError, IndexError)
@@ -162,19 +152,6 @@ def test_limits_of_the_gated_mass_are_where_they_are_reached(name: str) -> None:
     assert event.value.ball.rad() < 1e-30
 
 
-@pytest.mark.parametrize("name", ["impacts", "rigid", "wall"])
-def test_files_come_back(name: str, tmp_path: Path) -> None:
-    path = tmp_path / "events.json"
-    save_result(proved(name), path)
-    loaded = ns.load(path)
-    assert [unhashed(c.to_json()) for c in loaded] == [unhashed(c.to_json()) for c in proved(name)]
-    save_result(loaded, tmp_path / "again.json")
-    assert path.read_text() == (tmp_path / "again.json").read_text()
-    loaded[-1].save(path)
-    (alone,) = ns.load(path)
-    assert alone.value.contains(Fraction(proved(name)[-1].value.mid))
-
-
 @of_files(*BRANCHES)
 def test_centres_outside_their_enclosures_are_refused(content: dict[str, Any]) -> None:
     for place, event in enumerate(content["events"]):
@@ -182,7 +159,8 @@ def test_centres_outside_their_enclosures_are_refused(content: dict[str, Any]) -
             for by in (Fraction(-3, 2), Fraction(3, 2)):
                 changed = copy.deepcopy(content)
                 moved(changed["events"][place]["enclosures"][name], by)
-                refused(changed, f"{name} is not in its enclosure")
+                told = f"event {place + 1}, {event['kind']}: {name} is not in its enclosure"
+                refused(changed, told)
 
 
 @of_files(*BRANCHES)
@@ -273,26 +251,8 @@ def test_other_places_are_refused(content: dict[str, Any]) -> None:
 @of_files("symmetric", "torus", "impacts", "entry")
 def test_another_system_has_another_event(content: dict[str, Any]) -> None:
     event = event_of(content, KINDS[content_name(content)][-1])
-    configuration = event["declaration"]["phases"][0]["configuration"]
-    field = event["declaration"]["configurations"][configuration]["field"]
-    tried = 0
-    for row in field:
-        for k, number in enumerate(row):
-            if number == "0" or not isinstance(number, str):
-                continue
-            row[k] = str(Fraction(number) * Fraction(11, 10))
-            refused(content)
-            row[k] = number
-            tried += 1
-    assert tried
-
-
-@of_files("rigid")
-def test_what_is_kept_is_not_taken_for_granted(content: dict[str, Any]) -> None:
-    event = event_of(content, "tangent")
-    for change in ({"kind": "state", "dropped": -1}, {"dropped": 7}, {"form": [["0"] * 4] * 4}):
-        closing = {**event["closing"], **change}
-        refused({**content, "events": [{**event, "closing": closing}]})
+    for _ in other_systems(event["declaration"], "11/10", 8, fixed=True):
+        refused(content)
 
 
 @of_files("wall")
@@ -323,41 +283,6 @@ def test_undecided_events_claim_nothing(content: dict[str, Any]) -> None:
     refused({**content, "events": [{**event, "claim": "refuted"}]}, "claim")
 
 
-@pytest.mark.parametrize("size", [2, 3, 4, 5])
-def test_products_of_multipliers_by_their_polynomial(size: int) -> None:
-    square = np.random.default_rng(size).normal(size=(size, size))
-    pairs = combinations(np.linalg.eigvals(square), 2)
-    expected = np.prod([1 - x * y for x, y in pairs]).real
-    found = products_less_one(characteristic(arb_mat(square.tolist())))
-    assert float(found) == pytest.approx(expected, rel=1e-9)
-
-
-@pytest.mark.parametrize(
-    ("roots", "told"),
-    [
-        ([np.exp(1j), np.exp(-1j)], True),
-        ([np.exp(1j), np.exp(-1j), 0.5, 0.3], True),
-        ([2.0, 0.5, 0.1], False),
-        ([2 * np.exp(1j), 2 * np.exp(-1j), np.exp(1j) / 2, np.exp(-1j) / 2], False),
-        ([0.5, 0.5, 0.3], False),
-        ([0.5, 0.3], True),
-    ],
-)
-def test_pairs_on_the_circle_are_told_from_others(roots: list[complex], told: bool) -> None:
-    polynomial = [arb(float(c), 1e-12) for c in np.poly(roots).real]
-    assert paired(polynomial) is told
-
-
-@of_files("torus")
-def test_a_torus_takes_a_pair_that_is_not_real(content: dict[str, Any]) -> None:
-    event = event_of(content, "neimark-sacker")
-    judge = JudgedEvent(event)
-    assert judge.located(event["box"]).keys() == event["enclosures"].keys()
-    of_pair = SimpleNamespace(declared=judge.declared, section=arb_mat([[3, 0], [0, arb(1) / 3]]))
-    with pytest.raises(Failure, match="the pair may be real"):
-        events._multiplier(of_pair, "neimark-sacker")
-
-
 @of_files("wall")
 def test_a_parameter_is_not_hidden_behind_an_unknown_of_its_name(content: dict[str, Any]) -> None:
     """The one enclosure has to hold both of them."""
@@ -370,15 +295,6 @@ def test_a_parameter_is_not_hidden_behind_an_unknown_of_its_name(content: dict[s
         refused({**content, "events": [told]}, f"{other} is not in its enclosure")
 
 
-@of_files("symmetric", "torus")
-def test_no_event_is_believed_where_a_divisor_may_be_zero(content: dict[str, Any]) -> None:
-    event = content["events"][-1]
-    judge = JudgedEvent(event)
-    judge.declared.exactly.divisors.append(lambda point: point[0] - arb(event["box"][-1]["mid"]))
-    with pytest.raises(Failure, match="zero there cannot be told"):
-        judge.located(event["box"])
-
-
 @of_files("symmetric", "stick", "rigid", "wall")
 def test_events_are_compared_with_their_system(content: dict[str, Any], tmp_path: Path) -> None:
     path = saved(content, tmp_path / "events.json")
@@ -386,42 +302,20 @@ def test_events_are_compared_with_their_system(content: dict[str, Any], tmp_path
     assert found.difference is None
     held = content["events"][0]["tables"] is not None
     assert ("no declaration was run" in str(found.note)) is held
-    assert isinstance(found.certificate, tuple)
-    unproved = {"reason", "reasons"}  # texts, which nothing proves
-    checked, stated = (
-        [{k: v for k, v in one.to_json().items() if k not in unproved} for one in all_of]
-        for all_of in (found.certificate, ns.load(path))
-    )
-    assert checked == stated
-    away = copy.deepcopy(content)
-    for event in away["events"]:
-        event["system"] = "nowhere.py"
-        event["tables"] = None
-    told = str(ns.certify.check(saved(away, path)).difference)
+    for event in content["events"]:
+        name = next(n for n in event["parameters"] if n != event["parameter"])
+        event["parameters"][name] += "+1/1000"  # it is the parameter of the declaration
+    assert ns.certify.check(saved(content, path)).difference is not None
+    for event in content["events"]:
+        event |= {"system": "nowhere.py", "tables": None}
+    told = str(ns.certify.check(saved(content, path)).difference)
     assert told.startswith("unknown system 'nowhere.py'")
+
+
+@of_files("symmetric", "torus")
+def test_no_event_is_believed_where_a_divisor_may_be_zero(content: dict[str, Any]) -> None:
     event = content["events"][-1]
-    name = next(n for n in event["parameters"] if n != event["parameter"])
-    event["parameters"][name] += "+1/1000"
-    told = ns.certify.check(saved(content, path)).difference
-    assert told is not None  # it is the parameter of the declaration
-
-
-def test_the_command_saves_and_checks_events(tmp_path: Path) -> None:
-    path = tmp_path / "events.json"
-    runner = CliRunner()
-    arguments = ["certify", "event", SYMMETRIC, "V=0.6:1.3", "--save", str(path)]
-    told = runner.invoke(app, arguments)
-    assert told.exit_code == 0, told.output
-    assert "written" in told.output
-    told = runner.invoke(app, ["certify", "check", str(path), "--require", "proved"])
-    assert told.exit_code == 0, told.output
-    assert "every claim holds" in told.output
-    content = json.loads(path.read_text())
-    moved(content["events"][1]["enclosures"]["V"], Fraction(3))
-    saved(content, path)
-    told = runner.invoke(app, ["certify", "check", str(path), "--json"])
-    assert told.exit_code == 1
-    assert "event 2, flip: V is not in its enclosure" in told.output
-    nowhere = str(tmp_path)
-    told = runner.invoke(app, [*arguments[:-1], nowhere])
-    assert told.exit_code == 2
+    judge = JudgedEvent(event)
+    judge.declared.exactly.divisors.append(lambda point: point[0] - arb(event["box"][-1]["mid"]))
+    with pytest.raises(Failure, match="zero there cannot be told"):
+        judge.located(event["box"])

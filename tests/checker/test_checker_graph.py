@@ -1,18 +1,17 @@
 """The check of graphs of boxes: true files pass, and false ones do not."""
 
 import json
-from io import BytesIO
 
 import numpy as np
 import pytest
-import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth.derive import Boundary, Configuration, FirstOrder, Parameter, System, Transition
+from nonsmooth.derive import Parameter
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.state_sets.many_sets import ManyMotions
 from nonsmooth.runtime.model.kernels import load_system
 from tests.certified import accepted, believed, claimed, flat, refused_file, runs, signed
+from tests.checker.test_checker_basin import X, Z, relay
 from tests.friction_sets import DATA
 from tests.horseshoes import FRICTION_DATA
 from tests.places import GALLERY
@@ -47,12 +46,6 @@ def test_a_true_file_is_proved_again_and_loaded(found, path):
     assert again.graph.grid == found.graph.grid
     for box in range(0, len(found.graph.grid), 7):
         assert set(again.targets(box)) == set(found.targets(box))
-    pictures = []
-    for own in (found, again):
-        target = BytesIO()
-        own.plot().savefig(target, format="png")
-        pictures.append(target.getvalue())
-    assert pictures[0] == pictures[1]
 
 
 def test_a_region_without_an_attractor_is_compared_with_its_system_too(tmp_path):
@@ -119,6 +112,10 @@ def test_the_rewritten_file_of_the_same_graph_passes(content, tmp_path):
     assert signed(same) == content
 
 
+def test_flows_may_be_rounded_otherwise(content):
+    believed(signed({**content, "bits": content["bits"] + 33}))
+
+
 def test_a_component_is_not_split(found, content, tmp_path):
     own = found.components[0].boxes
     half = {*own[: len(own) // 2].tolist()}
@@ -135,31 +132,11 @@ def test_edges_are_stated_once_and_in_order(content, tmp_path):
     refused_file({**content, "edges": edges[::-1]}, tmp_path, "edges are not in order")
 
 
-X, Z = sp.symbols("x z", real=True)
-RATE = Parameter("k", "rate")
-RELAY = System(
-    "relay",
-    "x turns at 0 and 1; going back, it falls off beyond x = 1 - z",
-    (X, Z),
-    (RATE,),
-    (
-        Configuration("up", FirstOrder([[0, 0], [0, -RATE.symbol]], [1, 0]),
-                      (Boundary("top", X - 1),)),
-        Configuration("down", FirstOrder([[0, 0], [0, -RATE.symbol]], [-1, 0]),
-                      (Boundary("bottom", -X), Boundary("beyond", X - 1 + Z))),
-        Configuration("off", FirstOrder([[1, 0], [0, -RATE.symbol]], [1, 0]), ()),
-    ),
-    (
-        Transition("up", {"top"}, "down"),
-        Transition("down", {"bottom"}, "up"),
-        Transition("down", {"beyond"}, "off"),
-    ),
-)  # fmt: skip
-
-
 def test_boxes_that_hold_no_state_are_no_component(tmp_path):
     start, region = {"x": 0.5, "z": -0.5}, {"z": (-0.9, -0.1)}
-    found = ns.certify.region(RELAY, {"k": 1}, start, "up", region=region, boxes=2)
+    rate = Parameter("k", "rate")
+    system = relay("down", X - 1 + Z, rate.symbol, parameters=[rate])
+    found = ns.certify.region(system, {"k": 1}, start, "up", region=region, boxes=2)
     found.save(tmp_path / "graph.json")
     content = json.loads((tmp_path / "graph.json").read_text())
     # behind the top with z > 0 a state is beyond already: nothing leads from there
@@ -259,12 +236,7 @@ def test_a_box_is_divided_or_not(content, tmp_path):
 
 
 @pytest.mark.slow
-def test_other_parameters_and_declarations_are_refused(tmp_path):
-    few = ns.certify.region(
-        "dry-friction", DATA, [5, 4, 0.5, 0.25], region={"x2": (3.75, 5)}, boxes=4
-    )
-    few.save(tmp_path / "few.json")
-    content = json.loads((tmp_path / "few.json").read_text())
+def test_other_parameters_and_declarations_are_refused(content, tmp_path):
     refused_file({**content, "parameters": {**content["parameters"], "ur1": "5"}}, tmp_path, "")
     declared = json.loads(json.dumps(content["declaration"]))
     rows = declared["configurations"]["slip-slip"]["boundaries"]

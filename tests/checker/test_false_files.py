@@ -13,47 +13,28 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth import InputError
-from nonsmooth.runtime.present.files.kept import save_result
-from tests.certified import LOOP, kicked, loop
-from tests.checker.test_mutations import renewed
+from tests.certified import content_of
+from tests.checker.test_mutations import renewed, written
 from tests.file_shapes import KEPT, file_shapes
 from tests.proof.test_parameter_derivatives import damped_at_zero
 
 STICK = "dry-friction/global-stick"
-BOX = {"V": ("0.99", "1.01")}
 
 
 @cache
-def written(name: str, folder: Path) -> str:
+def text_of(name: str) -> str:
     """A file of a kind."""
-    path = folder / f"{name}.json"
-    match name:
-        case "point":
-            ns.certify(ns.solve(STICK)).save(path)
-        case "symmetric":
-            ns.certify(ns.solve("dry-friction/symmetric")).save(path)
-        case "moving":
-            ns.certify(ns.solve(STICK), derivatives=["eta", "e1"]).save(path)
-        case "family":
-            ns.certify(damped_at_zero(), derivatives=True).save(path)
-        case "own":
-            ns.certify(loop()).save(path)
-        case "map":
-            ns.certify.box(ns.solve(STICK), BOX).save(path)
-        case "events":
-            branch = ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3))
-            save_result([ns.certify.event(branch, event) for event in branch.events], path)
-        case "census":
-            ns.certify.all(STICK, box={"tau": 3, "tau1": 3}).save(path)
-        case "two":
-            values, box = {"k": 9, "r": "1/3", "a": 10}, {"tau1": "2.5", "tau2": "2"}
-            ns.certify.all(kicked(), values, box, itinerary=LOOP).save(path)
-    return path.read_text()
+    if name != "derivatives-family":
+        return written(name)
+    return json.dumps(content_of(ns.certify(damped_at_zero(), derivatives=True)))
 
 
-@pytest.fixture(scope="module")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return tmp_path_factory.mktemp("files")
+def content_named(name: str) -> Any:
+    """The content of a file; of several branches' events those of the first one."""
+    content = json.loads(text_of(name))
+    if name == "events":
+        content["events"] = content["events"][:2]
+    return content
 
 
 def exchanged(content: Any, one: str, other: str) -> Any:
@@ -90,6 +71,12 @@ def one_more(content: Any) -> None:
     content["statement"] = content["statement"].replace("exactly 1 orbit", "exactly 2 orbits")
 
 
+def no_orbit(content: Any) -> None:
+    content |= {"orbits": [], "count": 0, "admissible": 0}
+    told = content["statement"].replace("exactly 1 orbit", "exactly 0 orbits")
+    content["statement"] = told.replace("1 admissible", "0 admissible")
+
+
 def event(content: Any, name: str, value: Any) -> None:
     content["events"][0][name] = value
 
@@ -114,52 +101,69 @@ def no_family(content: Any) -> None:
         rates["c"] = {"mid": "0", "rad": "1000"}
 
 
-FALSE: dict[str, tuple[str, Callable[[Any], Any]]] = {
-    "census at another parameter": ("census", census_at),
-    "census in a smaller box": ("census", smaller_box),
-    "census with an orbit without certificate": ("census", one_more),
-    "names of the point": ("point", lambda c: exchanged(c, "x10", "x20")),
-    "names of the map": ("map", lambda c: exchanged(c, "x10", "x20")),
-    "names of the events": ("events", lambda c: exchanged(c, "x10", "x20")),
-    "velocities of the point": ("point", lambda c: exchanged(c, "v10", "v20")),
-    "dwell times of the point": ("point", lambda c: exchanged(c, "tau", "tau1")),
-    "dwell times of the map": ("map", lambda c: exchanged(c, "tau", "tau2")),
-    "dwell times of the events": ("events", lambda c: exchanged(c, "tau", "tau1")),
-    "parameters of the point": ("point", lambda c: exchanged(c, "chi", "eta")),
-    "parameters of the map": ("map", lambda c: exchanged(c, "V", "eta")),
-    "label of the point": ("point", lambda c: exchanged(c, STICK, "dry-friction/symmetric")),
-    "label of the map": ("map", lambda c: exchanged(c, STICK, "rigid-stop/one-impact")),
-    "label of the census": ("census", lambda c: exchanged(c, STICK, "dry-friction/symmetric")),
-    "a parameter of the point": ("point", lambda c: c["parameters"].update(eta="1.01")),
-    "chosen": ("point", lambda c: c.update(chosen=["chi"])),
-    "chosen in the map": ("map", lambda c: c.update(chosen=["e1"])),
-    "a period": ("point", lambda c: c.update(given_period="7.87")),
-    "a period that is true": ("own", lambda c: c.update(given_period="3*pi/2")),
-    "V of an event": ("events", lambda c: c["events"][0]["parameters"].update(V="9")),
-    "V of a map": ("map", lambda c: c["parameters"].update(V="9")),
-    "multipliers twice": ("point", lambda c: c["multipliers"].append(c["multipliers"][0])),
-    "another kind of event": ("events", lambda c: event(c, "kind", "fold")),
-    "reasons": ("symmetric", lambda c: c.update(reasons={})),
-    "a derivative of another sign": ("moving", lambda c: turned(c, "tau", "eta")),
-    "a derivative of the trace": ("moving", lambda c: turned(c, "trace", "e1")),
-    "a derivative of a multiplier": ("moving", lambda c: turned(c, "multiplier 1 re", "eta")),
-    "a derivative of the start": ("moving", lambda c: turned(c, "x20", "e1")),
-    "derivatives by others": ("moving", lambda c: renamed(c, "eta", "chi")),
-    "derivatives by the same": ("moving", lambda c: renamed(c, "e1", "ur1")),
-    "a direction that is longer": ("moving", lambda c: c["directions"].update(e1={"ur1": "2"})),
-    "another direction": ("moving", lambda c: c["directions"].update(e1={"us1": "-1"})),
-    "a direction of nothing": ("moving", lambda c: c["directions"].update(e1={})),
-    "a direction of a period": ("moving", lambda c: c["directions"].update(e1={"period": "1"})),
-    "no directions": ("moving", lambda c: c.pop("directions") and c),
-    "derivatives of fewer": ("moving", lambda c: c["derivatives"].pop("tau") and c),
-    "derivatives of no family": ("family", no_family),
+Change = Callable[[Any], Any]
+FALSE: dict[str, dict[str, Change]] = {
+    "census-derived": {
+        "census at another parameter": census_at,
+        "census in a smaller box": smaller_box,
+        "census with an orbit without certificate": one_more,
+        "label of the census": lambda c: exchanged(c, STICK, "dry-friction/symmetric"),
+    },
+    "derived": {
+        "names of the point": lambda c: exchanged(c, "x10", "x20"),
+        "velocities of the point": lambda c: exchanged(c, "v10", "v20"),
+        "dwell times of the point": lambda c: exchanged(c, "tau", "tau1"),
+        "parameters of the point": lambda c: exchanged(c, "chi", "eta"),
+        "label of the point": lambda c: exchanged(c, STICK, "dry-friction/symmetric"),
+        "a parameter of the point": lambda c: c["parameters"].update(eta="1.01"),
+        "chosen": lambda c: c.update(chosen=["chi"]),
+        "a period": lambda c: c.update(given_period="7.87"),
+        "multipliers twice": lambda c: c["multipliers"].append(c["multipliers"][0]),
+    },
+    "map": {
+        "names of the map": lambda c: exchanged(c, "x10", "x20"),
+        "dwell times of the map": lambda c: exchanged(c, "tau", "tau2"),
+        "parameters of the map": lambda c: exchanged(c, "V", "eta"),
+        "label of the map": lambda c: exchanged(c, STICK, "rigid-stop/one-impact"),
+        "chosen in the map": lambda c: c.update(chosen=["chi"]),
+        "V of a map": lambda c: c["parameters"].update(V="9"),
+    },
+    "events": {
+        "names of the events": lambda c: exchanged(c, "x10", "x20"),
+        "dwell times of the events": lambda c: exchanged(c, "tau", "tau1"),
+        "V of an event": lambda c: c["events"][0]["parameters"].update(V="9"),
+        "another kind of event": lambda c: event(c, "kind", "fold"),
+    },
+    "composed": {
+        "a period that is true": lambda c: c.update(given_period="3*pi/2"),
+    },
+    "unstable": {
+        "reasons": lambda c: c.update(reasons={}),
+    },
+    "derivatives": {
+        "a derivative of another sign": lambda c: turned(c, "tau", "eta"),
+        "a derivative of the trace": lambda c: turned(c, "trace", "e1"),
+        "a derivative of a multiplier": lambda c: turned(c, "multiplier 1 re", "eta"),
+        "a derivative of the start": lambda c: turned(c, "x20", "e1"),
+        "derivatives by others": lambda c: renamed(c, "eta", "chi"),
+        "derivatives by the same": lambda c: renamed(c, "e1", "ur1"),
+        "a direction that is longer": lambda c: c["directions"].update(e1={"ur1": "2"}),
+        "another direction": lambda c: c["directions"].update(e1={"us1": "-1"}),
+        "a direction of nothing": lambda c: c["directions"].update(e1={}),
+        "a direction of a period": lambda c: c["directions"].update(e1={"period": "1"}),
+        "no directions": lambda c: c.pop("directions") and c,
+        "derivatives of fewer": lambda c: c["derivatives"].pop("tau") and c,
+    },
+    "derivatives-family": {
+        "derivatives of no family": no_family,
+    },
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("name", FALSE)
-def test_false_files_are_refused(name: str, folder: Path, tmp_path: Path) -> None:
-    kind, change = FALSE[name]
-    content = json.loads(written(kind, folder))
+@pytest.mark.parametrize(("kind", "name"), [(kind, name) for kind in FALSE for name in FALSE[kind]])
+def test_false_files_are_refused(kind: str, name: str, tmp_path: Path) -> None:
+    change = FALSE[kind][name]
+    content = content_named(kind)
     assert refusal(content, tmp_path / "same.json") is None
     changed = copy.deepcopy(content)
     changed = change(changed) or changed
@@ -167,49 +171,39 @@ def test_false_files_are_refused(name: str, folder: Path, tmp_path: Path) -> Non
     assert refusal(changed, tmp_path / "changed.json") is not None
 
 
-def test_a_removed_orbit_is_not_counted(folder: Path, tmp_path: Path) -> None:
-    content = json.loads(written("census", folder))
-    content |= {"orbits": [], "count": 0, "admissible": 0}
-    told = content["statement"].replace("exactly 1 orbit", "exactly 0 orbits")
-    content["statement"] = told.replace("1 admissible", "0 admissible")
-    assert "an orbit of the box is not listed" in str(refusal(content, tmp_path / "none.json"))
+@pytest.mark.parametrize(
+    ("name", "change", "told"),
+    [
+        ("census-derived", no_orbit, "an orbit of the box is not listed"),
+        ("derived", lambda c: exchanged(c, "dry-friction", "nowhere.py"), "unknown system 'nowher"),
+        ("derived", lambda c: c.update(bits=128_000), "128000 bits are more than the"),
+        ("events", lambda c: event(c, "bits", 128_000), "128000 bits are more than the"),
+    ],
+)
+def test_why_a_file_is_refused(name: str, change: Change, told: str, tmp_path: Path) -> None:
+    content = content_named(name)
+    assert told in str(refusal(change(content) or content, tmp_path / "false.json"))
 
 
-def test_a_file_names_no_system_of_another_place(folder: Path, tmp_path: Path) -> None:
-    content = exchanged(json.loads(written("point", folder)), "dry-friction", "nowhere.py")
-    assert "unknown system 'nowhere.py'" in str(refusal(content, tmp_path / "away.json"))
-
-
-def test_names_that_are_there_twice_are_refused(folder: Path, tmp_path: Path) -> None:
+def test_names_that_are_there_twice_are_refused(tmp_path: Path) -> None:
     path = tmp_path / "twice.json"
-    text = written("point", folder)
-    path.write_text(text.replace('"chi": "0.5"', '"chi": "0.6", "chi": "0.5"', 1))
+    path.write_text(text_of("derived").replace('"chi": "0.5"', '"chi": "0.6", "chi": "0.5"', 1))
     with pytest.raises(InputError, match="'chi' is there twice"):
         ns.certify.check(path)
 
 
-def test_what_is_undecided_has_no_numbers() -> None:
-    branch = ns.continue_orbit(ns.solve("rigid-stop/one-impact"), "T", (5.5, 7.5))
-    found = next(
-        certificate
-        for certificate in (ns.certify.event(branch, event) for event in branch.events)
-        if not certificate.proved
-    )
-    with pytest.raises(InputError, match="undecided and has no value"):
-        _ = found.value
-    certificate = ns.certify(ns.solve("dry-friction/solution-ii"))
-    with pytest.raises(InputError, match="existence is undecided"):
-        _ = certificate.trace
-
-
-@pytest.mark.parametrize("name", ["point", "events"])
-def test_more_bits_than_digits_are_refused_before_anything_is_proved(
-    name: str, folder: Path
-) -> None:
-    content = json.loads(written(name, folder))
-    for told in content.get("events", [content]):
-        told["bits"] *= 1000
-    assert "128000 bits are more than the" in str(refusal(content, folder / "bits.json"))
+@pytest.mark.parametrize(
+    ("name", "told"),
+    [("value", "undecided and has no value"), ("trace", "existence is undecided")],
+)
+def test_what_is_undecided_has_no_numbers(name: str, told: str) -> None:
+    found: Any = ns.certify(ns.solve("dry-friction/solution-ii"))
+    if name == "value":
+        branch = ns.continue_orbit(ns.solve("rigid-stop/one-impact"), "T", (5.5, 7.5))
+        proofs = (ns.certify.event(branch, event) for event in branch.events)
+        found = next(proof for proof in proofs if not proof.proved)
+    with pytest.raises(InputError, match=told):
+        getattr(found, name)
 
 
 def test_the_shapes_of_files_are_those_of_their_records() -> None:

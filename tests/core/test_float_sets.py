@@ -9,7 +9,7 @@ import pytest
 from flint import arb, arb_mat, fmpq, fmpq_mat
 
 from nonsmooth.runtime.core.exponentials.float_flows import FloatFlow
-from nonsmooth.runtime.core.float_sets import ManySets, Rounded
+from nonsmooth.runtime.core.float_sets import ManySets, Rounded, within
 from nonsmooth.runtime.core.values import flint_precision
 
 COUNT, SIZE, SIDES = 40, 4, 5
@@ -160,6 +160,24 @@ def test_halves_are_the_set():
         low, high = both[[k, k + COUNT]].hull
         assert ((points[k] >= low.min(axis=0)) & (points[k] <= high.max(axis=0))).all()
         assert np.abs(both.sides[k]).sum() < np.abs(sets.sides[k]).sum()
+
+
+def test_a_box_keeps_all_states_where_a_function_is_not_positive():
+    """By whatever row there is between the bounds of a rounded one."""
+    random = np.random.default_rng(11)
+    low = random.normal(size=(COUNT, SIZE))
+    high = low + random.uniform(0, 2, (COUNT, SIZE))
+    row = Rounded(random.normal(size=(1, SIZE)), random.uniform(0, 0.1, (1, SIZE)))
+    least, most = within((low, high), row)
+    share = random.random((500, COUNT, SIZE))
+    points = low + np.where(random.random(share.shape) < 0.5, np.round(share), share) * (high - low)
+    rows = row.middle + row.radius * random.choice([-1, 1], points.shape)
+    good = points[(points * rows).sum(axis=2) <= 0]
+    number = np.nonzero((points * rows).sum(axis=2) <= 0)[1]
+    assert ((least[number] <= good + 1e-12) & (good <= most[number] + 1e-12)).all()
+    narrower = most - least < 0.9 * (high - low)
+    assert narrower[:, row.middle[0] > 0].any()
+    assert narrower[:, row.middle[0] < 0].any()
 
 
 # flows

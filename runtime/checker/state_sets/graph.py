@@ -28,7 +28,6 @@ _MORE = 8  # times the parts of one set that the file states
 _FINEST = 0.125  # parts of windows of time: boxes have to come to narrow places
 _MOST = 10**8  # edges
 _FAR = 4.0  # boxes beyond the region: further is not looked at
-_SPARE = 2.0**-10  # of a side, at each side of an image: another processor rounds otherwise
 
 
 class Edges(NamedTuple):
@@ -58,15 +57,15 @@ def map_of_boxes(question: Mapping[str, Any], more: int = 1) -> ManyMotions:
 
 
 def edges_of(grid: DividedGrid, numbers: Any, found: Arrivals) -> Edges:
-    """Return the edges from boxes (B,) to all that their images may meet, or nearly meet.
+    """Return the edges from boxes (B,) to all that their images may meet.
 
     Sets of the arrivals have the numbers of places in `numbers`.
     """
     lost, (low, high) = found.lost.copy(), (found.low, found.high)
     lost[found.origin[~(np.isfinite(low) & np.isfinite(high)).all(axis=1)]] = True
-    kept, spare = ~lost[found.origin], _SPARE * grid.finest
+    kept = ~lost[found.origin]
     origin = found.origin[kept]
-    place, target, inside = _met(grid, low[kept] - spare, high[kept] + spare)
+    place, target, inside = _met(grid, low[kept], high[kept])
     # every pair once
     pairs = np.unique(numbers[origin[place]] * len(grid) + target)
     outside = np.zeros(len(numbers), dtype=bool)
