@@ -10,7 +10,7 @@ from nonsmooth.derive.document.blocks import Formula
 from nonsmooth.derive.systems import declaration
 from tests.documents import document_of
 from tests.formulas.pages import texts_of
-from tests.latex_reader import ORBITS, Reader
+from tests.latex_reader import ORBITS, reading
 
 # all numbered equations of the source paper
 PAPER = (*(f"({number})" for number in range(1, 19)), "(A.1)", "(A.2)", "(A.3)")
@@ -27,7 +27,7 @@ MISPRINTED = {
 
 def test_every_equation_of_the_paper_is_cited_and_its_misprints_are_told() -> None:
     told = [
-        text for name in ORBITS for block in document_of(name)[0].blocks for text in texts_of(block)
+        text for name in ORBITS for block in document_of(name).blocks for text in texts_of(block)
     ]
     cited = set(re.findall(r"= (\(\S+\)) of Pascal \(2011\)", " ".join(told)))
     assert cited == set(PAPER)
@@ -37,7 +37,7 @@ def test_every_equation_of_the_paper_is_cited_and_its_misprints_are_told() -> No
 
 @pytest.mark.parametrize("name", ["dry-friction", *(n for n in ORBITS if "friction" in n)])
 def test_the_model_scales_to_the_equations_that_are_declared(name: str) -> None:
-    document, _ = document_of(name)
+    document = document_of(name)
     formulas = [b.latex for b in document.section("The model") if isinstance(b, Formula)]
     relations = re.split(r",\s*\\qquad|[.,;]?\s*(?:\\\\\s|\\end\{aligned\})", " ".join(formulas))
     texts = dict(
@@ -47,7 +47,7 @@ def test_the_model_scales_to_the_equations_that_are_declared(name: str) -> None:
     )
     draw = random.Random(4)
     known = {f"{letter}_{{{i}}}": draw.uniform(0.3, 2.0) for letter in "mkFx" for i in (1, 2)}
-    read = Reader(known)
+    read = reading(known).latex
     chi, eta, frequency = (read(texts[letter]) for letter in (r"\chi", r"\eta", r"\bar{\omega}"))
     mass = np.diag([known["m_{1}"], known["m_{2}"]])
     k1, k2 = known["k_{1}"], known["k_{2}"]
@@ -64,7 +64,7 @@ def test_the_model_scales_to_the_equations_that_are_declared(name: str) -> None:
     scale = np.linalg.inv(mass) / frequency**2
     assert scale @ stiffness == pytest.approx(declared[0])
     assert scale @ forces == pytest.approx(declared[1].ravel())
-    holding = Reader({**known, r"\chi": chi})
+    holding = reading({**known, r"\chi": chi}).latex
     for i, contact in enumerate(system.contacts, start=1):
         force = contact.forces["stick-stick"].subs(numbers)
         assert holding(texts[rf"\varphi_{{{i}}}"]) == pytest.approx(float(force))

@@ -24,7 +24,6 @@ from nonsmooth.runtime.core.values import parse
 from nonsmooth.runtime.model.kernels import SystemKernels
 
 MODULES = {name: import_module(f"nonsmooth.generated.{stem}") for name, stem in SYSTEMS.items()}
-ORBITS = {f"{name}/{o.name}": o for name in SYSTEMS for o in declaration(name).orbits}
 EVERY = [(system, kernel) for system, module in MODULES.items() for kernel in module.KERNELS]
 every_kernel = pytest.mark.parametrize(
     ("system", "kernel"), EVERY, ids=[f"{s}-{k}" for s, k in EVERY]
@@ -271,14 +270,3 @@ def test_results_may_lie_in_the_memory_of_arguments(system: str) -> None:
                     assert_array_equal(out, wanted, f"{name} {label}")
                     seen.add(one_for_all)
     assert seen == {True, False}
-
-
-@pytest.mark.compiled
-@pytest.mark.parametrize("system", SYSTEMS)
-def test_the_extension_is_of_this_derivation_and_holds_every_kernel(system: str) -> None:
-    names, stem = dir(extension()), SYSTEMS[system]
-    assert getattr(extension(), f"derivation_{stem}") == MODULES[system].DERIVATION
-    assert {f"{stem}_{k}_1" for k in MODULES[system].KERNELS} <= set(names)
-    for orbit in MODULES[system].ORBITS:
-        for kernel in ("solve", "admissible"):
-            assert f"{stem}_{identifier(orbit)}_{kernel}" in names

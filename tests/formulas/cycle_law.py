@@ -9,9 +9,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.derive.declaration.itinerary import dwell_symbol
-from nonsmooth.derive.document.blocks import Document, Formula, Paragraph, Table
-from nonsmooth.derive.document.cycle import Cycle
-from nonsmooth.runtime.orbits.orbit import Orbit as SolvedOrbit
+from nonsmooth.derive.document.blocks import Formula, Paragraph, Table
 from tests.differences import in_doubles
 from tests.formulas.latex import read_latex
 from tests.formulas.law import Broken, Facts, Motion, SystemLaw, relations_of
@@ -30,8 +28,9 @@ SECTIONS = (
 class Orbit:
     """A periodic orbit that a solver found, made exact by Newton's method on exponentials."""
 
-    def __init__(self, cycle: Cycle, facts: Facts, solved: SolvedOrbit) -> None:
-        self.cycle, self.facts = cycle, facts
+    def __init__(self, facts: Facts, solved: Any) -> None:
+        self.cycle = cycle = facts.document.shown
+        self.facts = facts
         self.phases = cycle.itinerary.phases
         self.passings = [cycle.passings[cycle.number(k) - 1] for k in range(1, cycle.count + 1)]
         self.resets = [(self.number(p.reset), self.number(p.jump)) for p in self.passings]
@@ -82,9 +81,9 @@ class Orbit:
 class CycleLaw(SystemLaw):
     """Every formula is a name, or true on an orbit."""
 
-    def __init__(self, document: Document, facts: Facts, cycle: Cycle, orbit: Orbit) -> None:
-        super().__init__(document, facts)
-        self.cycle, self.orbit = cycle, orbit
+    def __init__(self, facts: Facts, orbit: Orbit) -> None:
+        super().__init__(facts)
+        self.cycle, self.orbit = orbit.cycle, orbit
         self.transition: int | None = None
 
     def whole(self) -> int:
