@@ -55,9 +55,12 @@ def test_what_a_user_writes_is_one_paragraph() -> None:
 @cache
 def raw_names() -> set[str]:
     """Names in the code that LaTeX writes otherwise."""
-    lines = [line for name in ORBITS for line in written_of(name).lines if line.shows is not None]
-    names = {str(s) for line in lines for s in line.shows.free_symbols}
-    return {n for n in names if re.search(r"\d|_", n)}
+    symbols: set[Any] = set()
+    for written in map(written_of, ORBITS):
+        symbols |= {*written.equations.unknowns, *written.notation.functions}
+        shown = [line.shows for line in written.lines if line.shows is not None]
+        symbols = symbols.union(*(expression.free_symbols for expression in shown))
+    return {name for name in map(str, symbols) if re.search(r"\d|_", name)}
 
 
 def test_no_raw_names_remain(document: Document) -> None:
@@ -71,12 +74,13 @@ def test_no_raw_names_remain(document: Document) -> None:
 
 
 def test_sentences_end(document: Document) -> None:
-    for block, following in pairwise((*document.blocks, None)):
+    for block, following in pairwise((*document.blocks, Paragraph(""))):
         if not isinstance(block, Paragraph):
             continue
         assert "  " not in block.text
         assert not re.search(r"\b(and|or|,)\.", block.text)
-        assert block.text.endswith((".", ":")) or isinstance(following, Formula), block.text
+        goes_on = isinstance(following, Formula) or texts_of(following)[0].startswith("*")
+        assert block.text.endswith((".", ":")) or goes_on, block.text
         dollars = re.sub(r"\$[^$]*\$", "", block.text)
         assert "$" not in dollars
         assert dollars.count("*") % 2 == 0

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import random
-import re
-from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -24,22 +22,16 @@ from nonsmooth.derive import (
     chain_matrices,
     oscillator,
 )
-from nonsmooth.derive.document.blocks import Document, Formula, Table
+from nonsmooth.derive.document.blocks import Document, Table
 from nonsmooth.derive.document.describe import describe_orbit, describe_system
 from tests.declared_documents import one_mass
 from tests.documents import GALLERY, document_of, marked, names
 from tests.documents import declarations as all_declarations
 from tests.formulas.cycle_law import CycleLaw, Orbit
-from tests.formulas.law import Broken, Facts, SystemLaw, drawn
-from tests.formulas.layout import Unreadable
+from tests.formulas.law import Facts, SystemLaw, drawn
 
 SECTIONS = ("The system", "Configurations", "Modal analysis", "Transitions", "Contacts")
 SYSTEMS = list(names(System))
-
-
-def facts_of(document: Document, system: System, seed: int) -> Facts:
-    """A system at random parameters and a random state."""
-    return Facts(system, document, drawn(system, seed))
 
 
 def random_system(seed: int) -> System:
@@ -80,7 +72,7 @@ def random_system(seed: int) -> System:
 
 
 def check(document: Document, system: System, seed: int) -> int:
-    found = SystemLaw(facts_of(document, system, seed)).check(SECTIONS)
+    found = SystemLaw(Facts(system, document, drawn(system, seed))).check(SECTIONS)
     tables = {block.header[:2]: block for block in document.blocks if isinstance(block, Table)}
     named = {row[0].strip("*") for row in tables["Configuration", "Boundary"].rows} - {""}
     assert named == {c.name for c in system.configurations if c.boundaries}
@@ -159,64 +151,3 @@ ITINERARIES = [n for n in names(Itinerary) if (GALLERY / f"{n.partition('/')[0]}
 @pytest.mark.parametrize("name", marked(ITINERARIES))
 def test_what_the_document_of_an_itinerary_says_is_true_on_an_orbit(name: str) -> None:
     assert law_of(name).whole() > 40
-
-
-def mistakes(latex: str) -> list[str]:
-    """A formula with one sign turned, one pair of brackets left out, or one index changed."""
-    found = []
-    for match in re.finditer(r"(?<![{(^])[+-](?!\})", latex):
-        other = {"+": "-", "-": "+"}[match[0]]
-        found.append(latex[: match.start()] + other + latex[match.end() :])
-    for match in re.finditer(r"\\left\(((?:(?!\\left|\\right|matrix|,).)*[+-].*?)\\right\)", latex):
-        found.append(latex[: match.start()] + match[1] + latex[match.end() :])
-    for match in re.finditer(r"_\{(\d)\}", latex):
-        changed = f"_{{{int(match[1]) % 2 + 1}}}"
-        found.append(latex[: match.start()] + changed + latex[match.end() :])
-    return found
-
-
-def spoiled(document: Document) -> list[tuple[str, str, Document]]:
-    """Each formula with each of its mistakes: the section, the mistake, the document."""
-    found, title = [], ""
-    for place, block in enumerate(document.blocks):
-        title = getattr(block, "text", title) if getattr(block, "level", 0) == 1 else title
-        changed: list[tuple[str, Any]] = []
-        if isinstance(block, Formula):
-            for i, line in enumerate(block.lines):
-                for wrong in mistakes(line.latex):
-                    lines = (
-                        *block.lines[:i],
-                        replace(line, left="", relation="", pieces=(wrong,)),
-                        *block.lines[i + 1 :],
-                    )
-                    changed.append((wrong, replace(block, lines=lines)))
-        if isinstance(block, Table):
-            for i, row in enumerate(block.rows):
-                for j, cell in enumerate(row):
-                    for wrong in mistakes(cell) if re.search(r"\$.*[<>:=]", cell) else []:
-                        cells = (*row[:j], wrong, *row[j + 1 :])
-                        rows = (*block.rows[:i], cells, *block.rows[i + 1 :])
-                        changed.append((wrong, replace(block, rows=rows)))
-        for wrong, other in changed:
-            blocks = (*document.blocks[:place], other, *document.blocks[place + 1 :])
-            found.append((title, wrong, replace(document, blocks=blocks)))
-    return found
-
-
-def is_broken(law: SystemLaw, section: str) -> bool:
-    try:
-        law.check([section])
-    except (Broken, Unreadable):
-        return True
-    return False
-
-
-@pytest.mark.parametrize("name", ["mass_on_belt", "two_stops", "elastic-stop"])
-def test_a_mistake_in_a_formula_is_seen(name: str) -> None:
-    whole = document_of(name)
-    facts = facts_of(whole, all_declarations()[name], 1)
-    # a characteristic polynomial may be even
-    every = [s for s in spoiled(whole) if r"\det" not in s[1]]
-    assert len(every) > 20
-    for section, wrong, document in random.Random(4).sample(every, 12):
-        assert is_broken(SystemLaw(facts, document), section), wrong

@@ -84,20 +84,19 @@ def test_what_a_renamed_system_leaves_behind_goes(place: Path) -> None:
     declare(place)
     generated("mine.py", "--out", "kernels")
     declare(place, KICKED.replace('"kicked",\n', '"pushed",\n'))
-    code, out, _ = run("generate", "mine.py", "--out", "kernels")
-    assert code == 0
-    assert "kernels/pushed.c written" in out
+    generated("mine.py", "--out", "kernels")
     renamed = sorted(name.replace("kicked", "pushed") for name in FILES)
     assert names(place / "kernels") == renamed
 
 
 def test_a_damped_system_is_emitted_and_its_orbit_told(place: Path) -> None:
     declare(place, DAMPED)
-    code, out, err = run("generate", "mine.py", "--out", "kernels", "--json")
+    code, out, err = run("generate", "mine.py", "--out", "kernels")
     assert code == 0
-    assert json.loads(out)["orbits"] == [{"name": "loop", "derived": False}]
+    assert "kernels/damped.c written" in out
     assert err.startswith("loop: composed numerically when it is asked for: ")
     assert not load_orbit("kernels:loop").derived
+    assert generated("mine.py", "--out", "kernels")["orbits"][0]["derived"] is False
 
 
 def test_a_foreign_folder_is_left_alone(place: Path) -> None:

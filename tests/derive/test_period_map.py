@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import pytest
@@ -13,7 +12,6 @@ from nonsmooth.derive import DerivationError, EquationSystem, derive_equations
 from nonsmooth.derive.codegen.kernels import period_map_kernel
 from nonsmooth.derive.equations.program import evaluate
 from nonsmooth.derive.systems import dry_friction
-from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.compiled_c import executed
 from tests.latex_reader import REVERSIBLE, written_of
 
@@ -21,12 +19,8 @@ NAME = "dry-friction/global-stick"
 DATA = [{}, {"V": "0.9", "eta": "1.05", "chi": "0.48"}]
 
 
-def refined(name: str = NAME, parameters: dict[str, str] | None = None) -> Orbit:
+def refined(name: str = NAME, parameters: dict[str, str] | None = None) -> Any:
     return ns.refine(ns.solve(name, parameters or {}), 50)
-
-
-def equations_of(name: str = NAME) -> EquationSystem:
-    return written_of(name).equations
 
 
 @pytest.mark.parametrize("parameters", DATA)
@@ -42,45 +36,32 @@ def test_both_routes_give_one_orbit_to_50_digits(name: str, parameters: dict[str
         assert abs(sum(a * b for a, b in zip(row, [*state, 1], strict=True)) - expected) < 1e-50
 
 
-def solved(
-    orbit: Orbit, equations: EquationSystem, kernel: Callable[..., Any], guess: list[Any]
-) -> tuple[list[Any], list[Any]]:
-    """Dwell times and start by Newton's method on the conditions in the dwell times alone."""
-    lib, size = orbit.arithmetic, len(equations.unknowns) - len(guess)
+@pytest.mark.parametrize("by", range(4))
+def test_compatibility_alone_leads_to_the_orbit_from_every_start(by: int) -> None:
+    """Behind phase 1 the section ties the positions; behind phase 2 a velocity is sought."""
+    orbit, equations = refined(), derive_equations(dry_friction.global_stick.rotated(by))
+    kernel, lib, turn = (
+        executed(period_map_kernel(equations)),
+        orbit.arithmetic,
+        equations.period_map,
+    )
     parameters = [orbit.values[str(s)] for s in equations.parameters]
     spectrum, _ = orbit.kernels.spectrum(parameters, lib)
 
-    def values(*times: Any) -> list[Any]:
+    def values(*times: Any) -> Any:
         # what stands in the place of the start is not read
-        return kernel(parameters, spectrum, [*[lib.mp.nan] * size, *times], lib=lib)
+        return kernel(parameters, spectrum, [*[lib.mp.nan] * len(turn.sought), *times], lib=lib)
 
-    times = list(lib.mp.findroot(lambda *t: values(*t)[2], guess, tol=1e-100))
-    return times, values(*times)[1]
-
-
-def test_compatibility_from_a_rough_guess_leads_to_the_orbit() -> None:
-    orbit = refined()
-    kernel = orbit.kernels.system.source("global_stick_period_map")
-    times, start = solved(orbit, equations_of(), kernel, [1.1, 1.9, 1.6, 3.2])
-    expected = orbit.unknowns.values()
-    assert all(abs(a - b) < 1e-50 for a, b in zip([*start, *times], expected, strict=True))
-
-
-@pytest.mark.parametrize("by", [1, 2, 3])
-def test_other_starts_have_maps_of_their_own(by: int) -> None:
-    """Behind phase 1 the section ties the positions; behind phase 2 a velocity is sought."""
-    orbit = refined()
-    equations = derive_equations(dry_friction.global_stick.rotated(by))
-    turn = equations.period_map
     expected = [orbit.values[str(t)] for t in turn.unknowns]
+    guess = [lib.mp.mpf("1.001") * t for t in expected]
+    times = list(lib.mp.findroot(lambda *t: values(*t)[2], guess, tol=1e-100))
     expected += [orbit.states[by][place] for place in turn.sought]
-    guess = [orbit.arithmetic.mp.mpf("1.001") * t for t in expected[: len(turn.unknowns)]]
-    times, start = solved(orbit, equations, executed(period_map_kernel(equations)), guess)
-    assert all(abs(a - b) < 1e-50 for a, b in zip([*times, *start], expected, strict=True))
+    found = [*times, *values(*times)[1]]
+    assert all(abs(a - b) < 1e-50 for a, b in zip(found, expected, strict=True))
 
 
 def numbers_of(
-    orbit: Orbit, equations: EquationSystem, matrix: sp.Matrix, **changed: Any
+    orbit: Any, equations: EquationSystem, matrix: sp.Matrix, **changed: Any
 ) -> sp.Matrix:
     """A matrix over the entries of the map, at an orbit some of whose values are changed."""
     symbols, values = (*equations.parameters, *equations.unknowns), orbit.values | changed
@@ -91,7 +72,7 @@ def numbers_of(
 
 def test_rows_of_the_compatibility_matrix_sum_to_zero_with_the_right_block_alone() -> None:
     """In (A.1), compatibility as a matrix times z0', the lower left block is printed as N2."""
-    orbit, equations = refined(NAME, {"V": "0.9"}), equations_of()
+    orbit, equations = refined(NAME, {"V": "0.9"}), written_of(NAME).equations
     first, second, third, fourth = equations.period_map.blocks
     one = sp.eye(2)
     following = (first - one).inv("ADJ") * second - third.inv("ADJ") * (fourth - one)
@@ -108,7 +89,7 @@ def test_the_printed_stick_block_is_right_at_unit_velocity_alone(
     velocity: str, least: float, most: float
 ) -> None:
     """Eq. (10) has V t in place of t in the flow of the first phase, where alone t_a occurs."""
-    orbit, equations = refined(NAME, {"V": velocity}), equations_of()
+    orbit, equations = refined(NAME, {"V": velocity}), written_of(NAME).equations
     printed = orbit.values["V"] * orbit.values["ta"]
     turn = numbers_of(orbit, equations, equations.period_map.matrix, ta=printed)
     start = sp.Matrix([sp.Float(str(x), 55) for x in orbit.states[0]])
@@ -118,4 +99,4 @@ def test_the_printed_stick_block_is_right_at_unit_velocity_alone(
 @pytest.mark.parametrize("name", REVERSIBLE)
 def test_half_phases_are_no_turn(name: str) -> None:
     with pytest.raises(DerivationError, match="not those of a free turn"):
-        _ = equations_of(name).period_map
+        _ = written_of(name).equations.period_map

@@ -26,7 +26,7 @@ def rubbed(kinetic, static):
 
 
 def test_a_reversal_shows_that_kinetic_friction_is_overcome_and_not_static():
-    same = rubbed(S, S)
+    same = rubbed(S + E, S + E)
     assert unshown(same) == []
     more = rubbed(S, S + E)
     assert unshown(more) == ["ground-reaches-belt"]

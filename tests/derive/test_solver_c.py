@@ -108,18 +108,6 @@ def expected_directions(source, data, expected):
     return directions(compiled(source, "plain"), data[0], expected[0][:6])
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("build", BUILDS)
-def test_every_instruction_set_gives_the_same_bits(
-    source, data, expected, expected_directions, build
-):
-    library = compiled(source, build)
-    for found, wanted in zip(solve(library, *data), expected, strict=True):
-        assert_array_equal(found, wanted)
-    found = directions(library, data[0], expected[0][:6])
-    assert_array_equal(found, expected_directions)
-
-
 def test_every_status_is_met(expected, expected_directions):
     assert set(expected[1][1]) >= {0, 1, 2, 3}
     solved = expected[1][1] == 0

@@ -261,8 +261,8 @@ class Facts:
 class SystemLaw:
     """Go through a document: every formula is a name, true, or what was declared."""
 
-    def __init__(self, facts: Facts, document: Document | None = None) -> None:
-        self.document, self.facts = document or facts.document, facts
+    def __init__(self, facts: Facts) -> None:
+        self.document, self.facts = facts.document, facts
         self.count = 0
         self.defined: dict[str, Any] = {}
         self.used: set[str] = set()
@@ -524,18 +524,10 @@ class SystemLaw:
                 inside = (value > low or (parameter.closed and value == low)) and (
                     value < high or (parameter.upper_closed and value == high)
                 )
-                values = [
-                    value
-                    if f"${plain(s)}$" and s == read_latex(name[1:-1])
-                    else None
-                    if plain(s) == "ℝ"
-                    else Reading({"π": np.pi})(s)
-                    for s in sides
-                ]
-                holds = all(
-                    s == "∈" or _holds(s, a, b)
-                    for s, a, b in zip(signs, values, values[1:], strict=False)
-                )
+                reading = Reading({plain(read_latex(name[1:-1])): value, "ℝ": 0.0, "π": np.pi})
+                values = [reading(side) for side in sides]
+                related = zip(signs, values, values[1:], strict=False)
+                holds = all(sign == "∈" or _holds(sign, a, b) for sign, a, b in related)
                 if holds != inside:
                     raise Broken(f"{domain} at {value}")
             self.count += 1

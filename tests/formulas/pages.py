@@ -29,15 +29,13 @@ def inline(text: str) -> list[str]:
     return _INLINE.findall(text)
 
 
-def texts_of(block: Any) -> Iterator[str]:
+def texts_of(block: Any) -> list[str]:
     """The texts of a block."""
     if isinstance(block, Heading | Paragraph):
-        yield block.text
-    elif isinstance(block, Formula):
-        yield block.note or ""
-    else:
-        for row in (block.header, *block.rows):
-            yield from row
+        return [block.text]
+    if isinstance(block, Formula):
+        return [block.note or ""]
+    return [cell for row in (block.header, *block.rows) for cell in row]
 
 
 def _own(document: Document) -> Counter[Row]:

@@ -358,6 +358,8 @@ class _Walk:
         body, self.place = tuple(self.row[self.place : end]), end
         letter, numbers = self.numbers(item, text)
         values = [self.reading.at(**{letter: n})(body) for n in numbers]
+        if not values:
+            return float(text == "∏")
         return reduce(_added if text == "∑" else _times, values)
 
     def numbers(self, item: Script, text: str) -> tuple[str, Sequence[int]]:
