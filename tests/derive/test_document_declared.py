@@ -23,7 +23,7 @@ from nonsmooth.derive.document.blocks import Table
 from nonsmooth.derive.document.describe import describe_orbit, describe_system
 from nonsmooth.derive.document.hypertext import to_markdown
 from nonsmooth.derive.systems import SYSTEMS, declaration
-from tests.declared_documents import forced_stop, impacts, rattle, switched, switching
+from tests.declared_documents import forced_stop, impacts, one_mass, rattle, switched, switching
 from tests.documents import declarations, document_of
 
 
@@ -46,8 +46,9 @@ def test_a_word_of_a_description_is_no_dwell_time() -> None:
 
 
 def test_a_multiplier_is_trivial_where_a_forcing_is_found() -> None:
-    found = [describe_orbit(i).shown.harmonics for i in (impacts(1), switching(), rattle(0))]
-    assert [len(harmonics) for harmonics in found] == [1, 0, 0]
+    struck = Itinerary("struck", one_mass(0), (Phase("free", "stop-reaches-stop", "tau"),))
+    described = map(describe_orbit, (impacts(1), switching(), rattle(0), struck))
+    assert [len(document.shown.harmonics) for document in described] == [1, 0, 0, 0]
     assert "1 and trivial" in text_of(impacts(1))
 
 
@@ -69,6 +70,15 @@ def test_any_itinerary_can_be_described(name: str) -> None:
         given = re.findall(r"Given are the parameters (.*?)\.", text_of(itinerary))
         for swapped in itinerary.solved_for:
             assert f"{swapped[0]}_{{{swapped[1:]}}}" not in given[0]
+
+
+def test_letters_are_those_that_nothing_else_has() -> None:
+    symbols = sp.symbols("A R n c f m mu J p_1 s", positive=True)
+    system = one_mass(0, sp.Add(*symbols))
+    itinerary = Itinerary("one", system, (Phase("free", "stop-reaches-stop", "tau"),))
+    chosen = [*vars(describe_orbit(itinerary).shown.letters).values()]
+    assert len({*chosen}) == len(chosen)
+    assert not {"A", "R", "n", "c", "f", "m", r"\mu", "J", "p", "s"} & {*chosen}
 
 
 def test_contacts_and_constraints_are_told() -> None:

@@ -27,6 +27,9 @@ CHAIN = (
     Symbol("reset", STATES[3], 3),
     derivative(BEHIND, TIMES[0]),
     Symbol("sine", TIMES[0]),
+    *(Symbol("divisor", state) for state in STATES[:2]),
+    *(Symbol("coefficient", place) for place in ("12", "1_12")),
+    *(Symbol("without", Symbol("coefficient", "12"), place) for place in (1, 2)),
     sp.Symbol("stiffness", real=True),
 )
 COSINE, SINE, SQUARE = (Symbol("function", n) for n in ("cos_tau1", "sin_omega1_tau", "pow_t"))
@@ -100,6 +103,10 @@ def check(latex: str, *expressions: sp.Expr) -> None:
     row, expected = read_latex(latex), [*map(value_of, expressions)]
     assert read_page(latex) == row, latex
     assert np.ravel(READING(row)) == pytest.approx(expected, rel=1e-9, abs=1e-9), latex
+
+
+def test_every_symbol_has_a_name_of_its_own() -> None:
+    assert len({NOTATION.symbol(letter) for letter in LETTERS}) == len(LETTERS)
 
 
 @pytest.mark.slow

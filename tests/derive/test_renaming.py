@@ -4,21 +4,13 @@ from __future__ import annotations
 
 import inspect
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from itertools import zip_longest
 from types import ModuleType
 
 import pytest
 
-from nonsmooth.derive import (
-    Harmonic,
-    Itinerary,
-    Parameter,
-    Reference,
-    SoftStop,
-    System,
-    oscillator,
-)
+from nonsmooth.derive import Itinerary, System
 from nonsmooth.derive.codegen.emit import emit_library
 from nonsmooth.derive.systems import dry_friction
 
@@ -30,9 +22,33 @@ FRICTION = {
     "ta": "span", "tau": "Rest", "tau1": "hold", "tau2": "Gg",
 }  # fmt: skip
 STRUCK = {
-    "mm": "wide", "cc": "Ball", "kk": "angle", "at": "Yy", "bb": "Zz", "FF": "uu", "ww": "early",
+    "mm": "wide", "cc": "Ball", "kk": "angle", "xs": "Yy", "bb": "Zz", "FF": "uu", "ww": "early",
     "x1": "qq", "v1": "v_qq", "x10": "qq0", "v10": "v_qq0", "ta": "later", "tb": "Cc",
 }  # fmt: skip
+
+
+# a mass that is shaken, damped, and meets a damped spring
+SHAKEN = """
+from nonsmooth.derive import Harmonic, Itinerary, Parameter, Reference, SoftStop, oscillator
+parameters = [Parameter(name, "") for name in ("mm", "cc", "kk", "xs", "bb", "FF", "ww")]
+symbols = [parameter.symbol for parameter in parameters]
+system = oscillator(
+    "struck", ["x1"], [symbols[:1]], [[symbols[2]]], damping=[[symbols[1]]],
+    forcing=[Harmonic(symbols[6], cosine=[symbols[5]])],
+    elements=[SoftStop("x1", at=symbols[3], stiffness=8, damping=symbols[4], name="stop")],
+    parameters=parameters,
+)
+orbits = [
+    Itinerary(
+        "once", system,
+        [("free", "stop-reaches-stop", "ta"), ("contact", "stop-leaves-stop", "tb")],
+        reference=Reference(
+            {"mm": 1, "cc": "0.1", "kk": 1, "xs": "0.2", "bb": 2, "FF": 1, "ww": 1},
+            {"ta": 4, "tb": 2, "x10": "0.2", "v10": 1, "c10": "0.5", "s10": "0.8"},
+        ),
+    )
+]
+"""
 
 
 def renamed(text: str, names: Mapping[str, str]) -> str:
@@ -42,32 +58,13 @@ def renamed(text: str, names: Mapping[str, str]) -> str:
     return re.sub(pattern, lambda found: names[found[0]], text) if names else text
 
 
-def friction(names: Mapping[str, str], orbits: tuple[str, ...]) -> tuple[System, list[Itinerary]]:
-    """The built-in system, declared by its own source with other names."""
+def declared(
+    text: str, orbits: tuple[str, ...], names: Mapping[str, str]
+) -> tuple[System, list[Itinerary]]:
+    """What a source declares with other names."""
     module = ModuleType("renamed")
-    exec(renamed(inspect.getsource(dry_friction), names), vars(module))
+    exec(renamed(text, names), vars(module))
     return module.system, [orbit for orbit in module.orbits if orbit.name in orbits]
-
-
-def struck(names: Mapping[str, str]) -> tuple[System, list[Itinerary]]:
-    """A mass that is shaken, damped, and meets a damped spring."""
-
-    def named(old: str) -> str:
-        return names.get(old, old)
-
-    parameters = [Parameter(named(p), "") for p in ("mm", "cc", "kk", "at", "bb", "FF", "ww")]
-    m, c, k, at, b, force, w = (p.symbol for p in parameters)
-    system = oscillator(
-        "struck", [named("x1")], [[m]], [[k]], damping=[[c]], parameters=parameters,
-        forcing=[Harmonic(w, cosine=[force])],
-        elements=[SoftStop(named("x1"), at=at, stiffness=8, damping=b, name="stop")],
-    )  # fmt: skip
-    phases = [("free", "stop-reaches-stop", "ta"), ("contact", "stop-leaves-stop", "tb")]
-    known = {"mm": 1, "cc": "0.1", "kk": 1, "at": "0.2", "bb": 2, "FF": 1, "ww": 1}
-    guess = {"ta": 4, "tb": 2, "x10": "0.2", "v10": 1, "c10": "0.5", "s10": "0.8"}
-    reference = Reference(*({named(n): x for n, x in each.items()} for each in (known, guess)))
-    phases = [(*phase, named(dwell)) for *phase, dwell in phases]
-    return system, [Itinerary("once", system, phases, reference=reference)]
 
 
 def statements(text: str) -> Iterator[list[str]]:
@@ -79,22 +76,23 @@ def statements(text: str) -> Iterator[list[str]]:
 
 
 @pytest.mark.parametrize(
-    ("declare", "names", "kernel"),
+    ("source", "orbits", "names", "kernel"),
     [
-        (struck, STRUCK, "once_equations"),
+        (SHAKEN, ("once",), STRUCK, "once_equations"),
         pytest.param(
-            lambda names: friction(names, ("global-stick", "solution-ii")),
+            inspect.getsource(dry_friction), ("global-stick", "solution-ii"),
             FRICTION, "solution_ii_reduced", marks=pytest.mark.slow,
         ),
     ],
+    ids=["shaken", "friction"],
 )  # fmt: skip
 def test_names_do_not_change_the_code(
-    declare: Callable[[Mapping[str, str]], tuple[System, list[Itinerary]]],
-    names: Mapping[str, str],
-    kernel: str,
+    source: str, orbits: tuple[str, ...], names: Mapping[str, str], kernel: str
 ) -> None:
-    one, other = (emit_library(*declare(each), "tests") for each in ({}, names))
-    stem = declare({})[0].name.replace("-", "_")
+    system, itineraries = declared(source, orbits, {})
+    one = emit_library(system, itineraries, "tests")
+    other = emit_library(*declared(source, orbits, names), "tests")
+    stem = system.name.replace("-", "_")
     before = {new: old for old, new in names.items()}
     for suffix, begin in ((".py", "def "), (".c", "void ")):
         texts = one[stem + suffix], renamed(other[stem + suffix], before)

@@ -571,46 +571,33 @@ class SystemLaw:
             self.outcomes.setdefault(rule, []).append((target, numbers, reset))
 
     def events(self, table: Table) -> None:
-        source, seen = "", 0
+        source, shown = "", list[tuple[Any, ...]]()
         for name, boundaries, rule in table.rows:
             source = name.strip("*") or source
             for together in boundaries.split(", or "):
-                reached = frozenset(re.findall(r"\*([^*]+)\*", together))
-                declared = [
-                    t
-                    for t in self.facts.system.transitions
-                    if (t.source, t.boundaries) == (source, reached)
-                ]
-                seen += len(declared)
-                outcomes = self.outcomes[rule]
-                if [f"*{t.target}*" for t in declared] != [target for target, *_ in outcomes]:
-                    raise Broken(f"{source}, {together}: where to?")
-                for transition, (_, numbers, reset) in zip(declared, outcomes, strict=True):
-                    wanted = [
-                        (self.facts.value(c.function), c.holds, c.along)
-                        for c in transition.conditions
-                    ]
-                    for number, (value, holds, along) in zip(numbers, wanted, strict=True):
-                        shown = self.numbered[number]
-                        if not _close(shown[0], value) or shown[1:] != (holds, along):
-                            raise Broken(f"{source}, {together}: {number}")
-                    self.reset(transition, reset)
-        if seen != len(self.facts.system.transitions):
-            raise Broken("not all transitions are shown")
+                shown += [(source, together, *outcome) for outcome in self.outcomes[rule]]
+        self.leading(shown)
 
     def transitions(self, table: Table) -> None:
-        declared = self.facts.system.transitions
-        for transition, (source, boundaries, target, *reset) in zip(
-            declared, table.rows, strict=True
-        ):
+        self.leading((s.strip("*"), b, t, [], *(reset or [""])) for s, b, t, *reset in table.rows)
+
+    def leading(self, shown: Iterable[tuple[Any, ...]]) -> None:
+        """From where to where it goes behind which boundaries, in the order that is declared."""
+        left = list(self.facts.system.transitions)
+        for source, boundaries, target, numbers, reset in shown:
             reached = frozenset(re.findall(r"\*([^*]+)\*", boundaries))
-            if (f"*{transition.source}*", transition.boundaries, f"*{transition.target}*") != (
-                source,
-                reached,
-                target,
-            ):
+            begun = [t for t in left if (t.source, t.boundaries) == (source, reached)]
+            if not begun or f"*{begun[0].target}*" != target:
                 raise Broken(f"{source}, {boundaries}, {target}")
-            self.reset(transition, *(reset or [""]))
+            left.remove(begun[0])
+            for number, condition in zip(numbers, begun[0].conditions, strict=True):
+                value, *others = self.numbered[number]
+                declared = self.facts.value(condition.function)
+                if not _close(value, declared) or others != [condition.holds, condition.along]:
+                    raise Broken(f"{source}, {boundaries}: {number}")
+            self.reset(begun[0], reset)
+        if left:
+            raise Broken(f"transitions that are not shown: {left}")
 
     def reset(self, transition: Any, text: str) -> None:
         notation = self.facts.naming.notation
