@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -17,11 +18,6 @@ from tests.latex_reader import ORBITS, Written, reading, text_of, value_of, writ
 TIME = sp.Symbol("t", real=True)
 
 
-@pytest.fixture(params=ORBITS)
-def written(request: pytest.FixtureRequest) -> Written:
-    return written_of(request.param)
-
-
 VARIANTS = {
     "with full closure": lambda: replace(itinerary_of("elastic-stop/one-contact"), reversor={}),
     "from the second phase": lambda: itinerary_of("dry-friction/symmetric").rotated(1),
@@ -31,9 +27,6 @@ VARIANTS = {
 
 
 GALLERY = ("mass_on_belt/stick-slip", "two_belts/both-stick", "two_belts/second-sticks")
-LONG = ("from the third phase", "behind the collision", *GALLERY)
-
-
 FORCED = (
     "impact_oscillator/one-period",
     "jenkins/yielding-both-ways",
@@ -43,6 +36,28 @@ FORCED = (
     "impact_damper/struck-twice",
     "beam/one-contact",
 )
+
+
+@cache
+def described(name: str) -> Written:
+    if name in VARIANTS:
+        return Written(derive_equations(VARIANTS[name]()))
+    found = written_of(name) if name in ORBITS else derived(name)
+    assert found
+    return found
+
+
+SLOW = [pytest.param(name, marks=pytest.mark.slow) for name in (*VARIANTS, *GALLERY)]
+
+
+@pytest.fixture(params=[*ORBITS, *marked(FORCED), *SLOW])
+def written(request: pytest.FixtureRequest) -> Written:
+    return described(request.param)
+
+
+@pytest.fixture(params=ORBITS)
+def solved(request: pytest.FixtureRequest) -> Written:
+    return described(request.param)
 
 
 def test_each_symbol_is_defined_before_it_is_used(written: Written) -> None:
@@ -58,25 +73,6 @@ def test_each_symbol_is_defined_before_it_is_used(written: Written) -> None:
         assert not {s for s in used - known if not told.fullmatch(str(s))}, line.latex
         if isinstance(line.subject, sp.Symbol):
             known.add(line.subject)
-
-
-@pytest.mark.parametrize("name", marked(FORCED))
-def test_forced_orbits_have_documents_as_true(name: str) -> None:
-    written = derived(name)
-    test_formulas_show_what_the_kernels_compute(written)
-    test_every_stage_of_the_derivation_is_shown(written)
-    test_the_equations_are_all_there(written)
-    test_each_symbol_is_defined_before_it_is_used(written)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", marked((*VARIANTS, *GALLERY), *LONG))
-def test_other_itineraries_have_documents_as_true(name: str) -> None:
-    written = Written(derive_equations(VARIANTS[name]())) if name in VARIANTS else derived(name)
-    test_each_symbol_is_defined_before_it_is_used(written)
-    test_formulas_show_what_the_kernels_compute(written)
-    test_every_stage_of_the_derivation_is_shown(written)
-    test_the_equations_are_all_there(written)
 
 
 def test_formulas_show_what_the_kernels_compute(written: Written) -> None:
@@ -132,41 +128,41 @@ def test_the_equations_are_all_there(written: Written) -> None:
 # --- derivatives, stability and energy
 
 
-def test_the_trace_as_written_is_that_of_the_kernel(written: Written) -> None:
-    orbit, equations = ns.solve(written.name), written.equations
-    trace, numbers = float(orbit.evaluate("trace")), written.at(orbit)
+def test_the_trace_as_written_is_that_of_the_kernel(solved: Written) -> None:
+    orbit, equations = ns.solve(solved.name), solved.equations
+    trace, numbers = float(orbit.evaluate("trace")), solved.at(orbit)
     if equations.conservative:
-        line = written.line(r"\operatorname{tr} \mathcal{M}")
-        assert written.reader(numbers).latex(text_of(line)) - 1 == pytest.approx(trace, abs=1e-9)
-    elif written.name == "dry-friction/global-stick":
+        line = solved.line(r"\operatorname{tr} \mathcal{M}")
+        assert solved.reader(numbers).latex(text_of(line)) - 1 == pytest.approx(trace, abs=1e-9)
+    elif solved.name == "dry-friction/global-stick":
         symbols = {str(s): s for s in numbers}
         own = {u: numbers[symbols[str(u)]] for u in equations.reduction.unknowns}
-        numbers = written.run({**numbers, **own}, equations.trace_program.stages)
-        (line,) = (x for x in written.lines if x.shows == equations.trace)
-        assert written.reader(numbers).latex(text_of(line)) == pytest.approx(trace, abs=1e-9)
+        numbers = solved.run({**numbers, **own}, equations.trace_program.stages)
+        (line,) = (x for x in solved.lines if x.shows == equations.trace)
+        assert solved.reader(numbers).latex(text_of(line)) == pytest.approx(trace, abs=1e-9)
 
 
-def test_the_entries_of_the_map_as_written_are_those_of_the_kernel(written: Written) -> None:
+def test_the_entries_of_the_map_as_written_are_those_of_the_kernel(solved: Written) -> None:
     """Their values are in the last section, and the lines from which they are computed as well."""
-    orbit, size = ns.solve(written.name), range(1, len(written.equations.chain.coordinates) + 1)
+    orbit, size = ns.solve(solved.name), range(1, len(solved.equations.chain.coordinates) + 1)
     kernel = np.array(orbit.evaluate("poincare_jacobian"), dtype=float)
-    numbers = written.run(written.at(orbit), written.equations.map_program.stages)
-    read = written.reader(numbers)
-    lines = [[written.line(f"J_{{{i}{j}}}") for j in size] for i in size]
+    numbers = solved.run(solved.at(orbit), solved.equations.map_program.stages)
+    read = solved.reader(numbers)
+    lines = [[solved.line(f"J_{{{i}{j}}}") for j in size] for i in size]
     found = [[read.latex(text_of(line)) for line in row] for row in lines]
     assert np.array(found) == pytest.approx(kernel, abs=1e-9)
-    last = [b for b in written.document.section("The reference orbit") if isinstance(b, Formula)]
+    last = [b for b in solved.document.section("The reference orbit") if isinstance(b, Formula)]
     (matrix,) = (line for formula in last for line in formula.lines if line.left == "J")
     assert np.atleast_2d(read.latex(text_of(matrix))) == pytest.approx(kernel, abs=1e-9)
 
 
-def test_the_reference_orbit_is_the_one_that_is_solved(written: Written) -> None:
-    orbit = ns.solve(written.name)
-    section = written.document.section("The reference orbit")
+def test_the_reference_orbit_is_the_one_that_is_solved(solved: Written) -> None:
+    orbit = ns.solve(solved.name)
+    section = solved.document.section("The reference orbit")
     formulas = [b for b in section if isinstance(b, Formula)]
     shown = {line.left: " ".join(line.pieces) for f in formulas for line in f.lines}
-    for unknown in written.equations.unknowns:
-        value = float(shown[written.notation.symbol(unknown)])
+    for unknown in solved.equations.unknowns:
+        value = float(shown[solved.notation.symbol(unknown)])
         assert value == pytest.approx(float(orbit.values[str(unknown)]), abs=1e-10)
     assert float(shown[r"\text{period}"]) == pytest.approx(float(orbit.period), abs=1e-10)
     assert float(shown[r"\operatorname{tr} J"]) == pytest.approx(float(orbit.trace), abs=1e-9)
