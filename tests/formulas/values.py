@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import operator
 import re
 from collections import ChainMap
 from collections.abc import Callable, Mapping, Sequence
@@ -86,8 +87,15 @@ class Reading:
         return self(read_latex(text))
 
     def __call__(self, row: Row) -> Any:
-        """Value of one expression."""
-        return _scalar(_Walk(self, row).all())
+        """Value of one expression, term by term."""
+        terms, signs = divided(without_spaces(row), "+-±")
+        if signs and not terms[0]:
+            terms = terms[1:]
+        else:
+            signs = ["+", *signs]
+        factors = [-1 if sign == "-" else 1 for sign in signs]
+        values = [_Walk(self, term).product() for term in terms]
+        return _scalar(reduce(_added, map(operator.mul, factors, values)))
 
     def label(self, row: Row) -> str:
         """Text of an index, its letters replaced by their numbers."""
@@ -133,16 +141,10 @@ UNIT = Unit()
 
 
 class _Walk:
-    """One pass over a row."""
+    """One pass over a term."""
 
     def __init__(self, reading: Reading, row: Row) -> None:
         self.reading, self.row, self.place = reading, list(row), 0
-
-    def all(self) -> Any:
-        value = self.sum()
-        if self.place < len(self.row):
-            raise Unreadable(f"{plain(self.row)}: stops at {plain(self.row[self.place :])}")
-        return value
 
     # -- looking ahead
 
@@ -158,33 +160,16 @@ class _Walk:
 
     # -- grammar
 
-    def sum(self) -> Any:
-        total: Any = None
-        while True:
-            self.spaces()
-            sign = self.sign()
-            if sign in ("+", "-", "±"):
-                self.place += 1
-                self.spaces()
-                if self.sign() in ("+", "-", "±"):
-                    raise Unreadable(f"two signs in a row: {plain(self.row)}")
-            elif total is not None:
-                return total
-            term = (-1 if sign == "-" else 1) * self.product()
-            total: Any = term if total is None else _added(total, term)
-
     def product(self) -> Any:
         value = self.factor()
-        while True:
-            self.spaces()
-            item, sign = self.item(), self.sign()
-            if item is None or sign in (*"+-±,;", *CLOSING):
-                return value
+        self.spaces()
+        while (item := self.item()) is not None:
+            sign = self.sign()
             if sign == "/":
                 self.place += 1
                 value = _scalar(value) / _scalar(self.factor())
                 self.spaces()
-                if self.item() is not None and self.sign() not in (*"+-,;", *CLOSING):
+                if self.item() is not None:
                     raise Unreadable(f"what does the stroke divide by? {plain(self.row)}")
                 return value
             if sign == "·":
@@ -192,6 +177,8 @@ class _Walk:
             elif is_number(core_of(item)):
                 raise Unreadable(f"a number behind a factor: {plain(self.row)}")
             value = _times(value, self.factor())
+            self.spaces()
+        return value
 
     def factor(self) -> Any:
         value = self.plain_factor()
@@ -348,14 +335,7 @@ class _Walk:
 
     def repeated(self, text: str, item: Item) -> Any:
         """A sum or a product; factors of later numbers stand on the left."""
-        end, depth = self.place, 0
-        while end < len(self.row):
-            sign = _sign(self.row[end])
-            depth += (sign in OPENING) - (sign in CLOSING)
-            if depth < 0 or (depth == 0 and sign in ("+", "-", ",")):
-                break
-            end += 1
-        body, self.place = tuple(self.row[self.place : end]), end
+        body, self.place = tuple(self.row[self.place :]), len(self.row)
         letter, numbers = self.numbers(item, text)
         values = [self.reading.at(**{letter: n})(body) for n in numbers]
         if not values:
@@ -379,14 +359,15 @@ class _Walk:
         return letter, range(first, end + 1) if text == "∑" else range(first, end - 1, -1)
 
 
-def divided(row: Row, signs: str) -> tuple[list[Row], list[str]]:
-    """Parts of a row between signs outside all brackets, and those signs."""
+def divided(row: Sequence[Item], signs: str) -> tuple[list[Row], list[str]]:
+    """Parts of a row between signs outside all brackets and bars, and those signs."""
     parts: list[list[Item]] = [[]]
-    found, depth = [], 0
+    found, depth, within = [], 0, False
     for item in row:
         sign = _sign(item)
         depth += (sign in OPENING) - (sign in CLOSING)
-        if depth == 0 and sign in [*signs]:
+        within ^= item == Atom("|", "sign")
+        if depth == 0 and not within and sign in [*signs]:
             parts.append([])
             found.append(sign)
         else:
