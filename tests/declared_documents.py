@@ -31,6 +31,7 @@ __all__ = [
     "impacts",
     "masses",
     "one_mass",
+    "pair",
     "rattle",
     "switched",
     "switching",
@@ -88,6 +89,12 @@ def masses(count: int) -> System:
     names = [f"x{i}" for i in range(1, count + 1)]
     description = "masses & springs"
     return oscillator("masses", names, mass, stiffness, elements=[stop], description=description)
+
+
+def pair() -> System:
+    """Two masses that meet their stops, also both at one instant, without any condition."""
+    stops = [SoftStop(name, at=1, stiffness=3, name=f"{name}-pad") for name in ("x", "y")]
+    return oscillator("pair", ["x", "y"], sp.diag(1, 2), sp.eye(2), elements=stops)
 
 
 def switched() -> System:

@@ -21,6 +21,7 @@ from tests.declared_documents import (
     impacts,
     masses,
     one_mass,
+    pair,
     rattle,
     switching,
 )
@@ -49,7 +50,7 @@ def declarations() -> dict[str, System | Itinerary]:
         "more-masses": masses(3),
     }
     found |= {"two-impacts": impacts(2), "rattle": rattle(), "many-turns": switching(7)}
-    return found | {"ball/drop": drop(), "undamped-rattle": rattle(0)}
+    return found | {"ball/drop": drop(), "pair": pair(), "undamped-rattle": rattle(0)}
 
 
 @cache
