@@ -7,13 +7,24 @@ from functools import cache
 from typing import Any
 
 import pytest
+import sympy as sp
 
-from nonsmooth.derive import DerivationError, EquationSystem, Itinerary, System, derive_equations
-from nonsmooth.derive.document.blocks import Document, Formula, Heading
+from nonsmooth.derive import DerivationError, Itinerary, System, derive_equations
+from nonsmooth.derive.document.blocks import Document
 from nonsmooth.derive.document.describe import describe_orbit, describe_system
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from nonsmooth.runtime.model.loading.declared import declaration_in
-from tests.declared_documents import chain, forced_stop, impacts, one_mass, rattle, switching
+from tests.declared_documents import (
+    chain,
+    drop,
+    forced_stop,
+    impacts,
+    masses,
+    one_mass,
+    pair,
+    rattle,
+    switching,
+)
 from tests.latex_reader import ORBITS, Written, written_of
 from tests.places import GALLERY
 from tests.shared import shared_value
@@ -22,6 +33,7 @@ from tests.shared import shared_value
 @cache
 def declarations() -> dict[str, System | Itinerary]:
     """Systems and itineraries by name."""
+    zeta, omega = sp.symbols("zeta omega", positive=True)
     found: dict[str, Any] = {}
     for name in SYSTEMS:
         found[name] = declaration(name).system
@@ -32,35 +44,25 @@ def declarations() -> dict[str, System | Itinerary]:
     for name in SYSTEMS:
         found |= {f"{name}/{orbit.name}": orbit for orbit in declaration(name).orbits}
     found |= {"forced": forced_stop(), "chain": chain(), "one-mass": one_mass("1/5")}
-    found |= {"two-impacts": impacts(2), "rattle": rattle(), "switching": switching()}
-    return found
+    found |= {
+        "any-mass": one_mass(zeta * omega, omega**2),
+        "masses": masses(2),
+        "more-masses": masses(3),
+    }
+    found |= {"two-impacts": impacts(2), "rattle": rattle(), "many-turns": switching(7)}
+    return found | {"ball/drop": drop(), "pair": pair(), "undamped-rattle": rattle(0)}
 
 
 @cache
-def document_of(name: str) -> tuple[Document, EquationSystem | None]:
-    """A document, and the equations that are derived for it."""
-    if name in ORBITS:
-        written = written_of(name)
-        return written.document, written.equations
+def document_of(name: str) -> Document:
+    """A document; those of the gallery have equations where there is a closed form."""
     declared = declarations()[name]
     if isinstance(declared, System):
-        return shared_value(f"document of {name}", lambda: describe_system(declared)), None
+        return shared_value(f"document of {name}", lambda: describe_system(declared))
     if "/" not in name:
-        return shared_value(f"document of {name}", lambda: describe_orbit(declared)), None
-    written = derived(name)
-    return (written.document, written.equations) if written else (describe_orbit(declared), None)
-
-
-def labels_by_section(document: Document) -> list[str]:
-    """Numbers that the numbered formulas are to have: that of the section, and the place in it."""
-    section, place, found = 0, 0, []
-    for block in document.blocks:
-        if isinstance(block, Heading) and block.level == 1:
-            section, place = section + 1, 0
-        elif isinstance(block, Formula) and block.label:
-            place += 1
-            found.append(f"{section}.{place}")
-    return found
+        return shared_value(f"document of {name}", lambda: describe_orbit(declared))
+    written = written_of(name) if name in ORBITS else derived(name)
+    return written.document if written else describe_orbit(declared)
 
 
 @cache
@@ -81,6 +83,7 @@ def names(kind: type[System] | type[Itinerary]) -> Iterator[str]:
 LARGE = {
     *("backlash_gear", "beam/one-contact", "brake_pad/lifting", "chain", "impact_damper"),
     *("jenkins/yielding-both-ways", "piecewise_stiffness", "three_masses", "two_belts"),
+    "undamped-rattle",
 }
 
 

@@ -5,60 +5,45 @@ from __future__ import annotations
 import math
 import random
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import cache
 from typing import Any
 
 import numpy as np
 import sympy as sp
 
-import nonsmooth as ns
-from nonsmooth.derive import EquationSystem, Itinerary, derive_equations
-from nonsmooth.derive.document.blocks import Document, Line
+from nonsmooth.derive import EquationSystem, derive_equations
 from nonsmooth.derive.document.describe import describe_orbit
-from nonsmooth.derive.document.printer import Notation
-from nonsmooth.derive.document.view import naming_of
 from nonsmooth.derive.equations.explicit import Angle
-from nonsmooth.derive.equations.program import Stage
 from nonsmooth.derive.systems import SYSTEMS, declaration
-from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.shooting.shooting_map import Numbers
+from tests.declared import itinerary_of
 from tests.formulas.responses import response_functions
 from tests.formulas.values import Reading, name_of
 
+Numbers = dict[sp.Basic, Any]
 REVERSIBLE = ["rigid-stop/one-impact", "elastic-stop/one-contact", "dry-friction/symmetric"]
-CONSERVATIVE = ["rigid-stop/one-impact", "elastic-stop/one-contact"]
 ORBITS = [f"{name}/{orbit.name}" for name in SYSTEMS for orbit in declaration(name).orbits]
 
 
-class Reader:
-    """Evaluate the LaTeX of a right-hand side, knowing the values of the symbols as written."""
-
-    def __init__(self, values: Mapping[str, Any]) -> None:
-        self.reading = Reading({name_of(name): value for name, value in values.items()})
-
-    def __call__(self, latex: str) -> Any:
-        return self.reading.latex(latex)
-
-    def matrix(self, latex: str) -> np.ndarray:
-        """Evaluate a matrix, or the transposed one of a row."""
-        found = np.atleast_2d(self.reading.latex(latex.replace(r"^{\mathsf{T}}", "")))
-        return found.T if r"^{\mathsf{T}}" in latex else found
+def reading(values: Mapping[str, Any]) -> Reading:
+    """A reader of LaTeX, knowing the values of the symbols as written."""
+    return Reading({name_of(name): value for name, value in values.items()})
 
 
 class Written:
     """An orbit with its document, and numbers for all that stands in it."""
 
     def __init__(self, equations: EquationSystem) -> None:
-        self.equations = equations
-        self.notation: Notation = naming_of(equations).notation
-        self.document: Document = describe_orbit(equations)
+        self.equations, itinerary = equations, equations.itinerary
+        self.name = f"{itinerary.system.name}/{itinerary.name}"
+        self.document = describe_orbit(equations)
+        self.notation = self.document.shown.naming.notation
 
     @property
-    def lines(self) -> list[Line]:
+    def lines(self) -> list[Any]:
         return [line for formula in self.document.formulas for line in formula.lines]
 
-    def line(self, left: str) -> Line:
+    def line(self, left: str) -> Any:
         """The only line with that left-hand side."""
         (found,) = (line for line in self.lines if line.left == left)
         return found
@@ -100,7 +85,7 @@ class Written:
             if text.startswith(r"\cos ")
         }
 
-    def at(self, orbit: Orbit) -> Numbers:
+    def at(self, orbit: Any) -> Numbers:
         """The numbers of a solved orbit, all stages included."""
         named = {str(s): s for s in (*self.equations.unknowns, *self.notation.constants)}
         named |= {p.name: p.symbol for p in self.equations.system.parameters}
@@ -111,7 +96,7 @@ class Written:
                 found[link.dwell] = float(sp.sympify(link.duration).xreplace(found))
         return self.run(self.complete(found), (*self.equations.chain.stages,))
 
-    def run(self, known: Numbers, stages: tuple[Stage, ...]) -> Numbers:
+    def run(self, known: Numbers, stages: Iterable[Any]) -> Numbers:
         """Run stages on numbers."""
         known = dict(known)
         for stage in stages:
@@ -119,12 +104,7 @@ class Written:
                 known[symbol] = float(expression.xreplace(known))
         return known
 
-    def responses(self, numbers: Numbers) -> dict[str, Any]:
-        """Impulse responses, where motions are written in them."""
-        known = self.notation.responses
-        return response_functions(known, numbers) if known.factors else {}
-
-    def reader(self, numbers: Numbers) -> Reader:
+    def reader(self, numbers: Numbers) -> Reading:
         """Read with these numbers, and with what the document names on the way."""
         names: dict[str, Any] = {r"\pi": math.pi}
         for symbol, value in numbers.items():
@@ -135,42 +115,30 @@ class Written:
             if {cosine, sine} <= numbers.keys():
                 names[angle] = math.atan2(numbers[sine], numbers[cosine])
         names |= {r"\mathrm{i}": 1j} if self.angles else {}
-        names |= self.responses(numbers)
+        known = self.notation.responses
+        names |= response_functions(known, numbers) if known.factors else {}
         for line in self.lines:
             if line.shows is None or not line.shows.free_symbols <= {*numbers}:
                 continue
             if re.fullmatch(r"(?:\\kappa|f|S)_\{\d+\}", line.left):
                 names[line.left] = value_of(line, numbers)
-        return Reader(names)
+        return reading(names)
 
 
-def value_of(line: Line, numbers: Numbers) -> Any:
+def value_of(line: Any, numbers: Numbers) -> Any:
     """What the derivation computes for a line."""
     found = sp.sympify(line.shows.xreplace(numbers))
     found = found.replace(Angle, lambda s, c: math.atan2(s, c) % (2 * math.pi))
     return np.array(found.tolist(), dtype=float) if line.shows.is_Matrix else float(found)
 
 
-def text_of(line: Line) -> str:
+def text_of(line: Any) -> str:
     """Right-hand side of a line, without what ends the sentence."""
     text = " ".join(line.pieces).rstrip()
     return re.sub(r"(\s*=\s*0)?[,.]?$", "", text)
 
 
-def declared_as(name: str) -> Itinerary:
-    """The declaration of ``system/orbit``."""
-    system, _, orbit = name.partition("/")
-    (found,) = (o for o in declaration(system).orbits if o.name == orbit)
-    return found
-
-
 @cache
 def written_of(name: str) -> Written:
     """The document of ``system/orbit``."""
-    return Written(derive_equations(declared_as(name)))
-
-
-@cache
-def solved_of(name: str) -> Orbit:
-    """The orbit at its default parameters."""
-    return ns.solve(name)
+    return Written(derive_equations(itinerary_of(name)))

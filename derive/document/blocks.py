@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from typing import Any
 
 import sympy as sp
 
@@ -135,10 +136,11 @@ _PARTS = {
 
 @dataclass(frozen=True)
 class Document:
-    """A title and the blocks that follow it."""
+    """A title and the blocks that follow it, and what the blocks show, with its notation."""
 
     title: str
     blocks: tuple[Block, ...]
+    shown: Any = field(default=None, compare=False, repr=False)
 
     @property
     def formulas(self) -> tuple[Formula, ...]:
@@ -147,7 +149,7 @@ class Document:
 
     def part(self, name: str) -> Document:
         """A document of one part: flows, equations, map or trace, numbered as in the whole."""
-        return Document(self.title, self._sections(_PARTS[name]))
+        return Document(self.title, self._sections(_PARTS[name]), self.shown)
 
     def section(self, title: str) -> tuple[Block, ...]:
         """The blocks between a section's heading and the next section."""

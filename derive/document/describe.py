@@ -217,7 +217,7 @@ def _document(
     blocks: list[Block] = []
     for heading, blocks_of in kept.items():
         blocks += [Heading(heading, number=places[heading]), *blocks_of(shown)]
-    return Document(title, tuple(blocks))
+    return Document(title, tuple(blocks), shown)
 
 
 def itinerary_naming(itinerary: Itinerary, spectrum: Spectrum, flows: Mapping[str, Flow]) -> Naming:

@@ -13,7 +13,7 @@ from nonsmooth.derive.declaration.source import Source
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.document.blocks import Line
 from nonsmooth.derive.document.printer import Notation
-from nonsmooth.derive.document.symbols import Letters, free_letters, head
+from nonsmooth.derive.document.symbols import Letters, free, free_letters, head
 
 __all__ = ["Naming", "alike", "count", "enumeration", "letters_of", "number"]
 
@@ -53,9 +53,11 @@ class Naming:
 
     @property
     def letter(self) -> str:
-        """Letter of the vector of positions: their common letter if they share one, else x."""
+        """Letter of the vector of positions: the one that they share, else one that is free."""
         letters = sorted({str(s).rstrip("0123456789") for s in self.positions})
-        return letters[0] if len(letters) == 1 and len(letters[0]) == 1 else "x"
+        if len(letters) == 1 and len(letters[0]) == 1:
+            return letters[0]
+        return free(("x", "z", "q", "u"), self.notation.declared)
 
     @property
     def state(self) -> str:

@@ -10,34 +10,23 @@ from nonsmooth.derive.document.blocks import Formula
 from nonsmooth.derive.systems import declaration
 from tests.documents import document_of
 from tests.formulas.pages import texts_of
-from tests.latex_reader import ORBITS, Reader
+from tests.latex_reader import ORBITS, reading
 
 # all numbered equations of the source paper
 PAPER = (*(f"({number})" for number in range(1, 19)), "(A.1)", "(A.2)", "(A.3)")
-MISPRINTED = {
-    "(2)": "which prints $x_{1}$ without the dot of the velocity",
-    "(4)": "which prints the last entry of the stiffness matrix as $k_{1} + k_{3}$",
-    "(10)": "which prints the upper right block as $V t I$",
-    "(15)": "which prints $H$ for the flow $h$",
-    "(A.1)": r"which prints $\tilde N_{2}$ in the place of $\tilde N_{3}$, $T$ for $\tau_{2}$"
-    " and $H$ for $h$",
-    "Sec. 2.4": "without the dot of the velocity",
-}
 
 
-def test_every_equation_of_the_paper_is_cited_and_its_misprints_are_told() -> None:
+def test_every_equation_of_the_paper_is_cited() -> None:
     told = [
-        text for name in ORBITS for block in document_of(name)[0].blocks for text in texts_of(block)
+        text for name in ORBITS for block in document_of(name).blocks for text in texts_of(block)
     ]
     cited = set(re.findall(r"= (\(\S+\)) of Pascal \(2011\)", " ".join(told)))
     assert cited == set(PAPER)
-    for place, sentence in MISPRINTED.items():
-        assert any(f"{place} of Pascal (2011), " in t and sentence in t for t in told), place
 
 
 @pytest.mark.parametrize("name", ["dry-friction", *(n for n in ORBITS if "friction" in n)])
 def test_the_model_scales_to_the_equations_that_are_declared(name: str) -> None:
-    document, _ = document_of(name)
+    document = document_of(name)
     formulas = [b.latex for b in document.section("The model") if isinstance(b, Formula)]
     relations = re.split(r",\s*\\qquad|[.,;]?\s*(?:\\\\\s|\\end\{aligned\})", " ".join(formulas))
     texts = dict(
@@ -47,7 +36,7 @@ def test_the_model_scales_to_the_equations_that_are_declared(name: str) -> None:
     )
     draw = random.Random(4)
     known = {f"{letter}_{{{i}}}": draw.uniform(0.3, 2.0) for letter in "mkFx" for i in (1, 2)}
-    read = Reader(known)
+    read = reading(known).latex
     chi, eta, frequency = (read(texts[letter]) for letter in (r"\chi", r"\eta", r"\bar{\omega}"))
     mass = np.diag([known["m_{1}"], known["m_{2}"]])
     k1, k2 = known["k_{1}"], known["k_{2}"]
@@ -64,7 +53,7 @@ def test_the_model_scales_to_the_equations_that_are_declared(name: str) -> None:
     scale = np.linalg.inv(mass) / frequency**2
     assert scale @ stiffness == pytest.approx(declared[0])
     assert scale @ forces == pytest.approx(declared[1].ravel())
-    holding = Reader({**known, r"\chi": chi})
+    holding = reading({**known, r"\chi": chi}).latex
     for i, contact in enumerate(system.contacts, start=1):
         force = contact.forces["stick-stick"].subs(numbers)
         assert holding(texts[rf"\varphi_{{{i}}}"]) == pytest.approx(float(force))

@@ -17,81 +17,35 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from nonsmooth.derive import Itinerary
-from nonsmooth.derive.systems import SYSTEMS, declaration
+from nonsmooth.derive.systems import SYSTEMS
 from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
-from nonsmooth.runtime.core.values import parse
 from nonsmooth.runtime.model.kernels import SystemKernels
 
 MODULES = {name: import_module(f"nonsmooth.generated.{stem}") for name, stem in SYSTEMS.items()}
-ORBITS = {f"{name}/{o.name}": o for name in SYSTEMS for o in declaration(name).orbits}
 EVERY = [(system, kernel) for system, module in MODULES.items() for kernel in module.KERNELS]
 every_kernel = pytest.mark.parametrize(
     ("system", "kernel"), EVERY, ids=[f"{s}-{k}" for s, k in EVERY]
 )
-PHYSICAL = {
-    "rigid-stop": ("1", "2", "1", "5", "0.9"),
-    "elastic-stop": ("1", "2", "1", "5", "1"),
-    "dry-friction": ("0.5", "1", "1", "0.4", "3.4", "0.3", "0.8"),
-}
-
-
-def identifier(name: str) -> str:
-    return name.replace("-", "_")
-
-
-def orbit_of(system: str, kernel: str) -> Itinerary | None:
-    """The orbit that a kernel is of; None for one of the system."""
-    for orbit in declaration(system).orbits:
-        if kernel.startswith(f"{identifier(orbit.name)}_"):
-            return orbit
-    return None
 
 
 def spectral(system: str, kernel: str) -> list[int]:
-    """Places of the spectrum's parameters among those of a kernel."""
-    table, orbit = MODULES[system].SYSTEM, orbit_of(system, kernel)
-    tables = table["parameters"]
-    if orbit is not None:
-        tables = MODULES[system].ORBITS[orbit.name]["parameters"]
-    names = [p["name"] for p in tables]
-    return [names.index(n) for n in table["spectrum_parameters"]]
-
-
-def point(system: str, kernel: str, seed: int) -> list[list[Fraction]]:
-    """Arguments of a kernel at a random parameter point, each a flat list of decimals."""
-    source = random.Random(f"{kernel}{seed}")
-
-    def near(value: str) -> Fraction:
-        return Fraction(value) * Fraction(source.randint(950, 1050), 1000)
-
-    module, orbit = MODULES[system], orbit_of(system, kernel)
-    physical = [near(v) for v in PHYSICAL[system]]
-    if kernel == "spectrum":
-        names = [p["name"] for p in module.SYSTEM["parameters"]]
-        return [[physical[names.index(n)] for n in module.SYSTEM["spectrum_parameters"]]]
-    parameters, known = physical, {}
-    if orbit is not None:
-        texts = {**orbit.reference.parameters, **orbit.reference.guess}
-        known = {n: near(repr(float(parse(text)))) for n, text in texts.items()}
-        table = module.ORBITS[orbit.name]
-        parameters = [known[p["name"]] for p in table["parameters"]]
-    taken = module.KERNELS[kernel][0]
-    late = [[]] if any(since for _, since in taken) else []  # derivatives of the spectrum
-    if len(taken) == 4 and not late:
-        state = [Fraction(source.randint(-30, 30), 10) for _ in range(4)]
-        return [parameters, [], [Fraction(source.randint(1, 60), 10)], state]
-    names = table["reduced" if kernel.endswith("_reduced") else "unknowns"] if orbit else []
-    unknowns = [[known[n] for n in names]] if names else []
-    return [parameters, [], *unknowns, *late][: len(taken)]
+    """Places of the spectrum's parameters among those of a kernel, of the system or an orbit."""
+    table, orbits = MODULES[system].SYSTEM, MODULES[system].ORBITS
+    owner = [t for o, t in orbits.items() if kernel.startswith(f"{o.replace('-', '_')}_")]
+    names = [parameter["name"] for parameter in [*owner, table][0]["parameters"]]
+    return [names.index(name) for name in table["spectrum_parameters"]]
 
 
 def arguments_of(
     system: str, kernel: str, seed: int, number: Callable[[Fraction], Any], lib: Any
 ) -> list[Any]:
-    """Arguments of a kernel in one arithmetic, which computes the spectrum itself."""
+    """Random arguments of a kernel in one arithmetic, which computes the spectrum itself."""
     module, (taken, _) = MODULES[system], MODULES[system].KERNELS[kernel]
-    numbers: list[Any] = [[number(v) for v in a] for a in point(system, kernel, seed)]
+    draw = random.Random(f"{kernel}{seed}")
+    numbers: list[Any] = [
+        [number(Fraction(draw.randint(300, 700), 1000)) for _ in range(prod(shape))]
+        for shape, _ in taken
+    ]
     if len(taken) > 1:
         chosen = [numbers[0][i] for i in spectral(system, kernel)]
         numbers[1], derivatives = module.spectrum(chosen, lib=lib)
@@ -197,18 +151,22 @@ def test_compiled_kernels_broadcast_over_any_strides(system: str, kernel: str) -
     taken, given = cores(function)
     arrays = arrays_for(system, kernel, 6)
     plain = outputs(function(*arrays))
-    # every second of a longer array, backwards in memory, in Fortran order, and read-only
-    strided, reversed_, fortran = [], [], []
-    for array in arrays:
+
+    def strided(array: np.ndarray) -> np.ndarray:
         wide = np.full((2 * len(array), *array.shape[1:]), np.nan)
         wide[::2] = array
-        strided.append(wide[::2])
-        reversed_.append(np.ascontiguousarray(array[::-1])[::-1])
+        return wide[::2]
+
+    def backwards(array: np.ndarray) -> np.ndarray:
+        return np.ascontiguousarray(array[::-1])[::-1]
+
+    def columns(array: np.ndarray) -> np.ndarray:
         copy = np.asfortranarray(array)
         copy.setflags(write=False)
-        fortran.append(copy)
-    for other in (strided, reversed_, fortran):
-        for a, b in zip(plain, outputs(function(*other)), strict=True):
+        return copy
+
+    for placed in (strided, backwards, columns):
+        for a, b in zip(plain, outputs(function(*map(placed, arrays))), strict=True):
             assert_array_equal(a, b)
     # a 3 x 2 grid, with the last argument the same along one axis
     grid = [a.reshape(3, 2, *core) for a, core in zip(arrays, taken, strict=True)]
@@ -271,14 +229,3 @@ def test_results_may_lie_in_the_memory_of_arguments(system: str) -> None:
                     assert_array_equal(out, wanted, f"{name} {label}")
                     seen.add(one_for_all)
     assert seen == {True, False}
-
-
-@pytest.mark.compiled
-@pytest.mark.parametrize("system", SYSTEMS)
-def test_the_extension_is_of_this_derivation_and_holds_every_kernel(system: str) -> None:
-    names, stem = dir(extension()), SYSTEMS[system]
-    assert getattr(extension(), f"derivation_{stem}") == MODULES[system].DERIVATION
-    assert {f"{stem}_{k}_1" for k in MODULES[system].KERNELS} <= set(names)
-    for orbit in MODULES[system].ORBITS:
-        for kernel in ("solve", "admissible"):
-            assert f"{stem}_{identifier(orbit)}_{kernel}" in names

@@ -2,19 +2,12 @@
 
 import re
 
-from nonsmooth.derive import (
-    Friction,
-    Harmonic,
-    Itinerary,
-    Parameter,
-    Reference,
-    RigidStop,
-    oscillator,
-)
+import sympy as sp
+
+from nonsmooth.derive import Friction, Harmonic, Itinerary, Reference, RigidStop, oscillator
 from nonsmooth.derive.codegen.derived import derive_system
 
-S, E = (Parameter(name, "a limit of friction", lower=0) for name in ("S", "E"))
-W = Parameter("W", "frequency of the forcing")
+S, E, W = sp.symbols("S E W", positive=True)
 REFERENCE = Reference({"S": "0.3", "E": "0.1", "W": "0.5"}, {"down": "6.2832", "up": "6.2832"})
 REVERSALS = [("slip", "ground-reaches-belt", "down"), ("overshoot", "ground-reaches-belt", "up")]
 
@@ -27,34 +20,21 @@ def unshown(orbit):
 
 def rubbed(kinetic, static):
     """A forced mass that reverses on ground and goes on at once."""
-    system = oscillator(
-        "rubbed",
-        ["x"],
-        mass=[[1]],
-        stiffness=[[1]],
-        forcing=[Harmonic(W.symbol, cosine=[1])],
-        elements=[Friction("x", kinetic, static, 0, name="ground")],
-        parameters=[S, E, W],
-    )
+    ground, forcing = Friction("x", kinetic, static, 0, name="ground"), Harmonic(W, cosine=[1])
+    system = oscillator("rubbed", ["x"], [[1]], [[1]], forcing=[forcing], elements=[ground])
     return Itinerary("reversing", system, REVERSALS, reference=REFERENCE)
 
 
 def test_a_reversal_shows_that_kinetic_friction_is_overcome_and_not_static():
-    same = rubbed(S.symbol, S.symbol)
+    same = rubbed(S + E, S + E)
     assert unshown(same) == []
-    more = rubbed(S.symbol, S.symbol + E.symbol)
+    more = rubbed(S, S + E)
     assert unshown(more) == ["ground-reaches-belt"]
 
 
 def test_an_impact_is_faster_than_rest():
-    system = oscillator(
-        "struck",
-        ["x"],
-        mass=[[1]],
-        stiffness=[[1]],
-        elements=[RigidStop("x", at=1, restitution=S.symbol, name="stop")],
-        parameters=[S],
-    )
+    stop = RigidStop("x", at=1, restitution=S, name="stop")
+    system = oscillator("struck", ["x"], [[1]], [[1]], elements=[stop])
     orbit = Itinerary("one", system, [("free", "stop-reaches-stop", "T")])
     assert unshown(orbit) == []
     resting = [("free", "stop-reaches-stop", "T"), ("contact", "stop-leaves-stop", "rest")]

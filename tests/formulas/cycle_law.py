@@ -9,10 +9,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.derive.declaration.itinerary import dwell_symbol
-from nonsmooth.derive.document.blocks import Document, Formula, Paragraph, Table
-from nonsmooth.derive.document.cycle import Cycle
-from nonsmooth.runtime.orbits.orbit import Orbit as SolvedOrbit
-from tests.differences import in_doubles
+from nonsmooth.derive.document.blocks import Formula, Paragraph, Table
 from tests.formulas.latex import read_latex
 from tests.formulas.law import Broken, Facts, Motion, SystemLaw, relations_of
 from tests.formulas.layout import plain
@@ -28,63 +25,37 @@ SECTIONS = (
 
 
 class Orbit:
-    """A periodic orbit that a solver found, made exact by Newton's method on exponentials."""
+    """A periodic orbit that a solver found, with the states along it by exponentials."""
 
-    def __init__(self, cycle: Cycle, facts: Facts, solved: SolvedOrbit) -> None:
-        self.cycle, self.facts = cycle, facts
-        self.phases = cycle.itinerary.phases
+    def __init__(self, facts: Facts, solved: Any) -> None:
+        self.cycle = cycle = facts.document.shown
+        self.facts, self.phases = facts, cycle.itinerary.phases
         self.passings = [cycle.passings[cycle.number(k) - 1] for k in range(1, cycle.count + 1)]
         self.resets = [(self.number(p.reset), self.number(p.jump)) for p in self.passings]
         self.directions = self.number(cycle.directions)
-        unknown = np.array([*solved.dwell_times, *solved.states[0]], dtype=float)
-        for _ in range(2):
-            missed = self.missed(unknown)
-            slope = in_doubles(self.missed, unknown, 1e-7)
-            unknown = unknown - np.linalg.lstsq(slope, missed, rcond=1e-7)[0]
-        if np.abs(self.missed(unknown)).max() > 1e-10:
-            raise Broken(f"{cycle.itinerary.name}: no orbit")
-        self.times, self.start = unknown[: cycle.count], unknown[cycle.count :, None]
-        self.ends, self.behind = self.run(unknown)
+        self.times = [float(time) for time in solved.dwell_times]
+        self.start = np.array(solved.states[0], dtype=float)[:, None]
+        # in front of the transitions and behind them
+        self.ends, self.behind = [], [self.start]
+        for phase, time, (reset, jump) in zip(self.phases, self.times, self.resets, strict=True):
+            phi, forcing = facts.flow(phase.configuration, time)
+            self.ends.append(phi @ self.behind[-1] + forcing)
+            self.behind.append(reset @ self.ends[-1] + jump)
 
     def number(self, matrix: Any) -> np.ndarray:
         return np.array(matrix.xreplace(self.facts.given), dtype=float)
-
-    def run(self, unknown: np.ndarray) -> tuple[list[np.ndarray], list[np.ndarray]]:
-        """States at the ends of the phases, in front of the transitions and behind them."""
-        ends, behind = [], [unknown[len(self.phases) :, None]]
-        for k, phase in enumerate(self.phases):
-            phi, forcing = self.facts.flow(phase.configuration, unknown[k])
-            ends.append(phi @ behind[-1] + forcing)
-            reset, jump = self.resets[k]
-            behind.append(reset @ ends[-1] + jump)
-        return ends, behind
-
-    def missed(self, unknown: np.ndarray) -> np.ndarray:
-        ends, behind = self.run(unknown)
-        switching = [self.gap(k, state) for k, state in enumerate(ends)]
-        start = dict(zip(self.facts.system.states, behind[0][:, 0], strict=True))
-        kept = [
-            float(h.invariant.subs(start).subs(self.facts.given)) - 1 for h in self.cycle.harmonics
-        ]
-        moved = behind[-1] - behind[0]
-        return np.array([*switching, *(moved - self.directions @ self.shift(moved))[:, 0], *kept])
 
     def shift(self, moved: np.ndarray) -> np.ndarray:
         """How far the orbit does not come back, along directions that nothing depends on."""
         return np.asarray(np.linalg.lstsq(self.directions, moved, rcond=None)[0])
 
-    def gap(self, k: int, state: np.ndarray) -> float:
-        passing = self.passings[k]
-        constant = float(passing.constant.xreplace(self.facts.given))
-        return float((self.number(passing.normal) @ state)[0, 0]) + constant
-
 
 class CycleLaw(SystemLaw):
     """Every formula is a name, or true on an orbit."""
 
-    def __init__(self, document: Document, facts: Facts, cycle: Cycle, orbit: Orbit) -> None:
-        super().__init__(document, facts)
-        self.cycle, self.orbit = cycle, orbit
+    def __init__(self, facts: Facts, orbit: Orbit) -> None:
+        super().__init__(facts)
+        self.cycle, self.orbit = orbit.cycle, orbit
         self.transition: int | None = None
 
     def whole(self) -> int:

@@ -41,6 +41,8 @@ _CALLIGRAPHIC = {"E": "ℰ", "M": "ℳ", "R": "ℛ"}
 def read_latex(text: str) -> Row:
     """Items of a formula."""
     reader = _Reader([t for t in _TOKEN.findall(text) if not t.isspace()])
+    if reader.tokens.count(r"\left") != reader.tokens.count(r"\right"):
+        raise Unreadable(f"{text}: brackets that grow alone")
     found = reader.row("")
     if reader.tokens:
         raise Unreadable(f"{text}: {reader.tokens[0]} closes nothing")

@@ -16,8 +16,7 @@ from scipy.optimize import brentq
 
 from nonsmooth.derive import SecondOrder, System
 from nonsmooth.derive.document.blocks import Document, Formula, Heading, Paragraph, Table
-from nonsmooth.derive.document.wording import Naming, letters_of
-from nonsmooth.derive.flows.modal import Spectrum
+from nonsmooth.derive.document.wording import letters_of
 from tests.formulas.latex import read_latex
 from tests.formulas.layout import Accent, Atom, Item, Row, Unreadable, core_of, plain
 from tests.formulas.pages import inline
@@ -72,28 +71,28 @@ def array(matrix: sp.Matrix, numbers: Mapping[sp.Symbol, float]) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Facts:
-    """A system as its document writes it, at numbers.
-
-    Attributes
-    ----------
-    system : System
-    naming : Naming
-    spectrum : Spectrum
-    given : mapping of symbol to float
-        Parameters and state.
-    """
+    """A system as a document writes it, at numbers of its parameters and its state."""
 
     system: System
-    naming: Naming
-    spectrum: Spectrum
+    document: Document
     given: Numbers
+
+    @property
+    def naming(self) -> Any:
+        """How symbols are written, which is all that the document of a system shows."""
+        return getattr(self.document.shown, "naming", self.document.shown)
+
+    @cached_property
+    def letters(self) -> Any:
+        return letters_of(self.naming, (*self.system.states, *self.naming.notation.constants))
 
     @cached_property
     def numbers(self) -> Numbers:
         """All that follows from the parameters."""
-        found = dict(self.given)
-        for symbol, value in self.spectrum.entries:
-            found[symbol] = float(value.xreplace(found))
+        found, constants = dict(self.given), {*self.naming.notation.constants}
+        for line in (line for formula in self.document.formulas for line in formula.lines):
+            if line.subject in constants - found.keys():
+                found[line.subject] = float(line.shows.xreplace(found))
         return found
 
     @property
@@ -143,8 +142,7 @@ class Facts:
         found: dict[str, Any] = {name_of(r"\mathrm{e}"): np.e, "π": np.pi, "t": time}
         for symbol, value in self.numbers.items():
             found[name_of(notation.symbol(symbol))] = value
-        letters = letters_of(self.naming, (*system.states, *notation.constants))
-        size = len(system.states)
+        letters, size = self.letters, len(system.states)
         state = self.held_state(configuration)
         found |= {name_of(notation.symbol(s)): v for s, v in zip(system.states, state, strict=True)}
         a, b = self.fields[configuration]
@@ -180,7 +178,7 @@ class Facts:
             name = name_of(notation.symbol(symbol))
             found[f"{name}()"] = lambda t, i=i: moved(t)[i, 0]
             found[f"{name}^{{′}}()"] = lambda t, i=i: (a @ moved(t) + b)[i, 0]
-        found |= self.steady(moved, a, letters)
+        found |= self.steady(moved, a)
         augmented = np.block([[a, b], [np.zeros((1, size + 1))]])
         found |= {
             name_of(letters.matrix): a, name_of(letters.offset): b,
@@ -191,7 +189,7 @@ class Facts:
         }  # fmt: skip
         return found | self.responses
 
-    def steady(self, moved: Any, a: np.ndarray, letters: Any) -> dict[str, Any]:
+    def steady(self, moved: Any, a: np.ndarray) -> dict[str, Any]:
         """Phase of the only forcing, and the harmonic response of every state to it."""
         found: dict[str, Any] = {name_of(r"\mathrm{i}"): 1j}
         if len(self.system.forcing) != 1:
@@ -205,7 +203,7 @@ class Facts:
         def phase(t: float) -> float:
             return float(np.arctan2(moved(t)[s, 0], moved(t)[c, 0]))
 
-        found[f"{name_of(letters.phase)}()"] = phase
+        found[f"{name_of(self.letters.phase)}()"] = phase
 
         def response(t: float, which: int) -> float:
             # in resonance there is none, and nothing says what it is
@@ -224,7 +222,7 @@ class Facts:
         known = self.naming.notation.responses
         functions = response_functions(known, self.numbers)
         found = {name_of(latex): function for latex, function in functions.items()}
-        letters = letters_of(self.naming, (*self.system.states, *self.naming.notation.constants))
+        letters = self.letters
         # of any factor, and of any two
         found[name_of(rf"{letters.amplitude}_{{j}}")] = 1.0
         found[name_of(rf"{letters.lag}_{{j}}")] = 1.0
@@ -242,10 +240,9 @@ class Facts:
     def one_cluster(self, configuration: str) -> dict[str, Any]:
         """All eigenvalues as one cluster: what is said of clusters holds for it too."""
         a, _ = self.fields[configuration]
-        letters = letters_of(self.naming, (*self.system.states, *self.naming.notation.constants))
         return {
-            f"{name_of(letters.centre)}_{{1}}": float(np.trace(a)) / (len(a) + 1),
-            f"{name_of(letters.projector)}_{{1}}": np.eye(len(a) + 1),
+            f"{name_of(self.letters.centre)}_{{1}}": float(np.trace(a)) / (len(a) + 1),
+            f"{name_of(self.letters.projector)}_{{1}}": np.eye(len(a) + 1),
         }
 
     def matrices(self, dynamics: SecondOrder) -> dict[str, Any]:
@@ -264,8 +261,8 @@ class Facts:
 class SystemLaw:
     """Go through a document: every formula is a name, true, or what was declared."""
 
-    def __init__(self, document: Document, facts: Facts) -> None:
-        self.document, self.facts = document, facts
+    def __init__(self, facts: Facts) -> None:
+        self.document, self.facts = facts.document, facts
         self.count = 0
         self.defined: dict[str, Any] = {}
         self.used: set[str] = set()
@@ -434,7 +431,7 @@ class SystemLaw:
         unknown: list[Row] = []
         for side in sides:
             short = len(side) == 1 and reading.name(side[0], above=False) in names
-            if is_name(side) and not short and called(reading, side) not in names:
+            if is_name(side) and not short and reading.name(side[0]) not in names:
                 unknown.append(side)
             else:
                 values.append(reading(side))
@@ -443,7 +440,7 @@ class SystemLaw:
                 if not _close(value, values[0]):
                     raise Broken(f"{values[0]} is not {value}")
             for side in unknown:
-                self.defined[called(reading, side)] = values[0]
+                self.defined[reading.name(side[0])] = values[0]
                 place = re.fullmatch(r"d_\{(.*)\}", plain(side))
                 if place and place[1] in {c.name for c in self.facts.system.configurations}:
                     before, self.inside = self.inside, place[1]
@@ -527,18 +524,10 @@ class SystemLaw:
                 inside = (value > low or (parameter.closed and value == low)) and (
                     value < high or (parameter.upper_closed and value == high)
                 )
-                values = [
-                    value
-                    if f"${plain(s)}$" and s == read_latex(name[1:-1])
-                    else None
-                    if plain(s) == "ℝ"
-                    else Reading({"π": np.pi})(s)
-                    for s in sides
-                ]
-                holds = all(
-                    s == "∈" or _holds(s, a, b)
-                    for s, a, b in zip(signs, values, values[1:], strict=False)
-                )
+                reading = Reading({plain(read_latex(name[1:-1])): value, "ℝ": 0.0, "π": np.pi})
+                values = [reading(side) for side in sides]
+                related = zip(signs, values, values[1:], strict=False)
+                holds = all(sign == "∈" or _holds(sign, a, b) for sign, a, b in related)
                 if holds != inside:
                     raise Broken(f"{domain} at {value}")
             self.count += 1
@@ -582,46 +571,33 @@ class SystemLaw:
             self.outcomes.setdefault(rule, []).append((target, numbers, reset))
 
     def events(self, table: Table) -> None:
-        source, seen = "", 0
+        source, shown = "", list[tuple[Any, ...]]()
         for name, boundaries, rule in table.rows:
             source = name.strip("*") or source
             for together in boundaries.split(", or "):
-                reached = frozenset(re.findall(r"\*([^*]+)\*", together))
-                declared = [
-                    t
-                    for t in self.facts.system.transitions
-                    if (t.source, t.boundaries) == (source, reached)
-                ]
-                seen += len(declared)
-                outcomes = self.outcomes[rule]
-                if [f"*{t.target}*" for t in declared] != [target for target, *_ in outcomes]:
-                    raise Broken(f"{source}, {together}: where to?")
-                for transition, (_, numbers, reset) in zip(declared, outcomes, strict=True):
-                    wanted = [
-                        (self.facts.value(c.function), c.holds, c.along)
-                        for c in transition.conditions
-                    ]
-                    for number, (value, holds, along) in zip(numbers, wanted, strict=True):
-                        shown = self.numbered[number]
-                        if not _close(shown[0], value) or shown[1:] != (holds, along):
-                            raise Broken(f"{source}, {together}: {number}")
-                    self.reset(transition, reset)
-        if seen != len(self.facts.system.transitions):
-            raise Broken("not all transitions are shown")
+                shown += [(source, together, *outcome) for outcome in self.outcomes[rule]]
+        self.leading(shown)
 
     def transitions(self, table: Table) -> None:
-        declared = self.facts.system.transitions
-        for transition, (source, boundaries, target, *reset) in zip(
-            declared, table.rows, strict=True
-        ):
+        self.leading((s.strip("*"), b, t, [], *(reset or [""])) for s, b, t, *reset in table.rows)
+
+    def leading(self, shown: Iterable[tuple[Any, ...]]) -> None:
+        """From where to where it goes behind which boundaries, in the order that is declared."""
+        left = list(self.facts.system.transitions)
+        for source, boundaries, target, numbers, reset in shown:
             reached = frozenset(re.findall(r"\*([^*]+)\*", boundaries))
-            if (f"*{transition.source}*", transition.boundaries, f"*{transition.target}*") != (
-                source,
-                reached,
-                target,
-            ):
+            begun = [t for t in left if (t.source, t.boundaries) == (source, reached)]
+            if not begun or f"*{begun[0].target}*" != target:
                 raise Broken(f"{source}, {boundaries}, {target}")
-            self.reset(transition, *(reset or [""]))
+            left.remove(begun[0])
+            for number, condition in zip(numbers, begun[0].conditions, strict=True):
+                value, *others = self.numbered[number]
+                declared = self.facts.value(condition.function)
+                if not _close(value, declared) or others != [condition.holds, condition.along]:
+                    raise Broken(f"{source}, {boundaries}: {number}")
+            self.reset(begun[0], reset)
+        if left:
+            raise Broken(f"transitions that are not shown: {left}")
 
     def reset(self, transition: Any, text: str) -> None:
         notation = self.facts.naming.notation
@@ -673,23 +649,10 @@ def relations_of(row: Row) -> tuple[list[Row], list[str]]:
     return [without_spaces(side) for side in sides], signs
 
 
-def called(reading: Reading, row: Row) -> str:
-    """A name, at the indices that are chosen."""
-    return "".join(map(reading.name, row))
-
-
 def is_name(row: Row) -> bool:
     """Whether a formula is one name, which says nothing that could be false."""
-    if not row:
-        return False
-    *whole, last = row
-    core = core_of(last)
-    if whole:
-        spelt = all(isinstance(w, Atom) and w.kind == "upright" for w in whole)
-        return spelt and isinstance(core, Atom) and core.kind == "upright"
-    if isinstance(core, Atom):
-        return core.kind in ("letter", "upright")
-    return isinstance(core, Accent)
+    core = core_of(row[0]) if len(row) == 1 else None
+    return isinstance(core, Accent) or getattr(core, "kind", "") in ("letter", "upright")
 
 
 def _condition(row: Row) -> tuple[Row, Row]:

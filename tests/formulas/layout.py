@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 __all__ = [
     "CLOSING",
@@ -91,16 +91,14 @@ def core_of(item: Item | None) -> Item | None:
 
 
 def row_of(items: Iterable[Item]) -> Row:
-    """A row as the eye takes it: digits side by side are one number."""
+    """A row as the eye takes it: digits side by side are one number, upright letters one word."""
     found: list[Item] = []
     for item in items:
-        last = found[-1] if found else None
-        core = core_of(item)
-        if is_number(last) and is_number(core):
-            joined = Atom(last.text + core.text, "number")
-            found[-1] = (
-                Script(joined, item.below, item.above) if isinstance(item, Script) else joined
-            )
+        last, core = found[-1] if found else None, core_of(item)
+        joins = isinstance(last, Atom) and isinstance(core, Atom) and last.kind == core.kind
+        if joins and last.kind in ("number", "upright"):
+            joined = Atom(last.text + core.text, last.kind)
+            found[-1] = replace(item, base=joined) if isinstance(item, Script) else joined
         else:
             found.append(item)
     return tuple(found)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
 
 from tests.formulas.layout import (
@@ -21,16 +20,11 @@ from tests.formulas.layout import (
     scripted,
 )
 
-__all__ = ["read_element", "read_mathml"]
+__all__ = ["read_element"]
 
 _LETTERS = set("ℓℳℰℛℝ")
 _MARKS = {"^": "hat", "~": "tilde", "˜": "tilde", "ˉ": "bar", "¯": "bar", "―": "bar"}
 _SAME = {"−": "-", "'": PRIME}
-
-
-def read_mathml(text: str) -> Row:
-    """Items of a formula, given what is inside its outer element."""
-    return read_element(ElementTree.fromstring(f"<math>{text}</math>"))
 
 
 def read_element(element: Element) -> Row:

@@ -5,16 +5,18 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterator
+from typing import Any
 from xml.etree import ElementTree
+from xml.etree.ElementTree import Element
 
-from nonsmooth.derive.document.blocks import Block, Document, Formula, Heading, Paragraph
+from nonsmooth.derive.document.blocks import Document, Formula, Heading, Paragraph
 from nonsmooth.derive.document.hypertext import to_html, to_markdown
 from nonsmooth.derive.document.latex import to_latex
 from tests.formulas.latex import read_latex
 from tests.formulas.layout import Row
 from tests.formulas.mathml import read_element
 
-__all__ = ["inline", "on_pages", "texts_of"]
+__all__ = ["inline", "on_pages", "page_of", "read_page", "texts_of"]
 
 _INLINE = re.compile(r"\$([^$]+)\$")
 _MATRIX = re.compile(r"\\begin\{matrix\}.*?\\end\{matrix\}", re.DOTALL)
@@ -27,15 +29,13 @@ def inline(text: str) -> list[str]:
     return _INLINE.findall(text)
 
 
-def texts_of(block: Block) -> Iterator[str]:
+def texts_of(block: Any) -> list[str]:
     """The texts of a block."""
     if isinstance(block, Heading | Paragraph):
-        yield block.text
-    elif isinstance(block, Formula):
-        yield block.note or ""
-    else:
-        for row in (block.header, *block.rows):
-            yield from row
+        return [block.text]
+    if isinstance(block, Formula):
+        return [block.note or ""]
+    return [cell for row in (block.header, *block.rows) for cell in row]
 
 
 def _own(document: Document) -> Counter[Row]:
@@ -68,10 +68,20 @@ def _latex(document: Document) -> Counter[Row]:
     return found
 
 
+def page_of(document: Document) -> Element:
+    """The HTML page, which has to be well formed."""
+    return ElementTree.fromstring(re.sub("<!DOCTYPE html>|<meta [^>]*>", "", to_html(document)))
+
+
+def read_page(latex: str) -> Row:
+    """Items of a formula on an HTML page."""
+    (element,) = page_of(Document("", (Paragraph(f"${latex}$"),))).iter("math")
+    return read_element(element)
+
+
 def _html(document: Document) -> Counter[Row]:
     found: Counter[Row] = Counter()
-    for text in re.findall(r"<math.*?</math>", to_html(document), re.DOTALL):
-        element = ElementTree.fromstring(text)
+    for element in page_of(document).iter("math"):
         if element.get("display") == "block":
             found.update(read_element(side) for row in element[0] for side in row)
         else:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+import operator
 import re
 from collections import ChainMap
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import reduce
 from typing import Any
 
 import numpy as np
@@ -68,17 +70,11 @@ class Reading:
         In ``f_{j(k)}`` at ``k = 3`` the name is ``f_{j(3)}``.
     ranges : mapping of letter to numbers
         Of sums that do not say from where to where.
-    columns : int
-        Of a block of zeros at the end of a row of blocks.
-    branch : int
-        Which sign is taken of two above each other.
     """
 
     names: Mapping[str, Any]
     indices: Mapping[str, int] = field(default_factory=dict)
     ranges: Mapping[str, Sequence[int]] = field(default_factory=dict)
-    columns: int = 0
-    branch: int = 1
 
     def at(self, **indices: Any) -> Reading:
         """The same names at other indices."""
@@ -91,8 +87,15 @@ class Reading:
         return self(read_latex(text))
 
     def __call__(self, row: Row) -> Any:
-        """Value of one expression."""
-        return _scalar(_Walk(self, row).all())
+        """Value of one expression, term by term."""
+        terms, signs = divided(without_spaces(row), "+-±")
+        if signs and not terms[0]:
+            terms = terms[1:]
+        else:
+            signs = ["+", *signs]
+        factors = [-1 if sign == "-" else 1 for sign in signs]
+        values = [_Walk(self, term).product() for term in terms]
+        return _scalar(reduce(_added, map(operator.mul, factors, values)))
 
     def label(self, row: Row) -> str:
         """Text of an index, its letters replaced by their numbers."""
@@ -138,16 +141,10 @@ UNIT = Unit()
 
 
 class _Walk:
-    """One pass over a row."""
+    """One pass over a term."""
 
     def __init__(self, reading: Reading, row: Row) -> None:
         self.reading, self.row, self.place = reading, list(row), 0
-
-    def all(self) -> Any:
-        value = self.sum()
-        if self.place < len(self.row):
-            raise Unreadable(f"{plain(self.row)}: stops at {plain(self.row[self.place :])}")
-        return value
 
     # -- looking ahead
 
@@ -163,34 +160,16 @@ class _Walk:
 
     # -- grammar
 
-    def sum(self) -> Any:
-        total: Any = None
-        while True:
-            self.spaces()
-            sign = self.sign()
-            if sign in ("+", "-", "±"):
-                self.place += 1
-                self.spaces()
-                if self.sign() in ("+", "-", "±"):
-                    raise Unreadable(f"two signs in a row: {plain(self.row)}")
-            elif total is not None:
-                return total
-            factor = {"-": -1, "±": self.reading.branch}.get(sign, 1)
-            term = self.product()
-            total: Any = factor * term if total is None else _added(total, factor * term)
-
     def product(self) -> Any:
         value = self.factor()
-        while True:
-            self.spaces()
-            item, sign = self.item(), self.sign()
-            if item is None or sign in (*"+-±,;", *CLOSING):
-                return value
+        self.spaces()
+        while (item := self.item()) is not None:
+            sign = self.sign()
             if sign == "/":
                 self.place += 1
                 value = _scalar(value) / _scalar(self.factor())
                 self.spaces()
-                if self.item() is not None and self.sign() not in (*"+-,;", *CLOSING):
+                if self.item() is not None:
                     raise Unreadable(f"what does the stroke divide by? {plain(self.row)}")
                 return value
             if sign == "·":
@@ -198,6 +177,8 @@ class _Walk:
             elif is_number(core_of(item)):
                 raise Unreadable(f"a number behind a factor: {plain(self.row)}")
             value = _times(value, self.factor())
+            self.spaces()
+        return value
 
     def factor(self) -> Any:
         value = self.plain_factor()
@@ -229,8 +210,6 @@ class _Walk:
             return self.derivative(item)
         if isinstance(core, Atom) and core.kind == "word":
             return self.function(core.text, item.above if isinstance(item, Script) else ())
-        if isinstance(core, Atom) and core.kind == "upright":
-            return self.upright(start)
         if isinstance(item, Script):
             return self.applied(self.scripted(item))
         if isinstance(item, Fraction):
@@ -295,12 +274,8 @@ class _Walk:
     def bracket(self) -> Any:
         inside, end = self.enclosed(self.place)
         closing, self.place = self.row[end - 1], end
-        blocks = split(inside, "", space="1em")
-        if len(blocks) > 1:
-            first = self.reading(blocks[0])
-            return np.hstack([first, np.zeros((len(first), self.reading.columns))])
-        parts = split(inside, ",")
-        value = self.reading(inside) if len(parts) == 1 else self.column(parts)
+        parts = [self.reading(part) for part in split(inside, ",")]
+        value = parts[0] if len(parts) == 1 else np.array([parts])
         if isinstance(closing, Script):
             if closing.below:
                 places = [int(d) - 1 for d in re.findall(r"\d", self.reading.label(closing.below))]
@@ -309,44 +284,17 @@ class _Walk:
                 value = _power(value, closing.above, self.reading)
         return value
 
-    def column(self, parts: Sequence[Row]) -> Any:
-        return np.array([[self.reading(part) for part in parts]])
-
     def matrix(self, table: Table) -> Any:
         entries = [[self.reading(entry) for entry in row] for row in table.rows]
         if not any(_is_array(entry) for row in entries for entry in row):
             return np.array(entries)
-        heights = [max(len(e) if _is_array(e) else 1 for e in row) for row in entries]
-        columns = list(zip(*entries, strict=True))
-        widths = [max(e.shape[1] if _is_array(e) else 1 for e in column) for column in columns]
-        return np.block(
-            [
-                [
-                    e if _is_array(e) else np.full((h, w), e)
-                    for e, w in zip(row, widths, strict=True)
-                ]
-                for row, h in zip(entries, heights, strict=True)
-            ]
-        )
-
-    def upright(self, start: int) -> Any:
-        """A name of several upright letters."""
-        reading = self.reading
-        for end in range(len(self.row), start, -1):
-            *whole, last = self.row[start:end]
-            text = plain(whole)
-            item = last
-            if not all(isinstance(w, Atom) and w.kind == "upright" for w in whole):
-                continue
-            if text + reading.name(item) in reading.names:
-                self.place = end
-                return self.applied(reading.names[text + reading.name(item)])
-            if isinstance(item, Script) and item.above:
-                short = text + reading.name(item, above=False)
-                if short in reading.names:
-                    self.place = end
-                    return _power(reading.names[short], item.above, reading)
-        raise Unreadable(f"unknown: {plain(self.row[start:])}")
+        sizes = [[np.shape(np.atleast_2d(entry)) for entry in row] for row in entries]
+        heights = [max(height for height, _ in row) for row in sizes]
+        widths = [max(width for _, width in column) for column in zip(*sizes, strict=True)]
+        for row, height in zip(entries, heights, strict=True):
+            wide = zip(row, widths, strict=True)
+            row[:] = [e if _is_array(e) else np.full((height, w), e) for e, w in wide]
+        return np.block(entries)
 
     def derivative(self, item: Item) -> Any:
         """The derivative of a name, which is a name of its own."""
@@ -387,23 +335,12 @@ class _Walk:
 
     def repeated(self, text: str, item: Item) -> Any:
         """A sum or a product; factors of later numbers stand on the left."""
-        end, depth = self.place, 0
-        while end < len(self.row):
-            sign = _sign(self.row[end])
-            depth += (sign in OPENING) - (sign in CLOSING)
-            if depth < 0 or (depth == 0 and sign in ("+", "-", ",")):
-                break
-            end += 1
-        body, self.place = tuple(self.row[self.place : end]), end
+        body, self.place = tuple(self.row[self.place :]), len(self.row)
         letter, numbers = self.numbers(item, text)
         values = [self.reading.at(**{letter: n})(body) for n in numbers]
-        total: Any = 0.0 if text == "∑" else 1.0
-        for place, value in enumerate(values):
-            if text == "∑":
-                total: Any = value if place == 0 else _added(total, value)
-            else:
-                total = value if place == 0 else _times(total, value)
-        return total
+        if not values:
+            return float(text == "∏")
+        return reduce(_added if text == "∑" else _times, values)
 
     def numbers(self, item: Script, text: str) -> tuple[str, Sequence[int]]:
         """The letter that a sum counts with, and its values."""
@@ -422,14 +359,15 @@ class _Walk:
         return letter, range(first, end + 1) if text == "∑" else range(first, end - 1, -1)
 
 
-def divided(row: Row, signs: str, space: str | None = None) -> tuple[list[Row], list[str]]:
-    """Parts of a row between signs, or spaces of a width, outside all brackets; those signs."""
+def divided(row: Sequence[Item], signs: str) -> tuple[list[Row], list[str]]:
+    """Parts of a row between signs outside all brackets and bars, and those signs."""
     parts: list[list[Item]] = [[]]
-    found, depth = [], 0
+    found, depth, within = [], 0, False
     for item in row:
         sign = _sign(item)
         depth += (sign in OPENING) - (sign in CLOSING)
-        if depth == 0 and (sign in [*signs] or (space and item == Atom(space, "space"))):
+        within ^= item == Atom("|", "sign")
+        if depth == 0 and not within and sign in [*signs]:
             parts.append([])
             found.append(sign)
         else:
@@ -437,9 +375,9 @@ def divided(row: Row, signs: str, space: str | None = None) -> tuple[list[Row], 
     return [tuple(part) for part in parts], found
 
 
-def split(row: Row, signs: str, space: str | None = None) -> list[Row]:
+def split(row: Row, signs: str) -> list[Row]:
     """Those parts alone."""
-    return divided(row, signs, space)[0]
+    return divided(row, signs)[0]
 
 
 def without_spaces(row: Row) -> Row:

@@ -42,7 +42,7 @@ def test_modes_of_visited_configurations_are_the_same_and_no_others_are_found(
 def test_what_a_cycle_needs_is_finite() -> None:
     kernels = load_system(chain())
     points = np.array([[1.0, 20.0], [np.inf, 20.0]])
-    phases = [("free", "left-reaches"), ("left", "left-leaves")]
+    phases = [("free-free", "left-reaches-stop"), ("contact-free", "left-leaves-stop")]
     for visited, sound in (((0, 2), True), ((0,), False)):
         for group in numbers_at(kernels, points, visited):
             cycle = itinerary_shape(group.structure, phases)

@@ -21,7 +21,7 @@ from nonsmooth.derive import (
     oscillator,
 )
 from nonsmooth.derive.declaration.symmetry import unfolded
-from nonsmooth.derive.document.describe import describe_itinerary
+from nonsmooth.derive.document.describe import describe_orbit
 from nonsmooth.derive.document.hypertext import to_markdown
 from nonsmooth.runtime.model.kernels import load_orbit
 
@@ -81,7 +81,7 @@ def test_it_is_solved_by_its_name_and_agrees_with_the_motion() -> None:
 
 
 def test_its_document_has_all_phases() -> None:
-    text = to_markdown(describe_itinerary(symmetric(between())))
+    text = to_markdown(describe_orbit(symmetric(between())))
     assert "right-reaches-stop" in text
     assert "left-reaches-stop" in text
     assert "T_{2}" in text

@@ -192,18 +192,21 @@ def transition_section(naming: Naming) -> list[Block]:
 
         @events
         """,
-        conditions=numbers
-        and Table(
-            ("Condition", "Holds if", "Along"),
-            tuple(
-                (
-                    number,
-                    f"{'' if c.holds else 'not '}{math(naming, c.function, ' > 0')}",
-                    f"*{c.along}*",
-                )
-                for c, number in numbers.items()
-            ),
-        ),
+        conditions=[
+            Table(
+                ("Condition", "Holds if", "Along"),
+                tuple(
+                    (
+                        number,
+                        f"{'' if c.holds else 'not '}{math(naming, c.function, ' > 0')}",
+                        f"*{c.along}*",
+                    )
+                    for c, number in numbers.items()
+                ),
+            )
+        ]
+        if numbers
+        else [],
         rules=Table(
             ("Rule", "To", "If", "Reset"),
             tuple(
