@@ -22,7 +22,6 @@ from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.equations.program import Stage
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.shooting.shooting_map import Numbers
 from tests.formulas.responses import response_functions
 from tests.formulas.values import Reading, name_of
 
@@ -63,7 +62,7 @@ class Written:
         (found,) = (line for line in self.lines if line.left == left)
         return found
 
-    def complete(self, known: Numbers) -> Numbers:
+    def complete(self, known: Any) -> Any:
         """Spectrum and functions of time from parameters and dwell times."""
         known = dict(known)
         for symbol, expression in self.equations.spectrum.entries:
@@ -72,7 +71,7 @@ class Written:
             known[symbol] = float(expression.xreplace(known))
         return known
 
-    def drawn(self, seed: int) -> Numbers:
+    def drawn(self, seed: int) -> Any:
         """Any numbers: of parameters and dwell times, and of every symbol of the lines."""
         draw = random.Random(seed)
         dwell_times = [link.dwell for link in self.equations.chain.links]
@@ -100,7 +99,7 @@ class Written:
             if text.startswith(r"\cos ")
         }
 
-    def at(self, orbit: Orbit) -> Numbers:
+    def at(self, orbit: Orbit) -> Any:
         """The numbers of a solved orbit, all stages included."""
         named = {str(s): s for s in (*self.equations.unknowns, *self.notation.constants)}
         named |= {p.name: p.symbol for p in self.equations.system.parameters}
@@ -111,7 +110,7 @@ class Written:
                 found[link.dwell] = float(sp.sympify(link.duration).xreplace(found))
         return self.run(self.complete(found), (*self.equations.chain.stages,))
 
-    def run(self, known: Numbers, stages: tuple[Stage, ...]) -> Numbers:
+    def run(self, known: Any, stages: tuple[Stage, ...]) -> Any:
         """Run stages on numbers."""
         known = dict(known)
         for stage in stages:
@@ -119,12 +118,12 @@ class Written:
                 known[symbol] = float(expression.xreplace(known))
         return known
 
-    def responses(self, numbers: Numbers) -> dict[str, Any]:
+    def responses(self, numbers: Any) -> dict[str, Any]:
         """Impulse responses, where motions are written in them."""
         known = self.notation.responses
         return response_functions(known, numbers) if known.factors else {}
 
-    def reader(self, numbers: Numbers) -> Reader:
+    def reader(self, numbers: Any) -> Reader:
         """Read with these numbers, and with what the document names on the way."""
         names: dict[str, Any] = {r"\pi": math.pi}
         for symbol, value in numbers.items():
@@ -144,7 +143,7 @@ class Written:
         return Reader(names)
 
 
-def value_of(line: Line, numbers: Numbers) -> Any:
+def value_of(line: Line, numbers: Any) -> Any:
     """What the derivation computes for a line."""
     found = sp.sympify(line.shows.xreplace(numbers))
     found = found.replace(Angle, lambda s, c: math.atan2(s, c) % (2 * math.pi))

@@ -17,7 +17,6 @@ from scipy.optimize import brentq
 from nonsmooth.derive import SecondOrder, System
 from nonsmooth.derive.document.blocks import Document, Formula, Heading, Paragraph, Table
 from nonsmooth.derive.document.wording import Naming, letters_of
-from nonsmooth.derive.flows.modal import Spectrum
 from tests.formulas.latex import read_latex
 from tests.formulas.layout import Accent, Atom, Item, Row, Unreadable, core_of, plain
 from tests.formulas.pages import inline
@@ -78,14 +77,14 @@ class Facts:
     ----------
     system : System
     naming : Naming
-    spectrum : Spectrum
+    spectrum : derive.flows.modal.Spectrum
     given : mapping of symbol to float
         Parameters and state.
     """
 
     system: System
     naming: Naming
-    spectrum: Spectrum
+    spectrum: Any
     given: Numbers
 
     @cached_property

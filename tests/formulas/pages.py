@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterator
+from typing import Any
 from xml.etree import ElementTree
 
-from nonsmooth.derive.document.blocks import Block, Document, Formula, Heading, Paragraph
+from nonsmooth.derive.document.blocks import Document, Formula, Heading, Paragraph
 from nonsmooth.derive.document.hypertext import to_html, to_markdown
 from nonsmooth.derive.document.latex import to_latex
 from tests.formulas.latex import read_latex
@@ -27,7 +28,7 @@ def inline(text: str) -> list[str]:
     return _INLINE.findall(text)
 
 
-def texts_of(block: Block) -> Iterator[str]:
+def texts_of(block: Any) -> Iterator[str]:
     """The texts of a block."""
     if isinstance(block, Heading | Paragraph):
         yield block.text
