@@ -38,7 +38,6 @@ from nonsmooth.runtime.core.json_codec import by
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.present.check_file import Check
 
 __all__ = [
     "FORCED",
@@ -245,7 +244,7 @@ def certified_over(orbit: Orbit, parameter: str, low: object, high: object, **as
     return ns.certify.branch(branch, interval=ends, **asked)
 
 
-def accepted(found: Any, folder: Path) -> Check:
+def accepted(found: Any, folder: Path) -> Any:
     """The check of the file of what was found: it holds."""
     found.save(folder / "found.json")
     check = ns.certify.check(folder / "found.json")

@@ -48,7 +48,7 @@ class Written:
         (found,) = (line for line in self.lines if line.left == left)
         return found
 
-    def complete(self, known: Numbers) -> Numbers:
+    def complete(self, known: Any) -> Any:
         """Spectrum and functions of time from parameters and dwell times."""
         known = dict(known)
         for symbol, expression in self.equations.spectrum.entries:
@@ -57,7 +57,7 @@ class Written:
             known[symbol] = float(expression.xreplace(known))
         return known
 
-    def drawn(self, seed: int) -> Numbers:
+    def drawn(self, seed: int) -> Any:
         """Any numbers: of parameters and dwell times, and of every symbol of the lines."""
         draw = random.Random(seed)
         dwell_times = [link.dwell for link in self.equations.chain.links]

@@ -12,7 +12,6 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.runtime.core.result_files import checksum_of
-from nonsmooth.runtime.orbits import solve
 from tests.cli.test_cli import PROGRAM, run
 from tests.places import CHECKOUT
 from tests.user_systems import KICKED, declare
@@ -60,7 +59,7 @@ def test_whatever_goes_wrong_is_one_line(problem, code, said, monkeypatch) -> No
     def fail(*arguments, **options):
         raise problem
 
-    monkeypatch.setattr(solve, "solve", fail)
+    monkeypatch.setattr("nonsmooth.runtime.orbits.solve.solve", fail)
     assert refused("solve", ORBIT, code=code).startswith(f"nonsmooth: {said}")
     traced = run("solve", ORBIT, "--debug")
     assert traced.code == code

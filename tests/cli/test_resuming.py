@@ -17,7 +17,6 @@ from rich.progress import Progress
 
 import nonsmooth as ns
 from nonsmooth.runtime.core.result_files import checksum_of
-from nonsmooth.runtime.proof.branch import certify_event
 from tests.cli.terminal import Ended, on_terminal
 from tests.cli.test_cli import COMMANDS, run
 from tests.places import GALLERY
@@ -240,7 +239,7 @@ def test_events_go_on_though_none_is_enclosed_yet(monkeypatch: pytest.MonkeyPatc
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patched:
-        patched.setattr(certify_event, "certify_event", stopped)
+        patched.setattr("nonsmooth.runtime.proof.branch.certify_event.certify_event", stopped)
         code, _, err = run(
             *["certify", "event", "two_stops.py:symmetric", "d=0.5:0.6", "--save", "part.json"]
         )

@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.runtime.explore.design import worst_over
 from tests.places import GALLERY
 
 DAMPER = f"{GALLERY / 'impact_damper.py'}:struck-twice"
@@ -43,8 +42,8 @@ def cut_off() -> Any:
 @pytest.fixture(autouse=True)
 def fewer_looks(monkeypatch: pytest.MonkeyPatch) -> None:
     """The branch of a smooth worst is looked at in fewer places, which move no optimum."""
-    monkeypatch.setattr(worst_over, "_LOOKS", 9)
-    monkeypatch.setattr(worst_over, "_FINER", 2)
+    monkeypatch.setattr("nonsmooth.runtime.explore.design.worst_over._LOOKS", 9)
+    monkeypatch.setattr("nonsmooth.runtime.explore.design.worst_over._FINER", 2)
 
 
 def response(gap: float, values: np.ndarray) -> np.ndarray:

@@ -7,8 +7,8 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
+import sympy as sp
 
-from nonsmooth.derive.declaration.itinerary import dwell_symbol
 from nonsmooth.derive.document.blocks import Formula, Paragraph, Table
 from tests.formulas.latex import read_latex
 from tests.formulas.law import Broken, Facts, Motion, SystemLaw, relations_of
@@ -122,7 +122,7 @@ class CycleLaw(SystemLaw):
             say(rf"\Phi^{{({k + 1})}}", phi)
             say(f"{letters.forcing}^{{({k + 1})}}", forcing)
             say(rf"\tau^{{({k + 1})}}", time)
-            say(naming.notation.symbol(dwell_symbol(phase.dwell_time)), time)
+            say(naming.notation.symbol(sp.Symbol(phase.dwell_time, positive=True)), time)
             passage, remainder = reset @ phi @ passage, reset @ (phi @ remainder + forcing) + jump
             normal = orbit.number(passing.normal)
             a, b = facts.fields[phase.configuration]

@@ -2,13 +2,13 @@
 
 import threading
 from dataclasses import replace
+from pkgutil import resolve_name
 
 import flint
 import mpmath
 import pytest
 
 from nonsmooth import InputError, NoConvergence, refine, solve
-from nonsmooth.runtime.core import values
 from nonsmooth.runtime.core.arithmetic import Balls, exact_ball
 from nonsmooth.runtime.core.values import as_value, parse
 from nonsmooth.runtime.model.kernels import orbit_names
@@ -247,8 +247,9 @@ def test_threads_may_refine_to_different_digits(orbits):
 
 
 def test_evaluating_a_value_leaves_balls_of_other_threads_alone(monkeypatch):
+    step = "nonsmooth.runtime.core.values._evaluate"
     inside, leave = threading.Event(), threading.Event()
-    evaluate = values._evaluate
+    evaluate = resolve_name(step)
 
     def slow(*arguments):
         inside.set()
@@ -256,7 +257,7 @@ def test_evaluating_a_value_leaves_balls_of_other_threads_alone(monkeypatch):
         return evaluate(*arguments)
 
     number = parse("2*pi/13")
-    monkeypatch.setattr(values, "_evaluate", slow)
+    monkeypatch.setattr(step, slow)
     other = threading.Thread(target=number.ball, args=(64,))
     before = flint.ctx.prec
     other.start()

@@ -14,7 +14,6 @@ import pytest
 from numpy.testing import assert_allclose
 
 import nonsmooth as ns
-from nonsmooth.runtime.explore.design import worst_over
 from tests.cli.test_cli import run
 from tests.places import CHECKOUT, GALLERY
 
@@ -105,8 +104,9 @@ COMMANDS = [
 @pytest.mark.parametrize("command", COMMANDS)
 def test_the_commands_of_the_index_run(command: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(GALLERY.parents[1])
-    monkeypatch.setattr(worst_over, "_LOOKS", 9)  # a smooth worst needs no more of them
-    monkeypatch.setattr(worst_over, "_FINER", 2)
+    # a smooth worst needs no more looks
+    monkeypatch.setattr("nonsmooth.runtime.explore.design.worst_over._LOOKS", 9)
+    monkeypatch.setattr("nonsmooth.runtime.explore.design.worst_over._FINER", 2)
     code, out, err = run(*shlex.split(command, comments=True)[1:])
     assert code == 0, err
     assert len(out) > 100

@@ -8,7 +8,6 @@ from pathlib import Path
 import pytest
 
 from nonsmooth import InputError
-from nonsmooth.runtime.proof import certify_orbit
 from tests.cli.test_cli import told
 from tests.places import GALLERY
 
@@ -72,7 +71,7 @@ def test_a_system_that_is_not_stated_exactly_says_so(monkeypatch: pytest.MonkeyP
     def refused(*_: object) -> None:
         raise InputError(reason)
 
-    monkeypatch.setattr(certify_orbit, "certify", refused)
+    monkeypatch.setattr("nonsmooth.runtime.proof.certify_orbit.certify", refused)
     proof = told("verify", IMPACTS, "--digits", "20")["proof"]
     assert proof.pop("reason") == reason
     assert not any(proof.values())

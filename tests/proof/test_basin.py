@@ -13,7 +13,6 @@ from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
 from nonsmooth.runtime.proof.exact_tables import exact_system
-from nonsmooth.runtime.proof.sets import certify_basin as certifying
 from nonsmooth.runtime.proof.sets.attracting_core import Undecided, attracting_core
 from nonsmooth.runtime.proof.sets.certify_basin import next_tiles
 from nonsmooth.runtime.proof.sets.section_choice import section_of as basin_section
@@ -245,10 +244,12 @@ def test_an_orbit_beside_an_attractor_has_no_basin():
         ({"box": {"v1": (-1e308, 1e308)}}, "a side of a box"),
     ],
 )
-def test_wrong_numbers_are_refused_before_anything_is_proved(orbit, wrong, told, monkeypatch):
-    monkeypatch.setattr(certifying, "attracting_core", None)
+def test_wrong_numbers_are_refused_before_anything_is_proved(orbit, wrong, told):
+    def begun(*done):
+        pytest.fail("it is begun")
+
     with pytest.raises(ns.InputError, match=told):
-        ns.certify.basin(orbit, **wrong)
+        ns.certify.basin(orbit, progress=begun, **wrong)
 
 
 def test_parameters_that_an_orbit_leaves_open_are_asked_for():

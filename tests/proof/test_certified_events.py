@@ -13,8 +13,6 @@ import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.derive import Friction, oscillator
 from nonsmooth.runtime.core.arithmetic import exact_ball
-from nonsmooth.runtime.explore.continuation.branch import Branch
-from nonsmooth.runtime.explore.continuation.event import Event
 from tests.certified import kicked, loop
 from tests.explore import test_continuation_forced as impacts
 
@@ -23,11 +21,11 @@ SYMMETRIC = "dry-friction/symmetric"
 
 
 @cache
-def branch(name: str, parameter: str, lower: float, upper: float) -> Branch:
+def branch(name: str, parameter: str, lower: float, upper: float) -> Any:
     return ns.continue_orbit(ns.solve(name), parameter, (lower, upper))
 
 
-def of_kind(found: Branch, kind: str) -> Event:
+def of_kind(found: Any, kind: str) -> Any:
     """The last of a kind along the branch."""
     return [event for event in found.events if event.kind == kind][-1]
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 from functools import cache
 from itertools import product
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import mpmath
@@ -21,7 +22,7 @@ from nonsmooth import InputError
 from nonsmooth.derive import SecondOrder, System, Transition
 from nonsmooth.runtime.checker.counting.census import Counting
 from nonsmooth.runtime.checker.counting.contraction import Linear, balls_of, contract, middles_of
-from nonsmooth.runtime.checker.counting.covering import CoveringBox, Root, Walk
+from nonsmooth.runtime.checker.counting.covering import CoveringBox, Walk
 from nonsmooth.runtime.cli.display import show_result
 from nonsmooth.runtime.core.values import flint_precision
 from tests.certified import LOOP, between_springs, content_of, interrupted, kicked
@@ -100,14 +101,15 @@ def test_a_root_that_is_a_little_too_large_is_not_polished_away() -> None:
         # as sharply as any other one
         far: Any = Line("1.5")
         wide = CoveringBox(far, ((-0.001, 0.0015),))
-        (side,) = wide._polished(Root(wide.sides, wide.sides, [arb("1.5 +/- 1")])).sides
+        rough = SimpleNamespace(sides=wide.sides, unique=wide.sides, coordinates=[arb("1.5 +/- 1")])
+        (side,) = wide._polished(rough).sides
         assert side[0] <= 0 <= side[1] < side[0] + 1e-12
 
 
 def test_of_two_roots_that_may_be_one_the_surer_is_kept() -> None:
     """With more equations than unknowns the one in whose box the other lies may exist alone."""
-    small = Root(((0.1, 0.2),), ((0.05, 0.25),), ())
-    large = Root(((0.3, 0.4),), ((0.0, 0.5),), ())
+    small = SimpleNamespace(sides=((0.1, 0.2),), unique=((0.05, 0.25),))
+    large = SimpleNamespace(sides=((0.3, 0.4),), unique=((0.0, 0.5),))
     for roots in ((small, large), (large, small)):
         equations: Any = Line("1")
         walk = Walk(equations)

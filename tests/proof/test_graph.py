@@ -1,13 +1,13 @@
 """Graphs of boxes: motions go along edges, and what is called trapping is not left."""
 
 from fractions import Fraction
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import nonsmooth as ns
 from nonsmooth import InputError
-from nonsmooth.runtime.checker.state_sets.many_sets import Arrivals
 from nonsmooth.runtime.core.box_grid import BoxGrid, DividedGrid
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.proof.sets.box_graphs import BoxGraph
@@ -116,7 +116,9 @@ def graph_of(edges, count, outside=(), unknown=()):
     origin = np.array([i for i, _ in edges] + list(outside))
     low = np.array([[j + 0.25] for _, j in edges] + [[count + 5.5]] * len(outside))
     lost = np.isin(np.arange(count), unknown)
-    return BoxGraph.unseen(grid).seen(np.arange(count), Arrivals(origin, low, low + 0.5, lost))
+    return BoxGraph.unseen(grid).seen(
+        np.arange(count), SimpleNamespace(origin=origin, low=low, high=low + 0.5, lost=lost)
+    )
 
 
 def test_components_trapping_regions_and_the_morse_graph_of_a_small_graph():
@@ -138,7 +140,9 @@ def test_components_trapping_regions_and_the_morse_graph_of_a_small_graph():
 def test_images_that_are_no_boxes_are_not_known_or_outside(bad):
     grid = DividedGrid.of(BoxGrid((0,), (0,), (4,)))
     low, high = np.array([[1.2], [min(bad, 1.0)]]), np.array([[1.4], [max(bad, 1.0)]])
-    leaves = Arrivals(np.array([0, 1]), low, high, np.zeros(4, dtype=bool))
+    leaves = SimpleNamespace(
+        origin=np.array([0, 1]), low=low, high=high, lost=np.zeros(4, dtype=bool)
+    )
     graph = BoxGraph.unseen(grid).seen(np.arange(4), leaves)
     assert (graph.outside | graph.unknown).tolist() == [False, True, False, False]
     assert not graph.trapping[1]

@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
+from pkgutil import resolve_name
 from typing import Any
 
 import pytest
@@ -14,18 +15,7 @@ from flint import fmpq
 
 import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure
-from nonsmooth.runtime.checker.counting.census import CountedBox
-from nonsmooth.runtime.checker.orbits import points
-from nonsmooth.runtime.checker.orbits.events import JudgedEvent
-from nonsmooth.runtime.checker.ranges.branch_tile import CheckedTile
-from nonsmooth.runtime.checker.ranges.doubling import JudgedDoubling
-from nonsmooth.runtime.checker.ranges.tiles import CheckedBox
-from nonsmooth.runtime.checker.state_sets.chaos import StretchedSets
-from nonsmooth.runtime.checker.state_sets.cones import Derivatives
-from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.proof.boxes import certify_box as of_tiles
-from nonsmooth.runtime.proof.branch import certify_branch as of_branches
 from tests.certified import accepted
 from tests.horseshoes import folded_horseshoe
 
@@ -34,11 +24,9 @@ PLANTED = "the checker refuses it: planted"
 
 
 @contextmanager
-def refusing(
-    owner: Any, step: str, claimed: Callable[..., object] = lambda *told: True
-) -> Iterator[None]:
+def refusing(step: str, claimed: Callable[..., object] = lambda *told: True) -> Iterator[None]:
     """Let a check refuse what is claimed, too."""
-    check = getattr(owner, step)
+    check = resolve_name(f"nonsmooth.runtime.{step}")
 
     def planted(*told: Any) -> Any:
         if claimed(*told):
@@ -46,7 +34,7 @@ def refusing(
         return check(*told)
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(owner, step, planted)
+        patch.setattr(f"nonsmooth.runtime.{step}", planted)
         yield
 
 
@@ -56,7 +44,7 @@ def orbit() -> Orbit:
 
 
 @cache
-def branch() -> Branch:
+def branch() -> Any:
     return ns.continue_orbit(ns.solve(SYMMETRIC, {"V": "1.078"}), "V", (1.075, 1.085))
 
 
@@ -74,7 +62,7 @@ def test_a_claim_of_an_orbit_that_cannot_be_judged(
         raise error
 
     with monkeypatch.context() as judging:
-        judging.setattr(points, step, planted)
+        judging.setattr(f"nonsmooth.runtime.checker.orbits.points.{step}", planted)
         found = ns.certify(orbit(), derivatives="eta")
     left = {name for name, verdict in found.claims.items() if verdict == "undecided"}
     assert left == ({*found.claims} if claim == "existence" else {claim} - {"derivatives"})
@@ -89,7 +77,7 @@ def test_a_claim_of_an_orbit_that_cannot_be_judged(
 def test_an_event(tmp_path: Path) -> None:
     (event,) = branch().events
     assert ns.certify.event(branch(), event).proved
-    with refusing(JudgedEvent, "located"):
+    with refusing("checker.orbits.events.JudgedEvent.located"):
         found = ns.certify.event(branch(), event)
     assert (found.claim, found.reason) == ("undecided", PLANTED)
     assert accepted(found, tmp_path).claims == {"events": "undecided"}
@@ -98,7 +86,9 @@ def test_an_event(tmp_path: Path) -> None:
 @pytest.mark.slow
 def test_a_tile_of_a_box_is_halved(tmp_path: Path) -> None:
     """The check refuses the whole box, and all tiles at one of its corners."""
-    with refusing(CheckedBox, "judged", lambda _, place, *told: place[0][0] == 0):
+    with refusing(
+        "checker.ranges.tiles.CheckedBox.judged", lambda _, place, *told: place[0][0] == 0
+    ):
         found = ns.certify.box(orbit(), {"V": ("0.999", "1.001")}, tiles=9)
     verdicts = {tile.place.steps[0]: tile.verdict for tile in found.tiles}
     assert verdicts.pop((0, 5)) == verdicts.pop((1, 5), "undecided") == "undecided"
@@ -111,8 +101,10 @@ def test_a_tile_of_a_box_is_halved(tmp_path: Path) -> None:
 
 def test_tiles_that_do_not_meet(tmp_path: Path) -> None:
     box = {"V": ("0.999", "1.001"), "eta": ("0.999", "1.001")}
-    whole = refusing(CheckedBox, "judged", lambda _, place, *told: place == ((0, 0), (0, 0)))
-    with whole, refusing(CheckedBox, "check_joint"):
+    whole = refusing(
+        "checker.ranges.tiles.CheckedBox.judged", lambda _, place, *told: place == ((0, 0), (0, 0))
+    )
+    with whole, refusing("checker.ranges.tiles.CheckedBox.check_joint"):
         found = ns.certify.box(orbit(), box)
     assert sorted(tile.verdict for tile in found.tiles) == ["proved", "undecided"]
     assert found.reasons["existence"].endswith(PLANTED)
@@ -120,7 +112,7 @@ def test_tiles_that_do_not_meet(tmp_path: Path) -> None:
 
 
 def test_what_is_said_of_a_whole_box(tmp_path: Path) -> None:
-    with refusing(of_tiles, "check_whole", lambda content: content["enclosures"]):
+    with refusing("proof.boxes.certify_box.check_whole", lambda content: content["enclosures"]):
         found = ns.certify.box(orbit(), {"V": ("0.999", "1.001")})
     assert found.reasons["existence"].endswith(PLANTED)
     assert accepted(found, tmp_path).claims == found.claims
@@ -130,7 +122,9 @@ def test_what_is_said_of_a_whole_box(tmp_path: Path) -> None:
 def test_a_tile_of_a_branch_is_divided(tmp_path: Path) -> None:
     """What is stated is what the check proves, however little that can do."""
     widest = fmpq(1, 1000)
-    with refusing(CheckedTile, "claims", lambda tile: tile.high - tile.low >= widest):
+    with refusing(
+        "checker.ranges.branch_tile.CheckedTile.claims", lambda tile: tile.high - tile.low >= widest
+    ):
         found = ns.certify.branch(branch(), interval=("1.075", "1.085"))
     assert found.complete, found.statement
     assert [event.kind for event in found.events] == ["flip"]
@@ -140,7 +134,7 @@ def test_a_tile_of_a_branch_is_divided(tmp_path: Path) -> None:
 
 def test_a_tile_of_a_branch_that_is_not_joined(tmp_path: Path) -> None:
     """The branch is given up where it is, on both sides, and the first tile stays."""
-    with refusing(of_branches, "check_joint"):
+    with refusing("proof.branch.certify_branch.check_joint"):
         found = ns.certify.branch(branch(), interval=("1.077", "1.079"))
     assert len(found.tiles) == 1
     assert any("planted" in end for end in found.ends)
@@ -151,7 +145,7 @@ def test_a_tile_of_a_branch_that_is_not_joined(tmp_path: Path) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("what", ["verdict", "locate"])
 def test_a_doubling(what: str, tmp_path: Path) -> None:
-    with refusing(JudgedDoubling, what):
+    with refusing(f"checker.ranges.doubling.JudgedDoubling.{what}"):
         found = ns.certify.doubling(branch(), tiles=1)
     if what == "verdict":
         assert found.doubled is not None
@@ -163,12 +157,15 @@ def test_a_doubling(what: str, tmp_path: Path) -> None:
 
 
 def test_chaos() -> None:
-    with refusing(StretchedSets, "covered"), pytest.raises(AssertionError, match="planted"):
+    with (
+        refusing("checker.state_sets.chaos.StretchedSets.covered"),
+        pytest.raises(AssertionError, match="planted"),
+    ):
         folded_horseshoe()
 
 
 def test_cones() -> None:
-    with refusing(Derivatives, "hulls"):
+    with refusing("checker.state_sets.cones.Derivatives.hulls"):
         found = folded_horseshoe(exponents=True)
     assert found.proved
     assert found.cones is None
@@ -176,7 +173,7 @@ def test_cones() -> None:
 
 
 def test_an_orbit_that_is_counted(tmp_path: Path) -> None:
-    with refusing(CountedBox, "check_orbit"):
+    with refusing("checker.counting.census.CountedBox.check_orbit"):
         found = ns.certify.all(ORBIT, box={"tau": 3, "tau1": 3})
     (counted,) = found.orbits
     assert (counted.certificate, counted.reason) == (None, "planted")
@@ -191,6 +188,6 @@ def test_an_interruption_and_an_error_of_the_program_are_no_refusals(
     def stopped(*told: Any) -> None:
         raise error
 
-    monkeypatch.setattr(CheckedBox, "judged", stopped)
+    monkeypatch.setattr("nonsmooth.runtime.checker.ranges.tiles.CheckedBox.judged", stopped)
     with pytest.raises(ns.Interrupted if error is KeyboardInterrupt else error):
         ns.certify.box(orbit(), {"V": ("0.999", "1.001")})

@@ -6,6 +6,7 @@ import random
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -14,7 +15,7 @@ from flint import arb, fmpq
 import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.orbits.motion import Border
-from nonsmooth.runtime.checker.ranges.divided import DividingCurve, Division
+from nonsmooth.runtime.checker.ranges.divided import Division
 from nonsmooth.runtime.core.taylor_models import space_of
 from tests.certified import (
     accepted,
@@ -223,7 +224,7 @@ def test_a_curve_beside_its_tile_is_none_of_the_box() -> None:
 
 def away_of(number: Any, centre: tuple[float, ...]) -> float:
     """How far the zeros of a number of p and q are from p = c(q), as the checker finds it."""
-    curve = DividingCurve("flip", (), None, 0, centre)
+    curve = SimpleNamespace(kind="flip", borders=(), window=None, axis=0, centre=centre)
     division = Division(curve, ("proved", "proved", "undecided"))
     division._beyond(number, [(fmpq(-1), fmpq(1))] * 2, 1)
     return float(division.far.upper())
@@ -248,7 +249,9 @@ def test_a_band_holds_all_zeros_of_its_number() -> None:
 
 def test_borders_that_are_crossed_in_both_directions_have_no_verdict() -> None:
     borders = (Border("grazing", 0, "wall", "inside"),)
-    curve = DividingCurve("grazing", borders, (arb(1), arb(2)), 0, (0.0, 0.0))
+    curve = SimpleNamespace(
+        kind="grazing", borders=borders, window=(arb(1), arb(2)), axis=0, centre=(0.0, 0.0)
+    )
     division = Division(curve, ("proved", "undecided", "refuted"))
     for signs, wanted in (
         ({True}, ("unstable", "not admissible")), ({False}, ("not admissible", "unstable")),
