@@ -206,6 +206,7 @@ WRONG: list[tuple[Make, str]] = [
     ),
     # symbols that are not declared, or otherwise; functions of another kind
     (sprung(held={X: STRANGER}), "configuration 'free': symbol stranger is not a parameter"),
+    (sprung(load=(STRANGER,)), "configuration 'free': symbol stranger is not a parameter"),
     (sprung(stiffness=[[X]]), "'free': symbol x is not a parameter"),
     (
         sprung([Boundary("far", X - STRANGER)]),
