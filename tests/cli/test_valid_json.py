@@ -14,6 +14,7 @@ import pytest
 from typer.testing import CliRunner
 
 import nonsmooth as ns
+from nonsmooth.runtime.cli.application import print_json
 from nonsmooth.runtime.cli.program import app
 from tests.places import CHECKOUT, GALLERY
 
@@ -34,6 +35,12 @@ def test_one_function_prints_all_json() -> None:
                 if called & {"json.dumps", "json.dump", "dumps", "dump"}:
                     writers.add((path.name, function.name))
     assert writers == {("application.py", "print_json")}
+
+
+def test_what_is_not_known_is_printed_as_null(capsys: pytest.CaptureFixture[str]) -> None:
+    print_json({"trace": "nan", "rates": [math.nan, math.inf, 0.5, {"name": "nan"}]})
+    found = json.loads(capsys.readouterr().out, parse_constant=refused)
+    assert found == {"trace": None, "rates": [None, "inf", 0.5, {"name": None}]}
 
 
 def test_an_error_that_is_not_known_is_null(

@@ -133,6 +133,17 @@ def test_two_stops_at_one_instant_act_one_after_another() -> None:
     assert np.allclose(after(system, impact, velocities), wanted, atol=1e-14)
 
 
+def test_stops_that_a_closed_one_couples_are_struck_in_both_orders() -> None:
+    names = ["x1", "x2", "x3"]
+    mass = sp.Matrix([[2, 1, 0], [1, 2, 1], [0, 1, 2]]).inv()
+    stops = [RigidStop(name, 1, 0.5) for name in names]
+    system = oscillator("row", names, mass, sp.eye(3), elements=stops)
+    ends = {"x1-upper-reaches-stop", "x3-upper-reaches-stop"}
+    for source, orders in (("free-free-free", set()), ("free-contact-free", {1, 2})):
+        found = [t for t in system.transitions if (t.source, t.boundaries) == (source, ends)]
+        assert {t.order for t in found} - {0} == orders
+
+
 def decided(system: System, source: str, boundaries: set[str], state: np.ndarray) -> str:
     """The configuration that follows by the contact law of a system without parameters."""
     point = piecewise(system, {})

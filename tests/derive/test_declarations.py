@@ -76,8 +76,9 @@ DOMAINS = (
     Parameter("d", "", -2, 3),
     Parameter("m", "", -sp.oo, -1),
     Parameter("f", "", -sp.oo, sp.oo),
+    Parameter("r", "", 0, 1, upper_closed=True),
 )
-A, B, C, D, M, F = (p.symbol for p in DOMAINS)
+A, B, C, D, M, F, R = (p.symbol for p in DOMAINS)
 
 
 def is_positive(expression: sp.Expr) -> bool:
@@ -95,7 +96,7 @@ def is_positive(expression: sp.Expr) -> bool:
     [
         A, 1 - A, B, B + C, C + 1, D + 2, 3 - D, -M, -1 - M, 6 + D - D**2, A / (1 - A),
         (1 - A) * B / (1 + C), 1 + F**2, sp.Integer(3), sp.sqrt(B), sp.sqrt(2) - 1,
-        -B / (A - 1), 1 + A * B, B - M, A - A**2,
+        -B / (A - 1), 1 + A * B, B - M, A - A**2, R,
     ],
     ids=str,
 )  # fmt: skip
@@ -106,7 +107,7 @@ def test_positive_on_the_whole_domain_is_shown(expression: sp.Expr) -> None:
 @pytest.mark.parametrize(
     "expression",
     [
-        C, B - A, A - 1, D, F, F**2, -B, 2 * A - 1, 2 - B, B * C, M, M + 2,
+        C, B - A, A - 1, D, F, F + 1, F**2, 1 - R, -B, 2 * A - 1, 2 - B, B * C, M, M + 2,
         (A - sp.Rational(1, 2)) ** 2, sp.sqrt(B) - 1, D + 1, 1 / (A - 2), 1 / (2 * A - 1),
     ],
     ids=str,
@@ -132,14 +133,14 @@ def inside(parameter: Parameter, unit: Fraction) -> sp.Expr:
 
 coefficients = st.integers(-3, 3)
 polynomials = st.lists(
-    st.tuples(coefficients, st.lists(st.integers(0, 5), max_size=3)), min_size=1, max_size=4
-).map(lambda terms: sp.Add(*(c * sp.Mul(*((A, B, C, D, M, F)[i] for i in t)) for c, t in terms)))
+    st.tuples(coefficients, st.lists(st.integers(0, 6), max_size=3)), min_size=1, max_size=4
+).map(lambda terms: sp.Add(*(c * sp.Mul(*((A, B, C, D, M, F, R)[i] for i in t)) for c, t in terms)))
 units = st.fractions(Fraction(1, 1000), Fraction(999, 1000), max_denominator=1000)
 
 
 @pytest.mark.slow
 @settings(PROPERTY, max_examples=15)
-@given(polynomials, polynomials, st.lists(st.tuples(*[units] * 6), min_size=4, max_size=4))
+@given(polynomials, polynomials, st.lists(st.tuples(*[units] * 7), min_size=4, max_size=4))
 def test_true_is_a_proof(numerator: sp.Expr, denominator: sp.Expr, points: list[Any]) -> None:
     assume(denominator != 0)
     expression = numerator / denominator

@@ -94,6 +94,17 @@ def landing(target: Configuration, image: Any, **more: Any) -> Make:
     )
 
 
+def turned(*speeds: list[int], of: Any = STATES, reset: Any = None) -> Make:
+    """States that turn, in each configuration with two speeds; a reset behind a boundary."""
+    boundaries = () if reset is None else (Boundary("hits", X - GS),)
+    configurations = [
+        Configuration(f"turning-{number}", FirstOrder([[0, -one], [other, 0]]), boundaries)
+        for number, (one, other) in enumerate(speeds, 1)
+    ]
+    back = [] if reset is None else [Transition("turning-1", {"hits"}, "turning-1", (), reset)]
+    return lambda: system(configurations, back, forcing=[of])
+
+
 def presented(states: Any, origin: Any) -> Make:
     return lambda: Presentation(states, origin).present(alone(BOUNCE)())
 
@@ -206,6 +217,7 @@ WRONG: list[tuple[Make, str]] = [
     ),
     # symbols that are not declared, or otherwise; functions of another kind
     (sprung(held={X: STRANGER}), "configuration 'free': symbol stranger is not a parameter"),
+    (sprung(load=(STRANGER,)), "configuration 'free': symbol stranger is not a parameter"),
     (sprung(stiffness=[[X]]), "'free': symbol x is not a parameter"),
     (
         sprung([Boundary("far", X - STRANGER)]),
@@ -257,6 +269,14 @@ WRONG: list[tuple[Make, str]] = [
     (
         moving(lambda: SecondOrder([[0, 1], [1, 0]], EYE, held={X2: 1}), PAIR),
         "'free': mass of the free coordinates is singular",
+    ),
+    # forcings
+    (turned([1, 1], of=(X, T)), "forcing x, t: t is not a state"),
+    (turned([1, 2]), "forcing x, v: in 'turning-1' it does not turn, c' = -w s, s' = w c"),
+    (turned([1, 1], [2, 2]), "forcing x, v: it turns at different speeds: {.*}"),
+    (
+        turned([1, 1], reset={V: 0}),
+        "transition 'turning-1' -> 'turning-1' resets the forcing x, v",
     ),
     # transitions: none, two that both apply, to the wrong side
     (
@@ -427,6 +447,8 @@ def test_a_wrong_declaration_is_refused_by_name(make: Make, message: str) -> Non
         moving(lambda: SecondOrder([[MS, NS], [NS, MS]], EYE), PAIR, parameters=(M, N)),
         lambda: system((FREE, REST), ()),
         landing(STOP, {X: GS}, reset={X: 0}),
+        # where a contact is left forces decide
+        landing(STOP, {X: GS}),
     ],
 )
 def test_what_may_be_right_is_accepted(make: Make) -> None:

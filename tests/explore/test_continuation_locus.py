@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import nonsmooth
-from tests.cli.test_cli import run
+from tests.cli.test_cli import run, told
 from tests.core.test_result_files import composed
 from tests.explore.test_continuation_forced import branch as impacts
 from tests.explore.test_continuation_forced import closed_forms, orbit
@@ -111,6 +111,13 @@ def test_commands(words: str, parts: list[str]) -> None:
     assert code == 0
     for part in parts:
         assert part in out
+
+
+@pytest.mark.slow
+def test_beyond_the_flip_of_a_given_period_twice_that_period_is_followed() -> None:
+    doubled = told("continue", "rigid-stop/one-impact", "T=5:6.5", "--switch", "flip:1")
+    assert doubled["parameter"] == "period"
+    assert 10 < min(doubled["values"]) < max(doubled["values"]) < 13
 
 
 @pytest.mark.parametrize(

@@ -50,6 +50,8 @@ def test_picture(tmp_path: Path) -> None:
     assert max(lines["not admissible"].get_xdata()) <= min(lines["unstable"].get_xdata()) + 1e-12
     flip = next(e for e in found.events if e.kind == "flip")
     assert lines["flip"].get_xdata()[0] == flip.value
+    for kind in ("stable", "unstable"):  # one begins where the other ends
+        assert flip.value in lines[kind].get_xdata()[[0, -1]]
     assert lines["flip"].get_ydata()[0] == flip.unknowns["tau"]
     assert found.plot("trace", axes) is axes
     assert axes.get_legend_handles_labels()[1] == labels  # of both curves once

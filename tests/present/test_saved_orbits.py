@@ -199,11 +199,13 @@ def test_orbits_that_reach_no_boundary_are_not_appended(folder):
     assert answer["itineraries"] == [f"found-{k + 1}" for k in range(sum(reach))]
     striking = answer["orbits"][reach.index(True)]
     assert ns.solve("bump.py:found-1").period == pytest.approx(float(striking["period"]))
-    again = answered("find", "bump.py", "w=1.45", *options)["itineraries"]
     count = len(answer["itineraries"])
-    assert again == [f"found-{count + k + 1}" for k in range(count)]
+    known = [f"found-1{k + 1}" for k in range(count)]
+    file.write_text(file.read_text().replace("found-", "found-1"))
+    again = answered("find", "bump.py", "w=1.45", *options)["itineraries"]
+    assert again == [f"found-{10 + count + k + 1}" for k in range(count)]
     names = [orbit["name"] for orbit in answered("list", "bump.py")["systems"][0]["orbits"]]
-    assert [name.rpartition(":")[2] for name in names] == [*answer["itineraries"], *again]
+    assert [name.rpartition(":")[2] for name in names] == [*known, *again]
     text = file.read_text()
     code, out, err = run("find", "bump.py", "w=3", *options)
     assert (code, file.read_text()) == (2, text)
