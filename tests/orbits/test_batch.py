@@ -208,6 +208,10 @@ def test_where_the_prediction_fails_other_starts_are_tried():
     alone = np.array([solve(ORBIT, point, throw=False).converged for point in points])
     many = solve(ORBIT, dict(zip(defaults(ORBIT), drawn.T, strict=True)))
     assert many.converged[alone].mean() > 0.8
+    # from here it leads to orbits that are no motions
+    elsewhere = [0.71, 0.7, 0.65], [2.13, 2.65, 2.63], [0.96, 0.37, 1.31], [3.66, 4, 2.75]
+    points = dict(zip(defaults(ORBIT), (*elsewhere, [0.24, 0.38, 0.24]), strict=True))
+    assert solve(ORBIT, points).admissible.all()
 
 
 def test_what_a_batch_finds_and_its_verdicts_and_bounds_are_those_of_one(name, many):
