@@ -460,3 +460,24 @@ def test_wrong_commands(words: str, message: str, store: Path) -> None:
 
 def test_no_folder_is_named() -> None:
     assert "--out F.zarr is missing" in told("chart", ORBIT, "V=1:2:3", code=2)["error"]
+
+
+def test_a_simulated_chart_goes_on_from_its_own_start(tmp_path: Path) -> None:
+    place, period = tmp_path / "S.zarr", tmp_path / "S.zarr" / "period" / "c" / "0"
+    given: dict[str, Any] = {
+        "chi": 0.4,
+        "eta": 4,
+        "us1": 0.0127,
+        "ur1": 0.0255,
+        "us2": 0.5,
+        "ur2": 1,
+    }
+    start = {"x1": 0, "x2": 0.1, "v1": 0.2, "v2": 0.3}
+    ns.chart(
+        "dry-friction", store=place, simulate=True, start=start, transitions=100, V=[0.6, 0.7],
+        **given,
+    )  # fmt: skip
+    before = contents(place)
+    period.unlink()
+    ns.chart(str(place))
+    assert contents(place) == before

@@ -10,6 +10,7 @@ from tests.declared import random_points, single
 
 ORBIT = "dry-friction/global-stick"
 COUNT = 300 if backend() == "c" else 40
+WIDE = [0.15, 0.3, 0.3, 1.5, 0.1], [0.85, 3, 1.5, 5, 1.5]
 every_orbit = pytest.mark.parametrize("name", orbit_names())
 
 
@@ -199,6 +200,18 @@ def test_a_batch_and_one_find_the_same_orbit_where_there_is_one(name, many, sing
             found = [float(a[i]) for a in many.unknowns.values()]
             same.append(np.allclose(list(one.unknowns.values()), found, atol=1e-9))
     assert np.mean(same) > 0.9
+
+
+def test_where_the_prediction_fails_other_starts_are_tried():
+    drawn = np.random.default_rng(7).uniform(*WIDE, (60, 5))
+    points = [dict(zip(defaults(ORBIT), map(float, point), strict=True)) for point in drawn]
+    alone = np.array([solve(ORBIT, point, throw=False).converged for point in points])
+    many = solve(ORBIT, dict(zip(defaults(ORBIT), drawn.T, strict=True)))
+    assert many.converged[alone].mean() > 0.8
+    # from here it leads to orbits that are no motions
+    elsewhere = [0.71, 0.7, 0.65], [2.13, 2.65, 2.63], [0.96, 0.37, 1.31], [3.66, 4, 2.75]
+    points = dict(zip(defaults(ORBIT), (*elsewhere, [0.24, 0.38, 0.24]), strict=True))
+    assert solve(ORBIT, points).admissible.all()
 
 
 def test_what_a_batch_finds_and_its_verdicts_and_bounds_are_those_of_one(name, many):

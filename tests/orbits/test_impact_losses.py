@@ -12,6 +12,7 @@ import sympy as sp
 import nonsmooth as ns
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, System, oscillator
 from tests.differences import in_doubles
+from tests.places import GALLERY
 
 DATA = {"m": 2.0, "F": 1.0, "w": 1.3, "g": 0.1, "r": 0.6, "d": 0.3}
 COUPLED = sp.Rational(1, 4)
@@ -82,3 +83,11 @@ def test_losses_have_derivatives() -> None:
 def test_elastic_impacts_take_nothing() -> None:
     orbit = ns.solve("rigid-stop/one-impact", {"r": 1})
     assert orbit.derivatives().quantity("dissipation")[0] == pytest.approx(0, abs=1e-13)
+
+
+def test_each_of_two_stops_of_a_mass_has_its_own() -> None:
+    found = ns.solve(f"{GALLERY}/two_stops.py:broken").derivatives()
+    left, right = (found.quantity(f"dissipation:{side}-stop")[0] for side in ("left", "right"))
+    assert min(left, right) > 1e-3
+    assert found.quantity("dissipation")[0] == pytest.approx(left + right, rel=1e-14)
+    assert abs(left - right) > 1e-6

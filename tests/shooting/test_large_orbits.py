@@ -47,3 +47,12 @@ def test_an_orbit_of_many_states_is_found_and_judged_as_in_python() -> None:
         assert_allclose(found.derivatives[name]["A"], rates["A"], rtol=1e-8, atol=1e-8)
     precise = [float(x) for x in ns.refine(orbit, 30).unknowns.values()]
     assert_allclose([*orbit.unknowns.values()], precise, rtol=0, atol=10.0**-orbit.digits)
+    # a motion that strikes nothing grazes where the response of the chain is as large as the gap
+    turning = stiffness + 0.7j * np.array(damping, float) - 0.49 * np.eye(COUNT)
+    gain = abs(np.linalg.solve(turning, np.eye(COUNT)[0])[-1])
+    free = ns.solve(
+        system, {"A": 0.2 / gain}, [orbit.period], itinerary=[("free", "forcing-phase")]
+    )
+    branch = ns.continue_orbit(free, "A", (0.1 / gain, 0.4 / gain))
+    assert [event.kind for event in branch.events] == ["grazing"]
+    assert branch.events[0].value == pytest.approx(0.3 / gain, rel=1e-8)

@@ -6,6 +6,7 @@ from numpy.testing import assert_allclose
 
 from nonsmooth import InputError, NoConvergence, poincare_map, solve
 from tests.engines import with_both
+from tests.handmade import DATA, MIRROR, two_stops
 from tests.two_masses import CHAIN, RUBBING, STICKING
 
 ORBITS = {
@@ -133,3 +134,12 @@ def test_bad_states(state):
     )
     with pytest.raises(InputError, match=r"finite numbers|state: .*(real number|is not a number)"):
         mapped(state)
+
+
+def test_a_return_is_by_its_own_boundary():
+    """Two stops lead from the free motion to itself: the other one's impact is on the way."""
+    orbit = solve(two_stops(), DATA, [1.85], itinerary=[("free", "reaches-right")], symmetry=MIRROR)
+    impact = poincare_map(two_stops(), DATA, ("free", "reaches-right", "free"))
+    found = impact.next_return(orbit.states[1])
+    assert found.time == pytest.approx(orbit.period, rel=1e-9)
+    assert_allclose(found.state, orbit.states[1], atol=1e-9)
