@@ -3,13 +3,14 @@
 import os
 import subprocess
 import sys
+from fractions import Fraction
 
 import numpy as np
 import pytest
 from flint import arb, arb_mat, fmpq, fmpq_mat
 
 from nonsmooth.runtime.core.exponentials.float_flows import FloatFlow
-from nonsmooth.runtime.core.float_sets import ManySets, Rounded, joined_sets
+from nonsmooth.runtime.core.float_sets import ManySets, Rounded, joined_sets, within
 from nonsmooth.runtime.core.values import flint_precision
 
 COUNT, SIZE, SIDES = 40, 4, 5
@@ -58,6 +59,15 @@ def holds(random, sets, number, points):
     low, high = sets[[number]].ranges(Rounded(rows, np.zeros_like(rows)))
     values = points @ rows.T
     return ((low[0] - 1e-12 <= values) & (values <= high[0] + 1e-12)).all()
+
+
+def reach(sets, number, row):
+    """How far a set reaches along a row, exactly."""
+    row, centre, box = ([*map(Fraction, x)] for x in (row, sets.centre[number], sets.box[number]))
+    sides = [[*map(Fraction, side)] for side in sets.sides[number].T]
+    across = sum(abs(sum(x * y for x, y in zip(row, side, strict=True))) for side in sides)
+    pairs = zip(row, centre, box, strict=True)
+    return sum(x * c + abs(x) * b for x, c, b in pairs) + across
 
 
 def test_an_image_holds_the_exact_one():
@@ -142,6 +152,8 @@ def test_fewer_sides_hold_the_set_and_what_is_exactly_true():
     points = points_of(random, sets)
     for k in range(COUNT):
         assert holds(random, less, k, points[k])
+        for row in np.insert(random.normal(size=(6, SIZE - 2)), [0, 2], 0.0, axis=1):
+            assert reach(less, k, row) >= reach(sets, k, row)
     fact = Rounded(np.array([[1.0, -0.5, 0.0, -3.0]]), np.zeros((1, SIZE)))
     low, high = less.ranges(fact)
     assert (high - low).max() < 1e-9
@@ -160,6 +172,31 @@ def test_halves_are_the_set():
         low, high = both[[k, k + COUNT]].hull
         assert ((points[k] >= low.min(axis=0)) & (points[k] <= high.max(axis=0))).all()
         assert np.abs(both.sides[k]).sum() < np.abs(sets.sides[k]).sum()
+        for row in random.normal(size=(6, SIZE)):
+            assert max(reach(both, k + n, row) for n in (0, COUNT)) >= reach(sets, k, row)
+
+
+def test_a_box_keeps_all_states_where_a_function_is_not_positive():
+    """The least sum of the other terms tells, exactly, how far each coordinate may go."""
+    random = np.random.default_rng(11)
+    low = random.normal(size=(COUNT, SIZE))
+    high = low + random.uniform(0, 2, (COUNT, SIZE))
+    low[:, -1] = high[:, -1] = 1
+    row = random.normal(size=SIZE)
+    least, most = within((low, high), Rounded(row[None], np.zeros((1, SIZE))))
+    narrower = 0
+    for k in range(COUNT):
+        ends = [[*map(Fraction, side[k])] for side in (low, high)]
+        weights = [*map(Fraction, row)]
+        terms = [min(w * a, w * b) for w, a, b in zip(weights, *ends, strict=True)]
+        for i, (weight, first, last) in enumerate(zip(weights, *ends, strict=True)):
+            farthest = (terms[i] - sum(terms)) / weight
+            if sum(terms) > 0:
+                farthest = last if weight > 0 else first
+            assert most[k, i] >= (min(last, farthest) if weight > 0 else last)
+            assert least[k, i] <= (first if weight > 0 else max(first, farthest))
+            narrower += least[k, i] > first or most[k, i] < last
+    assert narrower > 10
 
 
 def test_joined_sets_keep_what_they_are():

@@ -112,3 +112,5 @@ def test_matrices_of_balls_and_jets() -> None:
     assert (found.nrows(), found.ncols()) == (2, 2)
     assert middle_of(found) == range_of(found) == part_of(found, 0)
     assert part_of(arb_mat([[0, 1], [1, 0]]) * found, 1) == arb_mat([[0, 0], [3, 0]])
+    other = matrix([[0, 1], [jet(arb(1), arb(5)), 0]])
+    assert part_of(found * other, 1) == arb_mat([[5, 3], [0, 0]])
