@@ -9,13 +9,14 @@ from typing import Any
 
 import pytest
 import sympy as sp
-from flint import ctx
+from flint import arb, ctx
 
 import nonsmooth as ns
 from nonsmooth.derive import Harmonic, SoftStop, oscillator
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.ranges.branch import checked_tiles, curve_of
 from nonsmooth.runtime.checker.ranges.branch_tile import CheckedTile
+from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import range_of
 from tests.certified import believed, certified_over, prove_branch, refused, refused_file
 from tests.shared import shared_file
@@ -47,6 +48,30 @@ def preloaded(tmp_path_factory: pytest.TempPathFactory) -> Content:
     found.save(path)
     content: Content = json.loads(path.read_text())
     return content
+
+
+def test_derivatives_along_the_branch_are_those_of_differences(content: Content) -> None:
+    """By the parameter and by an unknown: of orbits at a point, and in a box around it."""
+    curve, middle, step = curve_of(content), arb(1.08), arb(2) ** -40
+    with ctx.workprec(192):
+        (tile,) = (
+            tile
+            for tile in (CheckedTile(curve, stated) for stated in content["tiles"])
+            if tile.place == curve.last and arb(tile.low) < middle < arb(tile.high)
+        )
+        behind, at, ahead = (tile.at(middle + k * step) for k in (-1, 0, 1))
+        wide = [x + arb(0, arb(2) ** -30) for x in at]
+        for place in (curve.last, 2):
+            before, found, after, over = (
+                curve.jets(place, point, 2) for point in (behind, at, ahead, wide)
+            )
+            moved = ahead[place] - behind[place]
+            for k, jet in enumerate(found):
+                own, bend = part_of(jet, 1), 2 * part_of(jet, 2)
+                assert abs((ahead[k] - behind[k]) / moved - own) < 1e-18
+                assert abs((part_of(after[k], 1) - part_of(before[k], 1)) / moved - bend) < 1e-18
+                assert part_of(over[k], 1).contains(own)
+                assert (2 * part_of(over[k], 2)).contains(bend)
 
 
 def event_of(content: Content, kind: str) -> Any:
