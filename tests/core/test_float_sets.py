@@ -73,16 +73,20 @@ def reach(sets, number, row):
 def test_an_image_holds_the_exact_one():
     random, sets = drawn(1)
     matrix = random.normal(size=(3, SIZE)) * 10.0 ** random.integers(-9, 9, (3, 1))
-    image = sets.mapped(Rounded(matrix, np.zeros_like(matrix)))
-    exact = fmpq_mat([[fmpq(*x.as_integer_ratio()) for x in row] for row in matrix])
+    given = Rounded(matrix, 2.0**-36 * np.abs(matrix))
+    image, (low, high) = sets.mapped(given), sets.ranges(given)
+    meant = matrix + 0.999 * random.choice([-1, 1], matrix.shape) * given.radius
+    exact = fmpq_mat([[fmpq(*x.as_integer_ratio()) for x in row] for row in meant])
     for k in range(COUNT):
         sides = np.hstack([sets.centre[k][:, None], sets.sides[k]])
         columns = fmpq_mat([[fmpq(*x.as_integer_ratio()) for x in row] for row in sides])
         moved = exact * columns
         for i in range(3):
-            given = np.hstack([image.centre[k, i], image.sides[k, i]])
+            assert -reach(sets, k, -meant[i]) >= low[k, i]
+            assert reach(sets, k, meant[i]) <= high[k, i]
+            told = np.hstack([image.centre[k, i], image.sides[k, i]])
             off = sum(
-                abs(moved[i, j] - fmpq(*float(x).as_integer_ratio())) for j, x in enumerate(given)
+                abs(moved[i, j] - fmpq(*float(x).as_integer_ratio())) for j, x in enumerate(told)
             )
             carried = sum(
                 abs(exact[i, j]) * fmpq(*float(b).as_integer_ratio())
@@ -183,16 +187,17 @@ def test_a_box_keeps_all_states_where_a_function_is_not_positive():
     high = low + random.uniform(0, 2, (COUNT, SIZE))
     low[:, -1] = high[:, -1] = 1
     row = random.normal(size=SIZE)
-    least, most = within((low, high), Rounded(row[None], np.zeros((1, SIZE))))
+    given = Rounded(row[None] + random.uniform(-0.01, 0.01, (1, SIZE)), np.full((1, SIZE), 0.01))
+    least, most = within((low, high), given)
     narrower = 0
     for k in range(COUNT):
         ends = [[*map(Fraction, side[k])] for side in (low, high)]
         weights = [*map(Fraction, row)]
         terms = [min(w * a, w * b) for w, a, b in zip(weights, *ends, strict=True)]
+        if sum(terms) > 0:  # there is none
+            continue
         for i, (weight, first, last) in enumerate(zip(weights, *ends, strict=True)):
             farthest = (terms[i] - sum(terms)) / weight
-            if sum(terms) > 0:
-                farthest = last if weight > 0 else first
             assert most[k, i] >= (min(last, farthest) if weight > 0 else last)
             assert least[k, i] <= (first if weight > 0 else max(first, farthest))
             narrower += least[k, i] > first or most[k, i] < last
