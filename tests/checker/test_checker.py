@@ -28,7 +28,7 @@ from nonsmooth import InputError
 from nonsmooth.derive.systems import declaration
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.__main__ import judged
-from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit
+from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, lower
 from nonsmooth.runtime.checker.orbits.points import JudgedOrbit
 from nonsmooth.runtime.checker.orbits.stability import (
     _inside,
@@ -38,6 +38,7 @@ from nonsmooth.runtime.checker.orbits.stability import (
     others_below,
 )
 from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.core.taylor_models import TaylorModel, space_of
 from nonsmooth.runtime.present.tell import tell
 from nonsmooth.runtime.proof.certificate import Certificate
 from tests.certified import believed, forced, loop, moved, of_files, refused, saved, signed
@@ -761,3 +762,12 @@ def test_entries_that_are_no_numbers_are_refused_in_one_line(text: str, tmp_path
     with pytest.raises(ns.InputError, match=r"proof\.json: .") as caught:
         ns.certify.check(path)
     assert "\n" not in str(caught.value)
+
+
+def test_a_model_of_a_lower_order_holds_what_it_leaves_out() -> None:
+    space = space_of(2, 5)
+    whole = TaylorModel(space, tuple(arb(1) for _ in space.exponents))
+    part = lower(whole)
+    assert part.space.order < space.order
+    for place in ((1, 1), (-1, 1), (0.5, -1), (0, 0)):
+        assert part.at([*map(arb, place)]).contains(whole.at([*map(arb, place)]))
