@@ -55,7 +55,7 @@ def points_of(random, sets, count=300):
 
 def holds(random, sets, number, points):
     """Whether a set reaches as far as points in every direction that is tried."""
-    rows = random.normal(size=(12, points.shape[-1]))
+    rows = np.vstack([random.normal(size=(12, points.shape[-1])), np.eye(points.shape[-1])])
     low, high = sets[[number]].ranges(Rounded(rows, np.zeros_like(rows)))
     values = points @ rows.T
     return ((low[0] - 1e-12 <= values) & (values <= high[0] + 1e-12)).all()
@@ -225,21 +225,25 @@ def flow():
 
 
 def test_the_flow_holds_the_exponential(flow):
+    """Whether its steps are short or, where much of a series is left out, long."""
     times = np.array([0.0, 1e-9, 0.0624, 0.0626, 1.0, 3.7, 40.3])
-    found = flow.at(times)
-    with flint_precision(200):
-        for k, time in enumerate(times.tolist()):
-            exact = (arb_mat(fmpq_mat(FIELD)) * arb(time)).exp().tolist()
-            for i in range(4):
-                for j in range(4):
-                    ball = arb(float(found.middle[k, i, j]), float(found.radius[k, i, j]))
-                    assert ball.contains(exact[i][j])
-    assert found.radius.max() < 1e-9
+    long = FloatFlow(arb_mat(fmpq_mat(FIELD)), 4.0)
+    for found in (flow.at(times), long.at(times)):
+        with flint_precision(200):
+            for k, time in enumerate(times.tolist()):
+                exact = (arb_mat(fmpq_mat(FIELD)) * arb(time)).exp().tolist()
+                for i in range(4):
+                    for j in range(4):
+                        ball = arb(float(found.middle[k, i, j]), float(found.radius[k, i, j]))
+                        assert ball.contains(exact[i][j])
+    assert flow.at(times).radius.max() < 1e-9
 
 
-def test_a_pipe_holds_all_states_between_two_times(flow):
-    random, sets = drawn(9)
-    sets = ManySets(sets.centre, sets.sides / 8, sets.box)
+@pytest.mark.parametrize(("far", "size", "sides"), [(1, 0.125, SIDES), (1, 0, 1), (0, 1, 1)])
+def test_a_pipe_holds_all_states_between_two_times(flow, far, size, sides):
+    """Of sets, of points, and of lines through a state that rests."""
+    random, sets = drawn(9, sides)
+    sets = ManySets(sets.centre * [far, far, far, 1], sets.sides * size, sets.box * (sides > 1))
     begin = random.uniform(0, 3, COUNT)
     end = begin + random.uniform(0, 0.4, COUNT)
     moved, pipe = flow.between(sets, begin, end)
