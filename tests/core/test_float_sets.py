@@ -187,12 +187,11 @@ def test_a_box_keeps_all_states_where_a_function_is_not_positive():
     high = low + random.uniform(0, 2, (COUNT, SIZE))
     low[:, -1] = high[:, -1] = 1
     row = random.normal(size=SIZE)
-    given = Rounded(row[None] + random.uniform(-0.01, 0.01, (1, SIZE)), np.full((1, SIZE), 0.01))
-    least, most = within((low, high), given)
+    least, most = within((low, high), Rounded(row[None], np.full((1, SIZE), 0.01)))
     narrower = 0
     for k in range(COUNT):
         ends = [[*map(Fraction, side[k])] for side in (low, high)]
-        weights = [*map(Fraction, row)]
+        weights = [*map(Fraction, row - 0.00999 * np.sign(low[k] + high[k]))]
         terms = [min(w * a, w * b) for w, a, b in zip(weights, *ends, strict=True)]
         if sum(terms) > 0:  # there is none
             continue
