@@ -17,15 +17,16 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from flint import arb_mat, ctx
+from flint import arb, arb_mat, ctx
 from typer.testing import CliRunner
 
 import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.runtime.checker import Failure
-from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit
+from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, lower
 from nonsmooth.runtime.checker.orbits.points import JudgedOrbit
 from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.core.taylor_models import TaylorModel, space_of
 from nonsmooth.runtime.present.tell import tell
 from nonsmooth.runtime.proof.certificate import Certificate
 from tests.certified import (
@@ -571,3 +572,12 @@ def test_no_power_of_any_parameter_is_too_high(
     believed(signed(content))
     wall[-1][part] = [["1", exponents]]
     refused(content, "a power too high")
+
+
+def test_a_model_of_a_lower_order_holds_what_it_leaves_out() -> None:
+    space = space_of(2, 5)
+    whole = TaylorModel(space, tuple(arb(1) for _ in space.exponents))
+    part = lower(whole)
+    assert part.space.order < space.order
+    for place in ((1, 1), (-1, 1), (0.5, -1), (0, 0)):
+        assert part.at([*map(arb, place)]).contains(whole.at([*map(arb, place)]))

@@ -4,18 +4,21 @@ import copy
 import json
 from collections.abc import Callable
 from fractions import Fraction
+from itertools import product
 from pathlib import Path
 from typing import Any
 
 import pytest
 import sympy as sp
-from flint import ctx
+from flint import arb, arb_mat, ctx
 
 import nonsmooth as ns
 from nonsmooth.derive import Harmonic, SoftStop, oscillator
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.ranges.branch import checked_tiles, curve_of
+from nonsmooth.runtime.checker.ranges.branch_curve import solution
 from nonsmooth.runtime.checker.ranges.branch_tile import CheckedTile
+from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import range_of
 from tests.certified import believed, certified_over, prove_branch, refused, refused_file
 from tests.checker.test_mutations import written
@@ -48,6 +51,39 @@ def preloaded(tmp_path_factory: pytest.TempPathFactory) -> Content:
     found.save(path)
     content: Content = json.loads(path.read_text())
     return content
+
+
+def test_derivatives_along_the_branch_are_those_of_differences(content: Content) -> None:
+    """By the parameter and by an unknown: of orbits at a point, and in a box around it."""
+    curve, middle, step = curve_of(content), arb(1.08), arb(2) ** -40
+    with ctx.workprec(192):
+        (tile,) = (
+            tile
+            for tile in (CheckedTile(curve, stated) for stated in content["tiles"])
+            if tile.place == curve.last and arb(tile.low) < middle < arb(tile.high)
+        )
+        behind, at, ahead = (tile.at(middle + k * step) for k in (-1, 0, 1))
+        wide = [x + arb(0, arb(2) ** -30) for x in at]
+        for place in (curve.last, 2):
+            before, found, after, over = (
+                curve.jets(place, point, 2) for point in (behind, at, ahead, wide)
+            )
+            moved = ahead[place] - behind[place]
+            for k, jet in enumerate(found):
+                own, bend = part_of(jet, 1), 2 * part_of(jet, 2)
+                assert abs((ahead[k] - behind[k]) / moved - own) < 1e-18
+                assert abs((part_of(after[k], 1) - part_of(before[k], 1)) / moved - bend) < 1e-18
+                assert part_of(over[k], 1).contains(own)
+                assert (2 * part_of(over[k], 2)).contains(bend)
+
+
+@pytest.mark.parametrize("radius", [0.125, 0.375])
+def test_a_linear_system_is_solved_for_all_numbers_in_its_balls(radius: float) -> None:
+    unit, right = arb_mat([[1, 0], [0, 1]]), arb_mat([[1], [1]])
+    found = solution(unit + arb_mat([[arb(0, radius)] * 2] * 2), unit, right)
+    for a, b, c, d in product((-radius, radius), repeat=4):
+        true = (unit + arb_mat([[a, b], [c, d]])).solve(right)
+        assert all(x.contains(true[k, 0]) for k, x in enumerate(found))
 
 
 def event_of(content: Content, kind: str) -> Any:

@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -54,25 +55,38 @@ def points_of(random, sets, count=300):
 
 def holds(random, sets, number, points):
     """Whether a set reaches as far as points in every direction that is tried."""
-    rows = random.normal(size=(12, points.shape[-1]))
+    rows = np.vstack([random.normal(size=(12, points.shape[-1])), np.eye(points.shape[-1])])
     low, high = sets[[number]].ranges(Rounded(rows, np.zeros_like(rows)))
     values = points @ rows.T
     return ((low[0] - 1e-12 <= values) & (values <= high[0] + 1e-12)).all()
 
 
+def reach(sets, number, row):
+    """How far a set reaches along a row, exactly."""
+    row, centre, box = ([*map(Fraction, x)] for x in (row, sets.centre[number], sets.box[number]))
+    sides = [[*map(Fraction, side)] for side in sets.sides[number].T]
+    across = sum(abs(sum(x * y for x, y in zip(row, side, strict=True))) for side in sides)
+    pairs = zip(row, centre, box, strict=True)
+    return sum(x * c + abs(x) * b for x, c, b in pairs) + across
+
+
 def test_an_image_holds_the_exact_one():
     random, sets = drawn(1)
     matrix = random.normal(size=(3, SIZE)) * 10.0 ** random.integers(-9, 9, (3, 1))
-    image = sets.mapped(Rounded(matrix, np.zeros_like(matrix)))
-    exact = fmpq_mat([[fmpq(*x.as_integer_ratio()) for x in row] for row in matrix])
+    given = Rounded(matrix, 2.0**-36 * np.abs(matrix))
+    image, (low, high) = sets.mapped(given), sets.ranges(given)
+    meant = matrix + 0.999 * random.choice([-1, 1], matrix.shape) * given.radius
+    exact = fmpq_mat([[fmpq(*x.as_integer_ratio()) for x in row] for row in meant])
     for k in range(COUNT):
         sides = np.hstack([sets.centre[k][:, None], sets.sides[k]])
         columns = fmpq_mat([[fmpq(*x.as_integer_ratio()) for x in row] for row in sides])
         moved = exact * columns
         for i in range(3):
-            given = np.hstack([image.centre[k, i], image.sides[k, i]])
+            assert -reach(sets, k, -meant[i]) >= low[k, i]
+            assert reach(sets, k, meant[i]) <= high[k, i]
+            told = np.hstack([image.centre[k, i], image.sides[k, i]])
             off = sum(
-                abs(moved[i, j] - fmpq(*float(x).as_integer_ratio())) for j, x in enumerate(given)
+                abs(moved[i, j] - fmpq(*float(x).as_integer_ratio())) for j, x in enumerate(told)
             )
             carried = sum(
                 abs(exact[i, j]) * fmpq(*float(b).as_integer_ratio())
@@ -142,6 +156,8 @@ def test_fewer_sides_hold_the_set_and_what_is_exactly_true():
     points = points_of(random, sets)
     for k in range(COUNT):
         assert holds(random, less, k, points[k])
+        for row in np.insert(random.normal(size=(6, SIZE - 2)), [0, 2], 0.0, axis=1):
+            assert reach(less, k, row) >= reach(sets, k, row)
     fact = Rounded(np.array([[1.0, -0.5, 0.0, -3.0]]), np.zeros((1, SIZE)))
     low, high = less.ranges(fact)
     assert (high - low).max() < 1e-9
@@ -160,24 +176,31 @@ def test_halves_are_the_set():
         low, high = both[[k, k + COUNT]].hull
         assert ((points[k] >= low.min(axis=0)) & (points[k] <= high.max(axis=0))).all()
         assert np.abs(both.sides[k]).sum() < np.abs(sets.sides[k]).sum()
+        for row in random.normal(size=(6, SIZE)):
+            assert max(reach(both, k + n, row) for n in (0, COUNT)) >= reach(sets, k, row)
 
 
 def test_a_box_keeps_all_states_where_a_function_is_not_positive():
-    """By whatever row there is between the bounds of a rounded one."""
+    """The least sum of the other terms tells, exactly, how far each coordinate may go."""
     random = np.random.default_rng(11)
     low = random.normal(size=(COUNT, SIZE))
     high = low + random.uniform(0, 2, (COUNT, SIZE))
-    row = Rounded(random.normal(size=(1, SIZE)), random.uniform(0, 0.1, (1, SIZE)))
-    least, most = within((low, high), row)
-    share = random.random((500, COUNT, SIZE))
-    points = low + np.where(random.random(share.shape) < 0.5, np.round(share), share) * (high - low)
-    rows = row.middle + row.radius * random.choice([-1, 1], points.shape)
-    good = points[(points * rows).sum(axis=2) <= 0]
-    number = np.nonzero((points * rows).sum(axis=2) <= 0)[1]
-    assert ((least[number] <= good + 1e-12) & (good <= most[number] + 1e-12)).all()
-    narrower = most - least < 0.9 * (high - low)
-    assert narrower[:, row.middle[0] > 0].any()
-    assert narrower[:, row.middle[0] < 0].any()
+    low[:, -1] = high[:, -1] = 1
+    row = random.normal(size=SIZE)
+    least, most = within((low, high), Rounded(row[None], np.full((1, SIZE), 0.01)))
+    narrower = 0
+    for k in range(COUNT):
+        ends = [[*map(Fraction, side[k])] for side in (low, high)]
+        weights = [*map(Fraction, row - 0.00999 * np.sign(low[k] + high[k]))]
+        terms = [min(w * a, w * b) for w, a, b in zip(weights, *ends, strict=True)]
+        if sum(terms) > 0:  # there is none
+            continue
+        for i, (weight, first, last) in enumerate(zip(weights, *ends, strict=True)):
+            farthest = (terms[i] - sum(terms)) / weight
+            assert most[k, i] >= (min(last, farthest) if weight > 0 else last)
+            assert least[k, i] <= (first if weight > 0 else max(first, farthest))
+            narrower += least[k, i] > first or most[k, i] < last
+    assert narrower > 10
 
 
 # flows
@@ -193,21 +216,25 @@ def flow():
 
 
 def test_the_flow_holds_the_exponential(flow):
+    """Whether its steps are short or, where much of a series is left out, long."""
     times = np.array([0.0, 1e-9, 0.0624, 0.0626, 1.0, 3.7, 40.3])
-    found = flow.at(times)
-    with flint_precision(200):
-        for k, time in enumerate(times.tolist()):
-            exact = (arb_mat(fmpq_mat(FIELD)) * arb(time)).exp().tolist()
-            for i in range(4):
-                for j in range(4):
-                    ball = arb(float(found.middle[k, i, j]), float(found.radius[k, i, j]))
-                    assert ball.contains(exact[i][j])
-    assert found.radius.max() < 1e-9
+    long = FloatFlow(arb_mat(fmpq_mat(FIELD)), 4.0)
+    for found in (flow.at(times), long.at(times)):
+        with flint_precision(200):
+            for k, time in enumerate(times.tolist()):
+                exact = (arb_mat(fmpq_mat(FIELD)) * arb(time)).exp().tolist()
+                for i in range(4):
+                    for j in range(4):
+                        ball = arb(float(found.middle[k, i, j]), float(found.radius[k, i, j]))
+                        assert ball.contains(exact[i][j])
+    assert flow.at(times).radius.max() < 1e-9
 
 
-def test_a_pipe_holds_all_states_between_two_times(flow):
-    random, sets = drawn(9)
-    sets = ManySets(sets.centre, sets.sides / 8, sets.box)
+@pytest.mark.parametrize(("far", "size", "sides"), [(1, 0.125, SIDES), (1, 0, 1), (0, 1, 1)])
+def test_a_pipe_holds_all_states_between_two_times(flow, far, size, sides):
+    """Of sets, of points, and of lines through a state that rests."""
+    random, sets = drawn(9, sides)
+    sets = ManySets(sets.centre * [far, far, far, 1], sets.sides * size, sets.box * (sides > 1))
     begin = random.uniform(0, 3, COUNT)
     end = begin + random.uniform(0, 0.4, COUNT)
     moved, pipe = flow.between(sets, begin, end)

@@ -57,6 +57,7 @@ def test_what_is_related_is_zero_and_what_is_not_is_not(known: Any) -> None:
     assert not any(zeros)
     other = [number["sqrt(2)"] - fmpq(7, 5), sine - twice, number["pi"] ** 2 - 10, p - root]
     assert all(other)
+    assert number["1/(1-sqrt(2))"] == -inner != inner
 
 
 def test_nothing_is_divided_by_what_may_be_zero(known: Any) -> None:

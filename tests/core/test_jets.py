@@ -4,7 +4,7 @@ from typing import Any
 
 import mpmath
 import pytest
-from flint import arb
+from flint import arb, arb_mat
 from mpmath import mp
 
 from nonsmooth.runtime.core.arithmetic import exact_ball
@@ -80,3 +80,13 @@ def test_the_radius_of_a_value_reaches_its_derivative() -> None:
     rate = part_of(x * x, 1)
     assert rate.contains(arb(1.5))
     assert rate.contains(arb(2.5))
+
+
+def test_matrices_of_balls_and_jets() -> None:
+    found = matrix([[jet(arb(2), arb(3)), 1], [arb(4), 0]])
+    assert part_of(found, 0) == arb_mat([[2, 1], [4, 0]])
+    assert part_of(found, 1) == arb_mat([[3, 0], [0, 0]])
+    assert (found.nrows(), found.ncols()) == (2, 2)
+    assert part_of(arb_mat([[0, 1], [1, 0]]) * found, 1) == arb_mat([[0, 0], [3, 0]])
+    other = matrix([[0, 1], [jet(arb(1), arb(5)), 0]])
+    assert part_of(found * other, 1) == arb_mat([[5, 3], [0, 0]])

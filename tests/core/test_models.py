@@ -11,7 +11,17 @@ from flint import arb, arb_mat, fmpq
 
 from nonsmooth.runtime.checker.stated.exact import Elimination, product, reduced
 from nonsmooth.runtime.core.rational_functions import symbols
-from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
+from nonsmooth.runtime.core.taylor_models import (
+    AT_BOTH_ENDS,
+    BENT_MEAN,
+    MEAN,
+    TaylorModel,
+    averaged,
+    lifted,
+    matrix,
+    range_of,
+    space_of,
+)
 from nonsmooth.runtime.core.values import flint_precision
 
 SPACES = [(1, 1), (1, 4), (2, 1), (2, 3), (3, 2)]
@@ -126,3 +136,41 @@ def test_exponentials_of_tiny_matrices_to_many_digits() -> None:
         space = space_of(1, 1)
         tiny = space.constant(arb_mat([[arb(0, arb(2) ** -3000)]]))
         assert tiny.exp().range()[0, 0].contains(arb(1))
+
+
+@pytest.mark.parametrize("exponent", [-17, -24, -40])
+def test_an_exponential_holds_what_its_polynomial_leaves_out(exponent: int) -> None:
+    """The polynomial of a power of two is a double, nearly: no rounding hides what is left out."""
+    small = arb((1, exponent))
+    with flint_precision(64):
+        found = space_of(1, 1).constant(arb_mat([[small]])).exp().range()[0, 0]
+    with flint_precision(400):
+        assert found.contains(small.exp())
+
+
+@pytest.mark.parametrize(
+    ("weight", "shares"),
+    [(AT_BOTH_ENDS, (1, 1, 1)), (MEAN, (1, 1 / 2, 1 / 3)), (BENT_MEAN, (1 / 3, 1 / 8, 1 / 15))],
+)
+def test_averages_are_those_of_polynomials_and_hold_what_is_cut_off(
+    weight: tuple[int, ...], shares: tuple[float, ...]
+) -> None:
+    """Of e^2 f^2 + 3 f^3 + a ball times f over f = s e: odd powers leave their radius alone."""
+    space = space_of(2, 5)
+    parts: list[Any] = [None] * len(space.exponents)
+    for exponents, part in {
+        (0, 0): arb(0, 1e-3), (2, 2): arb(1), (0, 3): arb(3), (0, 1): arb(2, 1e-2)
+    }.items():  # fmt: skip
+        parts[space.exponents.index(exponents)] = part
+    found = averaged(TaylorModel(space, tuple(parts)), weight)
+    assert float(found.parts[4]) == pytest.approx(shares[2])
+    assert found.parts[0].rad() >= 1e-3 * shares[0] * 0.999
+    assert found.parts[1].contains(0)
+    assert found.parts[1].rad() >= 1e-2 * shares[1] * 0.999
+    assert abs(found.parts[3]) < 1e-12
+    still = space_of(1, 5).variable(0, arb(1), arb(2))
+    again = averaged(lifted(still, space), weight)
+    assert [float(p or 0) for p in again.parts] == pytest.approx(
+        [shares[0], 2 * shares[0], *[0] * 4]
+    )
+    assert float(averaged(arb(3), weight)) == pytest.approx(3 * shares[0])

@@ -21,7 +21,13 @@ import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.derive import SecondOrder, System, Transition
 from nonsmooth.runtime.checker.counting.census import Counting
-from nonsmooth.runtime.checker.counting.contraction import Linear, balls_of, contract, middles_of
+from nonsmooth.runtime.checker.counting.contraction import (
+    Linear,
+    balls_of,
+    contract,
+    floats_around,
+    middles_of,
+)
 from nonsmooth.runtime.checker.counting.covering import CoveringBox, Walk
 from nonsmooth.runtime.cli.display import show_result
 from nonsmooth.runtime.core.values import flint_precision
@@ -312,6 +318,14 @@ def equations_of(census: Any) -> Any:
     content = content_of(census)
     (found,) = Counting(content).within(content["box"]).equations
     return found
+
+
+def test_doubles_around_a_ball_hold_it() -> None:
+    """A ball of many digits, narrower than doubles are apart."""
+    with flint_precision(200):
+        for number in (arb(k) / 7 for k in range(-20, 21)):
+            low, high = floats_around(number)
+            assert low < number < high
 
 
 def test_equations_over_boxes_enclose_those_at_points() -> None:

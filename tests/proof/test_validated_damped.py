@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 import sympy as sp
-from flint import arb
+from flint import arb, fmpq
 
 from nonsmooth import certify
 from nonsmooth.derive import (
@@ -24,6 +24,7 @@ from nonsmooth.derive import (
     Transition,
     oscillator,
 )
+from nonsmooth.runtime.checker.state_sets.for_ever import stays_negative
 from nonsmooth.runtime.core.values import flint_precision
 from tests.declared_motion import DeclaredMotion
 
@@ -199,6 +200,38 @@ def test_what_comes_and_goes_within_a_step_of_the_slow_forcing_is_not_missed() -
     proof = certify.motion(system, {}, [-60, 92, -66, 1, 0], "cubic", 1)
     assert proof.decided
     assert proof.times[1].contains(1)
+
+
+FALLING = [[0, 1, 0], [0, 0, -1]]
+RISING = [[0, 1, 0], [0, 0, 1]]
+DRIFTING = [[0, 1, 0], [0, 0, 0]]
+CRITICAL = [[0, 1, 0], [-1, -2, 0]]
+TURNING = [[0, 1, 0], [-1, 0, 0]]
+RESONANT = [[0, 1, 0, 0, 0], [-1, 0, 1, 0, 0], [0, 0, 0, 1, 0], [0, 0, -1, 0, 0]]
+
+
+@pytest.mark.parametrize(
+    ("field", "start", "below", "stays"),
+    [
+        (FALLING, [-1, 0], 0, True),
+        (RISING, [-1, -1], 0, False),
+        (DRIFTING, [-1, 0], 0, True),
+        (DRIFTING, [-1, 2.0**-20], 0, False),
+        (CRITICAL, [0, 2.5], 1, True),  # at most 2.5/e
+        (CRITICAL, [0, 3], 1, False),
+        (TURNING, [1, 1], 2, True),  # at most sqrt(2)
+        (TURNING, [2, 1], 2, False),
+        (RESONANT, [0, 0, 0.125, 0], 5, False),  # it grows slowly
+    ],
+)
+def test_what_stays_negative_for_ever_is_told_by_its_exponentials(
+    field: list[list[int]], start: list[float], below: int, stays: bool
+) -> None:
+    size = len(start)
+    rows = [tuple(map(fmpq, row)) for row in (*field, [0] * (size + 1))]
+    first = (fmpq(1), *[fmpq(0)] * (size - 1), fmpq(-below))
+    with flint_precision(128):
+        assert stays_negative(first, rows, [], [*map(arb, start)], arb(0)) == stays
 
 
 def test_a_growing_motion_is_not_called_quiet() -> None:
