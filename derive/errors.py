@@ -1,7 +1,5 @@
 """Errors of declaration and derivation."""
 
-__all__ = ["DeclarationError", "DerivationError"]
-
 
 class DeclarationError(ValueError):
     """A system or an itinerary is declared inconsistently; the message names the culprit."""

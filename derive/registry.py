@@ -9,8 +9,6 @@ from collections.abc import Mapping
 from importlib import import_module
 from typing import Any
 
-__all__ = ["register", "registered"]
-
 _MODULES: dict[str, str] = {}
 
 

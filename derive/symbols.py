@@ -11,8 +11,6 @@ from typing import Any
 
 import sympy as sp
 
-__all__ = ["Symbol", "derivative", "inside", "meaning_of", "parts_of_derivative"]
-
 # name of a symbol by its meaning, from its parts
 _NAMES = {
     # a part of the spectrum, a number

@@ -8,7 +8,6 @@ import random
 import re
 import sys
 import tempfile
-from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import fields
 from fractions import Fraction
 from functools import cache
@@ -36,42 +35,7 @@ from nonsmooth.derive import (
 from nonsmooth.runtime.checker import CHECKS, Failure
 from nonsmooth.runtime.core.json_codec import by
 from nonsmooth.runtime.core.result_files import checksum_of
-from nonsmooth.runtime.model.kernels import SystemKernels, load_system
-from nonsmooth.runtime.orbits.orbit import Orbit
-
-__all__ = [
-    "FORCED",
-    "PAD",
-    "accepted",
-    "believed",
-    "between_springs",
-    "certified_over",
-    "claimed",
-    "content_of",
-    "edited",
-    "flat",
-    "forced",
-    "interrupted",
-    "kicked",
-    "loop",
-    "moved",
-    "of_files",
-    "prove_basin",
-    "prove_branch",
-    "prove_doubling",
-    "prove_graph",
-    "random_points",
-    "refused",
-    "refused_file",
-    "rooted",
-    "runs",
-    "saved",
-    "signed",
-    "struck",
-    "struck_together",
-    "told_at",
-    "unhashed",
-]
+from nonsmooth.runtime.model.kernels import load_system
 
 x, v = sp.symbols("x v", real=True)
 PARAMETERS = (
@@ -88,18 +52,18 @@ WALL_AND_KICK = (
 )
 
 
-def of_files(*names: str) -> pytest.MarkDecorator:
+def of_files(*names):
     """A test of the content of each of the files of these names."""
     return pytest.mark.parametrize("content", names, indirect=True)
 
 
 def between_springs(
-    name: str,
-    sides: tuple[SecondOrder, SecondOrder],
-    more: Sequence[Transition],
-    parameters: Sequence[Parameter] = (),
-    watched: Sequence[Boundary] = (),
-) -> System:
+    name,
+    sides,
+    more,
+    parameters=(),
+    watched=(),
+):
     """A mass with one field on the right, where more may be watched, and another on the left.
 
     The first transition leads from the right to the left; `more` are those behind it.
@@ -119,7 +83,7 @@ def between_springs(
 
 
 @cache
-def kicked() -> SystemKernels:
+def kicked():
     """A mass between springs k and 4, kicked where it rises: v -> r v + 1.
 
     Its orbit begins with v0 = 1/(1 - r), lasts pi/sqrt(k) + pi/2, goes as far as
@@ -131,7 +95,7 @@ def kicked() -> SystemKernels:
     )
 
 
-def loop(**given: str) -> Orbit:
+def loop(**given):
     """Its orbit, at k = 1, r = 1/2, a = 3 unless others are given."""
     values = {"k": "1", "r": "1/2", "a": "3", **given}
     size = 1 / (1 - float(sp.sympify(values["r"])))
@@ -141,7 +105,7 @@ def loop(**given: str) -> Orbit:
 
 
 @cache
-def rooted() -> SystemKernels:
+def rooted():
     """As `kicked`, at k = 1, with the wall at the root of a: no rational function of it."""
     sides = SecondOrder([[1]], [[1]]), SPRING_OF_FOUR
     wall = Boundary("wall", x - sp.sqrt(a))
@@ -180,7 +144,7 @@ PAD = oscillator(
 
 
 @cache
-def forced(name: str) -> Orbit:
+def forced(name):
     """What a motion of a forced system comes to, as a periodic orbit."""
     kernels = load_system(FORCED[name])
     size = len(kernels.table["states"])
@@ -192,7 +156,7 @@ def forced(name: str) -> Orbit:
 
 
 @cache
-def struck(law: str | None = None) -> SystemKernels:
+def struck(law=None):
     """Two masses, each with a stop, which the mass matrix couples by c."""
     c = Parameter("c", "coupling through the mass matrix", lower="-1/2", upper="1/2")
     system = oscillator(
@@ -205,7 +169,7 @@ def struck(law: str | None = None) -> SystemKernels:
 
 
 @cache
-def struck_together(law: str | None = None, coupling: str = "0") -> Orbit:
+def struck_together(law=None, coupling="0"):
     """Its symmetric orbit, in which both masses are struck at one instant."""
     kernels, given = struck(law), {"c": coupling}
     motion = ns.simulate(kernels, given, [0, 0, 0.1, 0.1, 1, 0], transitions=200)
@@ -213,30 +177,30 @@ def struck_together(law: str | None = None, coupling: str = "0") -> Orbit:
     return ns.solve(kernels, given, itinerary=found)
 
 
-def prove_basin() -> Any:
+def prove_basin():
     """Of a box of starts of the kicked mass, from which motions rise at once, or fall first."""
     box = {"x": (0, 2), "v": (-2, 2)}
     return ns.certify.basin(loop(a="9/4"), box=box, side=0.5)
 
 
-def prove_branch() -> Any:
+def prove_branch():
     """Of an orbit with dry friction, from a grazing beyond a flip."""
     return ns.certify.branch(ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3)))
 
 
-def prove_doubling() -> Any:
+def prove_doubling():
     """What branches off at that flip, in one tile."""
     orbit = ns.solve("dry-friction/symmetric", {"V": "1.08"})
     return ns.certify.doubling(ns.continue_orbit(orbit, "V", (1.07, 1.09)), tiles=1)
 
 
-def prove_graph() -> Any:
+def prove_graph():
     """Of speeds of the kicked mass, which tend to one."""
     data = {"k": 1, "r": "1/2", "a": 10}
     return ns.certify.region(kicked(), data, [0, 1.5], region={"v": (0.5, 4)}, boxes=16, levels=1)
 
 
-def certified_over(orbit: Orbit, parameter: str, low: object, high: object, **asked: Any) -> Any:
+def certified_over(orbit, parameter, low, high, **asked):
     """What is proved of an orbit's branch between two rational values of a parameter."""
     ends = str(low), str(high)
     lower, upper = (float(Fraction(end)) for end in ends)
@@ -244,7 +208,7 @@ def certified_over(orbit: Orbit, parameter: str, low: object, high: object, **as
     return ns.certify.branch(branch, interval=ends, **asked)
 
 
-def accepted(found: Any, folder: Path) -> Any:
+def accepted(found, folder):
     """The check of the file of what was found: it holds."""
     found.save(folder / "found.json")
     check = ns.certify.check(folder / "found.json")
@@ -252,7 +216,7 @@ def accepted(found: Any, folder: Path) -> Any:
     return check
 
 
-def content_of(found: Any) -> dict[str, Any]:
+def content_of(found):
     """What the file of what was found holds."""
     with tempfile.TemporaryDirectory() as folder:
         found.save(Path(folder) / "found.json")
@@ -260,9 +224,7 @@ def content_of(found: Any) -> dict[str, Any]:
         return content
 
 
-def interrupted(
-    ask: Callable[[], object], files: tuple[str, ...], within: set[str], last: float = math.inf
-) -> tuple[int, Any]:
+def interrupted(ask, files, within, last=math.inf):
     """How many lines of some files run while functions of these names do, and what is found.
 
     Behind the `last` of them comes Ctrl-C, and what is found is the state that it leaves.
@@ -290,7 +252,7 @@ def interrupted(
         sys.settrace(before)
 
 
-def _callers(frame: Any) -> set[str]:
+def _callers(frame):
     found = set()
     while frame is not None:
         found.add(frame.f_code.co_name)
@@ -298,7 +260,7 @@ def _callers(frame: Any) -> set[str]:
     return found
 
 
-def told_at(found: Any, point: Mapping[str, Any]) -> str:
+def told_at(found, point):
     """The verdict that a map tells of a point; none in the band about a curve of events."""
     tile = found.tile_at(point)
     if tile.event is None:
@@ -311,7 +273,7 @@ def told_at(found: Any, point: Mapping[str, Any]) -> str:
     return "" if side is None else str(getattr(tile.event, side))
 
 
-def random_points(found: Any, seed: int, count: int) -> Iterator[dict[str, Fraction]]:
+def random_points(found, seed, count):
     """So many points of each tile of a map."""
     drawn = random.Random(seed)
     for tile in found.tiles:
@@ -322,42 +284,42 @@ def random_points(found: Any, seed: int, count: int) -> Iterator[dict[str, Fract
             }
 
 
-def signed(content: dict[str, Any]) -> dict[str, Any]:
+def signed(content):
     """A file's content with the checksum made right."""
     return {**content, "sha256": checksum_of(content)}
 
 
-def edited(found: Any, change: Callable[[dict[str, Any]], object]) -> dict[str, Any]:
+def edited(found, change):
     """The content of a file, or of that of what was found, changed, the checksum made right."""
     content = json.loads(found.read_text()) if isinstance(found, Path) else content_of(found)
     change(content)
     return signed(content)
 
 
-def believed(content: dict[str, Any]) -> None:
+def believed(content):
     """See the checker prove all that a file states."""
     CHECKS[content["format"]](content)
 
 
-def refused(content: dict[str, Any], match: str | None = None) -> None:
+def refused(content, match=None):
     """Make the checksum right again, and see the mathematics refuse it."""
     with pytest.raises(Failure, match=match):
         believed(signed(content))
 
 
-def saved(content: dict[str, Any], path: Path) -> Path:
+def saved(content, path):
     """A file of this content, with the checksum made right again."""
     path.write_text(json.dumps(signed(content)))
     return path
 
 
-def moved(entry: dict[str, str], by: object = 3) -> None:
+def moved(entry, by=3):
     """Move a ball's middle by so many radii."""
     middle = Fraction(entry["mid"]) + Fraction(str(by)) * Fraction(entry["rad"])
     entry["mid"] = f"{round(middle * 10**400)}e-400"
 
 
-def refused_file(content: dict[str, Any], folder: Path, told: str) -> None:
+def refused_file(content, folder, told):
     """See a file of this content, its checksum made right, be refused for that reason."""
     path = folder / "false.json"
     path.write_text(json.dumps(signed(content)))
@@ -369,23 +331,23 @@ def refused_file(content: dict[str, Any], folder: Path, told: str) -> None:
     assert told in difference, difference
 
 
-def flat(counted: list[list[int]]) -> list[int]:
+def flat(counted):
     """Values of which a file tells how often each follows itself."""
     return [value for value, count in counted for _ in range(count)]
 
 
-def runs(values: list[int]) -> list[list[int]]:
+def runs(values):
     """Values as a file tells them, each with how often it follows itself."""
     return [[value, len([*group])] for value, group in groupby(values)]
 
 
-def claimed(kind: type, content: dict[str, Any]) -> Any:
+def claimed(kind, content):
     """The record that entries describe, whatever they say of what follows from them."""
     hints = get_type_hints(kind, include_extras=True)
     own = [field.name for field in fields(kind) if field.name in content]
     return kind(**{name: by(hints[name], lambda value: value).read(content[name]) for name in own})
 
 
-def unhashed(told: object) -> str:
+def unhashed(told):
     """An answer without the hashes in names, of declarations here and of data in a file."""
     return re.sub("@[0-9a-f]{16}", "", json.dumps(told, sort_keys=True))

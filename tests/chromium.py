@@ -6,7 +6,6 @@ import os
 import shutil
 import signal
 import time
-from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import partial
@@ -113,7 +112,7 @@ class Seen:
 
 
 @contextmanager
-def served(site: Path) -> Iterator[str]:
+def served(site):
     """Serve a folder on this machine alone, at the address that is given."""
 
     class Quiet(SimpleHTTPRequestHandler):
@@ -206,7 +205,7 @@ class Window:
         return json.loads(message)
 
 
-def complaint(event: dict[str, Any]) -> str | None:
+def complaint(event):
     """What an event of the browser complains of, if it does."""
     told = event.get("params", {})
     match event["method"]:
@@ -223,7 +222,7 @@ def complaint(event: dict[str, Any]) -> str | None:
     return None
 
 
-def find_browser() -> str:
+def find_browser():
     """Path of Chromium; without it the test is skipped, or fails where it must not be."""
     names = ("chromium", "chromium-browser", "google-chrome")
     found = next(filter(None, map(shutil.which, names)), None)
@@ -240,7 +239,7 @@ def look_at(path, *widths):
 
 
 @contextmanager
-def window() -> Iterator[Window]:
+def window():
     """Start a browser that asks no other machine for anything, and give its page."""
     browser = find_browser()
     # it may still be writing there when the folder is removed
@@ -269,7 +268,7 @@ def window() -> Iterator[Window]:
             os.close(ours[0])
 
 
-def finish(process: int) -> None:
+def finish(process):
     """Wait until a process has ended, and end it if it takes long."""
     for _ in range(100):
         if os.waitpid(process, os.WNOHANG)[0]:

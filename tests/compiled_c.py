@@ -5,18 +5,12 @@ from __future__ import annotations
 import ctypes
 import shutil
 import subprocess
-from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
 
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
-from nonsmooth.derive.equations.program import Kernel
 from tests.places import CHECKOUT
-
-__all__ = ["COMPILER", "SUPPORT", "executed", "library_of", "needs_compiler", "pointer"]
 
 COMPILER = shutil.which("gcc") or shutil.which("cc")
 SUPPORT = CHECKOUT / "derive" / "codegen" / "support"
@@ -24,14 +18,14 @@ needs_compiler = pytest.mark.skipif(COMPILER is None, reason="there is no C comp
 STRICT = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off")
 
 
-def executed(kernel: Kernel) -> Callable[..., Any]:
+def executed(kernel):
     """The function that the emitted source of a kernel defines."""
     namespace: dict[str, Any] = {}
     exec(python_kernel(kernel, None), namespace)
     return namespace[kernel.name.replace("-", "_")]
 
 
-def library_of(source: Path, *flags: str, include: Path = SUPPORT) -> ctypes.CDLL:
+def library_of(source, *flags, include=SUPPORT):
     """The functions of a source, compiled without one warning."""
     library = source.with_suffix(".so")
     options = [*STRICT, *flags, "-shared", "-fPIC", f"-I{include}"]
@@ -39,6 +33,6 @@ def library_of(source: Path, *flags: str, include: Path = SUPPORT) -> ctypes.CDL
     return ctypes.CDLL(str(library))
 
 
-def pointer(array: np.ndarray[Any, Any]) -> ctypes.c_void_p:
+def pointer(array):
     """Where the numbers of an array lie."""
     return ctypes.c_void_p(array.ctypes.data)

@@ -7,10 +7,9 @@ import shutil
 import signal
 import sys
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 import pytest
 import sympy.core.cache
@@ -42,7 +41,7 @@ GENERATED = CHECKOUT / "generated"
 SUFFIXES = (".c", ".h", ".md", ".py", ".json")
 
 
-def pytest_configure(config: pytest.Config) -> None:
+def pytest_configure(config):
     """Make the folder of shared files in the first process; the others are told by it."""
     if FOLDER not in os.environ:
         os.environ[FOLDER] = folder = tempfile.mkdtemp()
@@ -51,7 +50,7 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 @pytest.hookimpl(optionalhook=True)
-def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
+def pytest_xdist_make_scheduler(config, log):
     """All tests of a file run in one process: what they share is made once."""
     from xdist.scheduler import LoadFileScheduling
 
@@ -60,13 +59,13 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
 
 
 @pytest.fixture(autouse=True, scope="session")
-def hypothesis_begun() -> None:
+def hypothesis_begun():
     """Hypothesis makes its random numbers at its first use, and looks at who holds them."""
     find(strategies.just(True), bool)
 
 
 @pytest.fixture(autouse=True, scope="module")
-def forgotten(request: pytest.FixtureRequest) -> Iterator[None]:
+def forgotten(request):
     """What a file keeps for its tests is given back to the machine behind its last test."""
     gc.freeze()  # what is loaded stays: searching all of it behind each file takes a second
     yield
@@ -84,14 +83,14 @@ def forgotten(request: pytest.FixtureRequest) -> Iterator[None]:
 
 
 @pytest.fixture(params=[pytest.param("c", marks=pytest.mark.compiled), "numpy"])
-def backend(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> str:
+def backend(request, monkeypatch):
     """Both engines, and kernels of both kinds, one after the other."""
     monkeypatch.setenv("NONSMOOTH_BACKEND", request.param)
     return str(request.param)
 
 
 @pytest.fixture
-def committed_derivation(monkeypatch: pytest.MonkeyPatch) -> dict[str, str]:
+def committed_derivation(monkeypatch):
     """The committed files by name, in place of a derivation of many seconds.
 
     That they are what the derivation gives is a test of its own.
@@ -117,7 +116,7 @@ def committed_derivation(monkeypatch: pytest.MonkeyPatch) -> dict[str, str]:
 
 
 @pytest.fixture
-def empty_reproduction(monkeypatch: pytest.MonkeyPatch) -> None:
+def empty_reproduction(monkeypatch):
     """A reproduction of the paper that writes one empty file; the whole is a test of its own."""
     from nonsmooth.runtime.present.paper import writing
 

@@ -16,7 +16,7 @@ import sympy as sp
 from scipy.linalg import expm, null_space
 
 from nonsmooth import solve
-from nonsmooth.derive import Itinerary, Phase, SecondOrder
+from nonsmooth.derive import Phase, SecondOrder
 from nonsmooth.derive.systems import declaration
 from nonsmooth.runtime.orbits.orbit import Orbit
 
@@ -24,7 +24,7 @@ elastic_stop, rigid_stop = map(declaration, ("elastic-stop", "rigid-stop"))
 
 
 @cache
-def itinerary_of(name: str) -> Itinerary:
+def itinerary_of(name):
     """The declared itinerary of ``system/orbit``."""
     system, _, orbit = name.partition("/")
     (found,) = (i for i in declaration(system).orbits if i.name == orbit)
@@ -32,7 +32,7 @@ def itinerary_of(name: str) -> Itinerary:
 
 
 @cache
-def _tables(name: str, modules: str) -> tuple[list[str], list[str], list[list[str]], Any]:
+def _tables(name, modules):
     """Names of parameters, states and boundaries, and a function that gives each phase.
 
     It takes the parameters; a phase is its field, its reset, its boundaries' rows and those
@@ -204,14 +204,14 @@ RANGES = {
 }  # fmt: skip
 
 
-def random_points(name: str, seed: int, count: int) -> dict[str, np.ndarray]:
+def random_points(name, seed, count):
     """Random values of the equations' parameters of an orbit."""
     lower, upper = np.array(list(RANGES[name].values())).T
     points = lower + (upper - lower) * np.random.default_rng(seed).random((count, len(lower)))
     return dict(zip(RANGES[name], points.T, strict=True))
 
 
-def single(many: Any, place: Any) -> Orbit:
+def single(many, place):
     """The orbit at one point of a batch, solved from what the batch has found there."""
     point, guess = (
         {name: float(np.broadcast_to(array, many.status.shape)[place]) for name, array in each}

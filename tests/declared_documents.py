@@ -1,9 +1,5 @@
 """Systems without closed forms, and itineraries in them, for the tests of documents."""
 
-from __future__ import annotations
-
-from typing import Any
-
 import sympy as sp
 
 from nonsmooth.derive import (
@@ -24,21 +20,8 @@ from nonsmooth.derive import (
     oscillator,
 )
 
-__all__ = [
-    "chain",
-    "drop",
-    "forced_stop",
-    "impacts",
-    "masses",
-    "one_mass",
-    "pair",
-    "rattle",
-    "switched",
-    "switching",
-]
 
-
-def forced_stop() -> System:
+def forced_stop():
     """Damped mass under harmonic forcing, in front of a stop: states x, v and c, s."""
     zeta, omega, r = sp.symbols("zeta Omega r", positive=True)
     stop = RigidStop("x", at=1, restitution=r, name="stop")
@@ -47,13 +30,13 @@ def forced_stop() -> System:
     return oscillator("forced", ["x"], [[1]], [[1]], damping, forcing=forcing, elements=[stop])
 
 
-def impacts(count: int) -> Itinerary:
+def impacts(count):
     """That many impacts in a period of the orbit."""
     phases = tuple(Phase("free", "stop-reaches-stop", f"tau{k + 1}") for k in range(count))
     return Itinerary("impacts", forced_stop(), phases)
 
 
-def chain(damping: str | int = "0.1") -> System:
+def chain(damping="0.1"):
     """Three masses between two walls; the outer ones in front of elastic stops."""
     k, stop = sp.symbols("k kappa", positive=True)
     mass, stiffness, _ = chain_matrices([1, 1, 1], [k, k, k, k], fixed="both")
@@ -65,7 +48,7 @@ def chain(damping: str | int = "0.1") -> System:
     return oscillator("chain", ["x1", "x2", "x3"], mass, stiffness, damper, elements=stops)
 
 
-def rattle(damping: str | int = "0.1") -> Itinerary:
+def rattle(damping="0.1"):
     """The chain meets its left stop and then its right one."""
     turn = [
         ("free-free", "left-reaches-stop"), ("contact-free", "left-leaves-stop"),
@@ -75,13 +58,13 @@ def rattle(damping: str | int = "0.1") -> Itinerary:
     return Itinerary("rattle", chain(damping), tuple(phases))
 
 
-def one_mass(zeta: Any, square: Any = 1) -> System:
+def one_mass(zeta, square=1):
     """One damped mass in front of a stop."""
     damping, stop = [[2 * sp.sympify(zeta)]], RigidStop("x", at=2, restitution=1, name="stop")
     return oscillator("mass", ["x"], [[1]], [[square]], damping, load=[1], elements=[stop])
 
 
-def masses(count: int) -> System:
+def masses(count):
     """Masses in a row whose first spring may push: their frequencies may be imaginary."""
     first = sp.Symbol("k", real=True)
     mass, stiffness, _ = chain_matrices([1] * count, [first, *[1] * (count - 1)])
@@ -91,27 +74,27 @@ def masses(count: int) -> System:
     return oscillator("masses", names, mass, stiffness, elements=[stop], description=description)
 
 
-def pair() -> System:
+def pair():
     """Two masses that meet their stops, also both at one instant, without any condition."""
     stops = [SoftStop(name, at=1, stiffness=3, name=f"{name}-pad") for name in ("x", "y")]
     return oscillator("pair", ["x", "y"], sp.diag(1, 2), sp.eye(2), elements=stops)
 
 
-def switched() -> System:
+def switched():
     """Damping that changes its sign where the velocity passes one."""
     above = Terms(damping=[["0.8"]], load=["0.8"])
     speed = Regions(sp.Symbol("v") - 1, above=above, name="speed")
     return oscillator("switched", ["x"], [[1]], [[1]], [["-0.2"]], load=["-0.2"], elements=[speed])
 
 
-def switching(turns: int = 1) -> Itinerary:
+def switching(turns=1):
     """The cycle of switched damping, that many times."""
     turn = [("above", "speed-falls"), ("below", "speed-rises")]
     phases = [Phase(*phase, f"tau{k}") for k, phase in enumerate(turns * turn, start=1)]
     return Itinerary("cycle", switched(), tuple(phases))
 
 
-def drop() -> Itinerary:
+def drop():
     """A ball that falls and bounces: one coordinate, an offset, no centre, no frequency."""
     g, r, w = (Parameter(n, n, upper=u) for n, u in (("g", sp.oo), ("r", 1), ("w", sp.oo)))
     h, v = sp.symbols("h v", real=True)

@@ -12,15 +12,13 @@ from mpmath import MPContext
 
 from nonsmooth.derive import System
 
-__all__ = ["DeclaredMotion", "mp"]
-
 mp = MPContext()
 mp.dps = 60
 STEP = mp.mpf(1) / 32
 OWN_ERROR = mp.mpf(10) ** -45
 
 
-def number(value: Any) -> Any:
+def number(value):
     fraction = Fraction(str(value))
     return mp.mpf(fraction.numerator) / fraction.denominator
 

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
 from functools import cache
 from typing import Any
 
 import pytest
 import sympy as sp
 
-from nonsmooth.derive import DerivationError, Itinerary, System, derive_equations
-from nonsmooth.derive.document.blocks import Document
+from nonsmooth.derive import DerivationError, System, derive_equations
 from nonsmooth.derive.document.describe import describe_orbit, describe_system
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from nonsmooth.runtime.model.loading.declared import declaration_in
@@ -31,7 +29,7 @@ from tests.shared import shared_value
 
 
 @cache
-def declarations() -> dict[str, System | Itinerary]:
+def declarations():
     """Systems and itineraries by name."""
     zeta, omega = sp.symbols("zeta omega", positive=True)
     found: dict[str, Any] = {}
@@ -54,7 +52,7 @@ def declarations() -> dict[str, System | Itinerary]:
 
 
 @cache
-def document_of(name: str) -> Document:
+def document_of(name):
     """A document; those of the gallery have equations where there is a closed form."""
     declared = declarations()[name]
     if isinstance(declared, System):
@@ -66,7 +64,7 @@ def document_of(name: str) -> Document:
 
 
 @cache
-def derived(name: str) -> Written | None:
+def derived(name):
     """A declared itinerary whose equations have a closed form."""
     try:
         return Written(derive_equations(declarations()[name]))
@@ -74,7 +72,7 @@ def derived(name: str) -> Written | None:
         return None
 
 
-def names(kind: type[System] | type[Itinerary]) -> Iterator[str]:
+def names(kind):
     """Names of all declarations of a kind."""
     return (name for name, declared in declarations().items() if isinstance(declared, kind))
 
@@ -87,7 +85,7 @@ LARGE = {
 }
 
 
-def marked(listed: Iterable[str], *long: str) -> list[Any]:
+def marked(listed, *long):
     """Mark as slow large documents, `long` ones and all orbits of a system but one."""
     cases: list[Any] = []
     seen: set[str] = set()

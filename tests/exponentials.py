@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from typing import Any
 
 from flint import arb, arb_mat
@@ -24,7 +23,7 @@ periods = st.floats(0.0, 1.0) | st.floats(1.0, 100.0)
 
 
 @st.composite
-def forced(draw: st.DrawFn) -> list[Factor]:
+def forced(draw):
     """A coordinate, and what drives it: nothing, a load, a drift, a harmonic force, a rate."""
     frequency, damping = draw(_decimals), draw(_dampings)
     stiffness = draw(st.sampled_from([1.0, 1.0, 1.0, 0.0, -1.0])) * frequency**2
@@ -35,19 +34,19 @@ def forced(draw: st.DrawFn) -> list[Factor]:
 
 
 @st.composite
-def repeated(draw: st.DrawFn) -> list[Factor]:
+def repeated(draw):
     """Derivatives by parameters repeat factors; two coordinates may be nearly equal."""
     pair, *_ = first = draw(forced())
     near = tuple(c * (1 + draw(_besides.filter(lambda x: abs(x) < 1e-2))) for c in pair)
     return [*first, draw(st.sampled_from([pair, near, first[-1]]))]
 
 
-def largest_root(factors: Sequence[Factor]) -> float:
+def largest_root(factors):
     """An upper bound of the roots' moduli, at most twice the largest."""
     return 2 * max(abs(c) ** (1 / (len(f) - j)) for f in factors for j, c in enumerate(f)) or 1.0
 
 
-def exact(k: int, t: Any, factors: Sequence[Factor]) -> Any:
+def exact(k, t, factors):
     """Ball of 50 digits and more, by the companion matrix of the product."""
     with flint_precision(BITS):
         product = [arb(1)]
@@ -65,7 +64,7 @@ def exact(k: int, t: Any, factors: Sequence[Factor]) -> Any:
         return flow[k, degree - 1]
 
 
-def error(found: float, k: int, t: float, factors: Sequence[Factor]) -> float:
+def error(found, k, t, factors):
     """Error in units of 1e-13 + 8 u max|lambda| t, relative to the largest value up to t."""
     fastest = largest_root(factors)
     times = {t * i / 4 for i in range(1, 5)} | {t - 1.4 * i / fastest for i in range(1, 4)}

@@ -9,13 +9,11 @@ from nonsmooth.runtime.checker import CHECKS
 from nonsmooth.runtime.present.files.loading import file_schemas
 from tests.places import CHECKOUT
 
-__all__ = ["KEPT", "file_shapes"]
-
 KEPT = CHECKOUT / "runtime" / "checker" / "stated" / "files.json"
 _TEXTS = ("$schema", "$defs", "title", "description")  # told to people
 
 
-def file_shapes() -> dict[str, Any]:
+def file_shapes():
     """What the annotations of the records of proofs give, by format and record."""
     found: dict[str, Any] = {}
     for name in CHECKS:

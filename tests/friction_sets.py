@@ -3,10 +3,6 @@
 On the section the first mass breaks loose from the belt while the second one sticks.
 """
 
-from __future__ import annotations
-
-from typing import Any
-
 import numpy as np
 
 import nonsmooth as ns
@@ -17,16 +13,13 @@ from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.proof.exact_tables import exact_system
 from nonsmooth.runtime.proof.sets.sections import listed_declaration, transition_section
 
-__all__ = ["DATA", "anywhere", "arrival", "corner", "declared_system", "inside", "missed",
-           "motions_of", "returns", "sampled", "section_of"]  # fmt: skip
-
 # with the paper's orbit, which has a phase in which both masses stick
 DATA = {"chi": "0.5", "eta": "1", "V": "1", "us1": "1", "us2": "1", "ur1": "4.0195",
         "ur2": "1.4831"}  # fmt: skip
 SECTION = StatedSection("slip-stick", source="stick-stick", boundary="first-breaks-forward")
 
 
-def returns(start: Any, configuration: str = "slip-stick", transitions: int = 60) -> np.ndarray:
+def returns(start, configuration="slip-stick", transitions=60):
     """x2 each time that a motion comes to the section."""
     motion = ns.simulate("dry-friction", DATA, list(start), configuration, transitions=transitions)
     names = motion.configurations
@@ -34,12 +27,12 @@ def returns(start: Any, configuration: str = "slip-stick", transitions: int = 60
     return motion.states[at, 1]
 
 
-def arrival(start: Any, configuration: str = "slip-stick") -> float | None:
+def arrival(start, configuration="slip-stick"):
     """x2 where a motion first comes to the section; None if it does not."""
     return next(iter(returns(start, configuration)), None)
 
 
-def section_of(system: Any) -> Any:
+def section_of(system):
     """The section of an enclosed system."""
     structure = system.structure
     source, target = map(structure.configuration, ("stick-stick", "slip-stick"))
@@ -47,45 +40,43 @@ def section_of(system: Any) -> Any:
     return transition_section(system, source, frozenset({boundary}), target)
 
 
-def declared_system(name: str = "dry-friction", data: Any = None) -> Any:
+def declared_system(name="dry-friction", data=None):
     """The declaration of a system with all of its transitions, as a file states it."""
     kernels = load_system(name)
     return listed_declaration(kernels, exact_system(kernels, data or DATA))
 
 
-def motions_of(declared: Any, most: int = 400, widest: float = 0.25) -> ManyMotions:
+def motions_of(declared, most=400, widest=0.25):
     """The map of sets to the section, of a declaration."""
     return ManyMotions(declared, DATA, SECTION, np.ones(4), widest, most, 16)
 
 
-def anywhere(low: Any, high: Any) -> ManySets:
+def anywhere(low, high):
     """Boxes of states at the time 0."""
     boxes = ManySets.of_boxes(np.atleast_2d(low), np.atleast_2d(high))
     return ManySets(*(np.insert(x, -1, 0.0, axis=1) for x in vars(boxes).values()))
 
 
-def sampled(random: Any, sign: tuple[int, int], count: int) -> tuple[np.ndarray, np.ndarray]:
+def sampled(random, sign, count):
     """Middles (n, 4) and half widths (n, 1) of boxes, by the sides from which masses move."""
     middles = random.uniform((-4, -8, 0.2, 0.2), (4, 8, 2, 2), (count, 4))
     middles[:, 2:] = 1 + middles[:, 2:] * sign
     return middles, random.choice([0.03, 0.06, 0.12], count)[:, None]
 
 
-def corner(random: Any, size: int) -> np.ndarray:
+def corner(random, size):
     """Where in a box: corners and faces are where states first go another way."""
     share = random.uniform(-1, 1, size)
     return np.where(random.random(size) < 0.4, np.sign(share) * (1 - 1e-9), share)
 
 
-def inside(leaves: Any, number: int, point: Any) -> np.ndarray:
+def inside(leaves, number, point):
     """Which of the leaves of a set hold a point."""
     own = leaves.origin == number
     return ((leaves.low[own] - 1e-9 <= point) & (point <= leaves.high[own] + 1e-9)).all(axis=1)
 
 
-def missed(
-    leaves: Any, boxes: tuple[np.ndarray, np.ndarray], name: str, each: int
-) -> tuple[int, int, int]:
+def missed(leaves, boxes, name, each):
     """Of motions from states of boxes, how many end in no leaf; how many ran, and divided sets."""
     random, (middles, half) = np.random.default_rng(7), boxes
     away = ran = several = 0

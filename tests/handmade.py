@@ -11,13 +11,11 @@ from typing import Any
 
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
 
-__all__ = ["DATA", "MIRROR", "box", "declared", "pair", "two_stops"]
-
 DATA = {"Omega": "1.7", "zeta": "0.05", "r": "0.8", "d": "0.5", "F": "1"}
 MIRROR = {"x": "-x", "v": "-v", "c": "-c", "s": "-s"}
 
 
-def _parameter(name: str, upper: str | None = None) -> dict[str, Any]:
+def _parameter(name, upper=None):
     return {
         "name": name,
         "description": name,
@@ -28,7 +26,7 @@ def _parameter(name: str, upper: str | None = None) -> dict[str, Any]:
     }
 
 
-def _module(name, states, boundaries, transitions, functions, forcing) -> ModuleType:
+def _module(name, states, boundaries, transitions, functions, forcing):
     """One configuration; boundaries are all reached, transitions take sets and resets."""
     size = len(states)
     module = ModuleType(f"handmade_{name.replace('-', '_')}")
@@ -79,14 +77,14 @@ def _module(name, states, boundaries, transitions, functions, forcing) -> Module
     return module
 
 
-def _reset(size: int, bounced: tuple[int, ...], r: Any) -> list[list[Any]]:
+def _reset(size, bounced, r):
     unit = [[int(i == j) for j in range(size + 1)] for i in range(size)]
     for place in bounced:
         unit[place][place] = -r
     return unit
 
 
-def two_stops(asymmetry: float = 0) -> SystemKernels:
+def two_stops(asymmetry=0):
     """One mass between stops at d and -d (1 + asymmetry), driven by F c."""
 
     def fields(p: Any, lib: Any) -> Any:
@@ -111,7 +109,7 @@ def two_stops(asymmetry: float = 0) -> SystemKernels:
     return SystemKernels("two-stops", module, None)
 
 
-def _plane(name: str, second: str, stops: list[str], transitions: list[set[str]]) -> SystemKernels:
+def _plane(name, second, stops, transitions):
     """Two masses x and y, y driven by F times the state `second`."""
     states = ["x", "y", "v", "w", "c", "s"]
     signs = {"right": (1, 0), "left": (-1, 0), "up": (0, 1), "down": (0, -1)}
@@ -142,20 +140,20 @@ def _plane(name: str, second: str, stops: list[str], transitions: list[set[str]]
                          None)  # fmt: skip
 
 
-def box() -> SystemKernels:
+def box():
     """A mass in a square box, driven by a rotating force: a quarter turn is a symmetry."""
     stops = ["right", "up", "left", "down"]
     return _plane("box", "s", stops, [{stop} for stop in stops])
 
 
-def pair() -> SystemKernels:
+def pair():
     """Two equal masses, equally driven: they may reach their stops together."""
     stops = ["right", "left", "up", "down"]
     sets = [*({stop} for stop in stops), {"right", "up"}, {"left", "down"}]
     return _plane("pair", "c", stops, sets)
 
 
-def declared(**changes: Any) -> OrbitKernels:
+def declared(**changes):
     """The orbit ``two-stops/left-right``, which has no kernels of its own."""
     system = two_stops()
     system.module.ORBITS["left-right"] = {

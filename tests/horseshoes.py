@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
 from flint import fmpq
 
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.model.kernels import SystemKernels, load_system
+from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.proof.chaos.certify_chaos import _ChaosQuestion
 from nonsmooth.runtime.proof.chaos.h_sets import HSet
 from nonsmooth.runtime.proof.chaos.search import Horseshoe
@@ -42,7 +41,7 @@ _FOLDED_SETS = (
 )
 
 
-def folded_section(system: Any) -> Any:
+def folded_section(system):
     """Where it is kicked."""
     source = system.structure.configuration("back")
     boundary = system.structure.boundary(source, "rises")
@@ -50,7 +49,7 @@ def folded_section(system: Any) -> Any:
     return transition_section(system, source, frozenset({boundary}), target)
 
 
-def folded_horseshoe(*, exponents: bool = False) -> Any:
+def folded_horseshoe(*, exponents=False):
     """Two sets on a section of one coordinate: A covers B, which covers both."""
 
     guess = Horseshoe(2, _FOLDED_SETS, ((0, 1), (1, 0), (1, 1)), 0.0)
@@ -58,7 +57,7 @@ def folded_horseshoe(*, exponents: bool = False) -> Any:
     return proved(kernels, FOLDED_DATA, folded_section, guess, exponents=exponents)
 
 
-def inverted_horseshoe(*, exponents: bool) -> Any:
+def inverted_horseshoe(*, exponents):
     """Two sets on a section of two coordinates: A covers A and B, which covers A."""
 
     def section(system: Any) -> Any:
@@ -69,13 +68,13 @@ def inverted_horseshoe(*, exponents: bool) -> Any:
 
 
 def proved(
-    kernels: SystemKernels,
-    data: Mapping[str, str],
-    section: Callable[[Any], Any],
-    guess: Horseshoe,
+    kernels,
+    data,
+    section,
+    guess,
     *,
-    exponents: bool = False,
-) -> Any:
+    exponents=False,
+):
     """What is proved of given sets."""
     with flint_precision(80):
         exact = exact_system(kernels, data)

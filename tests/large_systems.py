@@ -5,10 +5,7 @@ rigid stop at the last one and, if wanted, dry friction at another one; and equa
 themselves, each between two stops.
 """
 
-from __future__ import annotations
-
 import math
-from typing import Any
 
 import numpy as np
 from scipy.linalg import expm
@@ -23,21 +20,19 @@ from nonsmooth.runtime.model.structure import (
     mode_shapes,
 )
 
-__all__ = ["GAP", "OMEGA", "by_tables", "chain", "integrated", "masses_apart"]
-
 GAP, RESTITUTION, LIMIT, OMEGA = 0.3, 0.8, 0.5, 0.7
 
 
 def by_tables(
-    name: str,
-    fields: np.ndarray,
-    rows: np.ndarray,
-    resets: np.ndarray,
-    boundaries: list[list[tuple[str, int, bool]]],
-    transitions: list[list[TransitionShape]],
-    modes: list[tuple[Any, np.ndarray, Any]],
-    forcing: tuple[tuple[int, int], ...] = (),
-) -> PiecewiseLinear:
+    name,
+    fields,
+    rows,
+    resets,
+    boundaries,
+    transitions,
+    modes,
+    forcing=(),
+):
     """A system of given tables; boundaries are names, rows and whether reaching is enough."""
     size, count = fields.shape[1], len(fields)
     structure = Structure(
@@ -58,7 +53,7 @@ def by_tables(
     return PiecewiseLinear(structure, {}, fields, rows, resets, exponents, flows)
 
 
-def _modes(field: np.ndarray, factored: bool) -> tuple[Any, np.ndarray, Any]:
+def _modes(field, factored):
     """Pairs of complex eigenvalues from eigenvectors; what is left belongs to zero."""
     if factored:
         return tuple(numeric_modes(field))
@@ -79,7 +74,7 @@ def _modes(field: np.ndarray, factored: bool) -> tuple[Any, np.ndarray, Any]:
     return shapes, exponents, np.array(terms)[:, :size]
 
 
-def chain(count: int, rubbing: int | None = None, factored: bool = False) -> PiecewiseLinear:
+def chain(count, rubbing=None, factored=False):
     """A chain; configurations without friction: 0, with it: 0 forwards, 1 sticking, 2 backwards.
 
     Parameters
@@ -147,7 +142,7 @@ def chain(count: int, rubbing: int | None = None, factored: bool = False) -> Pie
     )  # fmt: skip
 
 
-def masses_apart(count: int, gaps: np.ndarray) -> PiecewiseLinear:
+def masses_apart(count, gaps):
     """Masses x'' + x = 0, each between stops at its gap to the right, then to the left.
 
     Parameters
@@ -187,9 +182,7 @@ def masses_apart(count: int, gaps: np.ndarray) -> PiecewiseLinear:
     )  # fmt: skip
 
 
-def integrated(
-    system: PiecewiseLinear, state: np.ndarray, configuration: int, transitions: int
-) -> tuple[np.ndarray, list[int], np.ndarray]:
+def integrated(system, state, configuration, transitions):
     """Times, configurations and states by matrix exponentials, samples and root finding.
 
     What follows an event is decided by the values of the conditions' functions alone.
@@ -241,5 +234,5 @@ def integrated(
     return np.array(times), places, np.array(states)
 
 
-def _value(t: float, row: np.ndarray, whole: np.ndarray, start: np.ndarray) -> float:
+def _value(t, row, whole, start):
     return float(row @ expm(t * whole) @ start)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import random
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from functools import cache
 from typing import Any
 
@@ -25,7 +25,7 @@ REVERSIBLE = ["rigid-stop/one-impact", "elastic-stop/one-contact", "dry-friction
 ORBITS = [f"{name}/{orbit.name}" for name in SYSTEMS for orbit in declaration(name).orbits]
 
 
-def reading(values: Mapping[str, Any]) -> Reading:
+def reading(values):
     """A reader of LaTeX, knowing the values of the symbols as written."""
     return Reading({name_of(name): value for name, value in values.items()})
 
@@ -125,20 +125,20 @@ class Written:
         return reading(names)
 
 
-def value_of(line: Any, numbers: Numbers) -> Any:
+def value_of(line, numbers):
     """What the derivation computes for a line."""
     found = sp.sympify(line.shows.xreplace(numbers))
     found = found.replace(Angle, lambda s, c: math.atan2(s, c) % (2 * math.pi))
     return np.array(found.tolist(), dtype=float) if line.shows.is_Matrix else float(found)
 
 
-def text_of(line: Any) -> str:
+def text_of(line):
     """Right-hand side of a line, without what ends the sentence."""
     text = " ".join(line.pieces).rstrip()
     return re.sub(r"(\s*=\s*0)?[,.]?$", "", text)
 
 
 @cache
-def written_of(name: str) -> Written:
+def written_of(name):
     """The document of ``system/orbit``."""
     return Written(derive_equations(itinerary_of(name)))

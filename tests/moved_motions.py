@@ -32,9 +32,7 @@ BITS = 220
 STEP = Fraction(1, 10**20)
 
 
-def random_oscillator(
-    rng: np.random.Generator, name: str, masses: int | None = None
-) -> tuple[System, dict[str, float], list[float]]:
+def random_oscillator(rng, name, masses=None):
     """A forced chain of one to three masses with a stop, friction or a slider, or two of them.
 
     Parameters
@@ -200,9 +198,7 @@ class MovedMotion:
         raise AssertionError
 
 
-def compared_with_digits(
-    system: System, motion: Any, rng: np.random.Generator, count: int
-) -> float | None:
+def compared_with_digits(system, motion, rng, count):
     """Largest error of a motion's derivatives, in units of its condition and of the largest.
 
     States at random times and times of events are compared along a random direction, and the
@@ -243,12 +239,12 @@ def compared_with_digits(
     return missed / max(largest, 1.0) / found.condition
 
 
-def compared_at_random(rng: np.random.Generator, name: str, transitions: int) -> float | None:
+def compared_at_random(rng, name, transitions):
     """What `compared_with_digits` gives for a motion of a random oscillator of some name."""
     system, data, start = random_oscillator(rng, name)
     motion = ns.simulate(system, data, start, transitions=transitions)
     return compared_with_digits(system, motion, rng, 3)
 
 
-def _exact(value: Fraction) -> arb:
+def _exact(value):
     return arb(value.numerator) / value.denominator

@@ -1,28 +1,25 @@
 """Figures of results, as they are drawn by themselves and from their files."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
 
 import numpy as np
 
 from nonsmooth.runtime.present.pictures.saved_files import figure_of as figure_of_file
 
 
-def figure_of(axes: Any) -> Any:
+def figure_of(axes):
     """Give the figure of what a result's `plot` gave."""
     return np.ravel(axes)[0].figure
 
 
-def figure_in(path: Path, kind: str = "all", **view: Any) -> Any:
+def figure_in(path, kind="all", **view):
     """Give the figure of a file, outside pyplot, as the command draws it."""
     return figure_of_file(path, kind, 1, view or None)[1]
 
 
-def figure_of_saved(result: Any, kind: str = "all", **view: Any) -> Any:
+def figure_of_saved(result, kind="all", **view):
     """Give the figure of a result that is saved in a file."""
     with TemporaryDirectory() as folder:
         path = Path(folder) / "result.json"
@@ -30,12 +27,12 @@ def figure_of_saved(result: Any, kind: str = "all", **view: Any) -> Any:
         return figure_in(path, kind, **view)
 
 
-def legend_of(axes: Any) -> list[str]:
+def legend_of(axes):
     """Give the texts of a legend."""
     return [text.get_text() for text in axes.get_legend().get_texts()]
 
 
-def with_multipliers(orbit: Any, *numbers: complex) -> Any:
+def with_multipliers(orbit, *numbers):
     """An orbit with other multipliers; a 1 among them is a trivial one."""
     found, stability = replace(orbit), orbit.stability
     (one, *_) = stability.multipliers

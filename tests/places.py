@@ -8,7 +8,7 @@ CHECKOUT = Path(__file__).resolve().parents[1]
 GALLERY = CHECKOUT / "docs" / "gallery"
 
 
-def records() -> dict[str, type]:
+def records():
     """Records that public functions return and results hold, as the reference lists them."""
     page = (CHECKOUT / "docs" / "reference" / "python.rst").read_text(encoding="utf-8")
     found = (name.rpartition(".") for name in re.findall(r"^   ~(.*)$", page, re.MULTILINE))

@@ -41,11 +41,11 @@ class Scaled:
         }
 
 
-def _number(rng: np.random.Generator, low: int, high: int, over: int = 8) -> sp.Rational:
+def _number(rng, low, high, over=8):
     return sp.Rational(int(rng.integers(low, high + 1)), over)
 
 
-def _stiffness(rng: np.random.Generator, count: int) -> sp.Matrix:
+def _stiffness(rng, count):
     springs = [_number(rng, 2, 30) for _ in range(count + 1)]
     matrix = sp.zeros(count)
     for k, spring in enumerate(springs):
@@ -56,7 +56,7 @@ def _stiffness(rng: np.random.Generator, count: int) -> sp.Matrix:
     return matrix
 
 
-def _matrices(rng: np.random.Generator, count: int) -> tuple[sp.Matrix, sp.Matrix]:
+def _matrices(rng, count):
     """Stiffness and damping: plain, gyroscopic, with a follower force, defective or nearly so."""
     kind = rng.choice(["undamped", "plain", "gyroscopic", "follower", "defective", "near"])
     stiffness = _stiffness(rng, count)
@@ -79,14 +79,14 @@ def _matrices(rng: np.random.Generator, count: int) -> tuple[sp.Matrix, sp.Matri
     return stiffness, damping
 
 
-def _direction(rng: np.random.Generator, names: list[str]) -> Any:
+def _direction(rng, names):
     if len(names) == 1 or rng.random() < 0.5:
         return names[int(rng.integers(len(names)))]
     one, two = rng.permutation(len(names))[:2].tolist()
     return {names[one]: int(rng.integers(1, 3)), names[two]: -1}
 
 
-def _elements(rng: np.random.Generator, names: list[str]) -> list[Any]:
+def _elements(rng, names):
     kinds = ["soft", "rigid", "friction", "slider", "pressed", "soft-friction"]
     kind = str(rng.choice(kinds))
     found: list[Any] = []
@@ -132,7 +132,7 @@ def _elements(rng: np.random.Generator, names: list[str]) -> list[Any]:
     return found
 
 
-def random_scaled(seed: int) -> Scaled:
+def random_scaled(seed):
     """An oscillator of one to three masses with a contact, some of them forced or loaded."""
     rng = np.random.default_rng(seed)
     count = int(rng.integers(1, 4))

@@ -5,21 +5,20 @@ from __future__ import annotations
 import fcntl
 import os
 import pickle
-from collections.abc import Callable
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TypeVar
 from urllib.parse import quote
 
 FOLDER = "NONSMOOTH_SHARED_BY_TESTS"  # set by conftest.py, for all processes of a run
 Value = TypeVar("Value")
 
 
-def shared_file(name: str, make: Callable[[], Any]) -> Path:
+def shared_file(name, make):
     """The file of a result by its name, to be read; `make` gives a result that can be saved."""
     return _written(f"{quote(name, safe='')}.json", lambda path: make().save(path))
 
 
-def shared_value(name: str, make: Callable[[], Value]) -> Value:
+def shared_value(name, make):
     """A copy of a value by its name; `make` gives one that can be pickled."""
 
     def write(path: Path) -> None:
@@ -28,7 +27,7 @@ def shared_value(name: str, make: Callable[[], Value]) -> Value:
     return pickle.loads(_written(f"{quote(name, safe='')}.pickle", write).read_bytes())
 
 
-def _written(name: str, write: Callable[[Path], None]) -> Path:
+def _written(name, write):
     """A file of the run's folder, written by the first that asks."""
     path = Path(os.environ[FOLDER]) / name
     with open(path.with_suffix(".lock"), "w") as lock:

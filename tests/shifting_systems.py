@@ -1,18 +1,16 @@
 """Forced systems whose motions come back up to a shift, and the orbits on which they settle."""
 
-from typing import Any
-
 import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth.derive import Friction, Harmonic, RigidStop, System, oscillator
+from nonsmooth.derive import Friction, Harmonic, RigidStop, oscillator
 
 A, V, c, e, g, i, k, r, u, w = sp.symbols("A V c e g i k r u w")
 GROUND = Friction("x", kinetic=u, static=u, velocity=0, name="ground")
 WALL = RigidStop({"y": 1, "x": -1}, at=g, restitution=r, name="wall")
 
 
-def box(name: str, *elements: Any) -> System:
+def box(name, *elements):
     """A box, moved by a mass in it."""
     return oscillator(
         name, ["x", "y"], mass=[[2, 0], [0, 1]], stiffness=[[k, -k], [-k, k]],
@@ -32,7 +30,7 @@ GEARED = oscillator(
 TURNED = {"c": 0.1, "g": 0.5, "i": 1.5, "r": 0.5, "k": 0.6, "A": 1.0, "w": 1.1}
 
 
-def pulled(name: str, damping: Any) -> System:
+def pulled(name, damping):
     """A sled on rough ground, pulled by a spring whose end moves at V in the end."""
     ground = Friction("x", kinetic=u, static=u + e, velocity=0, name="ground")
     return oscillator(
@@ -45,7 +43,7 @@ SLED = pulled("sled", [[0, 0], [0, 1]])
 PULLED = {"u": "1", "e": "0.3", "V": "0.5"}
 
 
-def settled_orbit(system: System, data: Any, start: Any = (0, 0, 0, 0, 1, 0)) -> Any:
+def settled_orbit(system, data, start=(0, 0, 0, 0, 1, 0)):
     """The orbit on which a motion settles."""
     motion = ns.simulate(system, data, start, transitions=800)
     return ns.solve(system, data, itinerary=ns.itinerary_of(motion))

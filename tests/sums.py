@@ -1,15 +1,9 @@
 """Quasi-polynomials of tests, from their exponents or from their waves."""
 
-from __future__ import annotations
-
-from collections.abc import Sequence
-
 from nonsmooth.runtime.events.quasi_polynomials import QuasiPolynomial, plain_functions
 
 
-def plain_sum(
-    exponents: Sequence[complex], polynomials: Sequence[Sequence[complex]]
-) -> QuasiPolynomial:
+def plain_sum(exponents, polynomials):
     """Add up the real parts of ``P_m(t) e^(lambda_m t)``, behind a constant 0 if there is none."""
     if not (len(exponents) and exponents[0] == 0):
         exponents, polynomials = (0j, *exponents), ((0j,), *polynomials)
@@ -19,12 +13,12 @@ def plain_sum(
 
 
 def trigonometric(
-    constant: float,
-    slope: float,
-    cosines: Sequence[float],
-    sines: Sequence[float],
-    frequencies: Sequence[float],
-) -> QuasiPolynomial:
+    constant,
+    slope,
+    cosines,
+    sines,
+    frequencies,
+):
     """Add up a line and waves."""
     waves = [(complex(c, -s),) for c, s in zip(cosines, sines, strict=True)]
     return plain_sum([0j, *(1j * w for w in frequencies)], [(constant, slope), *waves])

@@ -5,12 +5,8 @@ from __future__ import annotations
 import zlib
 from typing import Any
 
-import pytest
 
-__all__ = ["unpacked_pieces"]
-
-
-def unpacked_pieces(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+def unpacked_pieces(monkeypatch):
     """The sizes of what is unpacked from here on, piece by piece."""
     begin, sizes = zlib.decompressobj, list[int]()
 

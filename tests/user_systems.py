@@ -1,11 +1,5 @@
 """Files such as users write: a mass between two springs that is kicked, and a damped one."""
 
-from __future__ import annotations
-
-from pathlib import Path
-
-__all__ = ["DAMPED", "KICKED", "declare"]
-
 # x'' + k x = 0 for x > 0 and x'' + 4 x = 0 for x < 0; entering x > 0 multiplies v by r, adds 1.
 # The orbit has v = 1/(1 - r) there, the period pi/sqrt(k) + pi/2, and the multiplier r.
 KICKED = '''\
@@ -59,7 +53,7 @@ DAMPED = (
 )
 
 
-def declare(folder: Path, text: str = KICKED, name: str = "mine.py") -> Path:
+def declare(folder, text=KICKED, name="mine.py"):
     """Write a declaration into a folder."""
     path = folder / name
     path.write_text(text, encoding="utf-8")

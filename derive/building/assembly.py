@@ -16,8 +16,6 @@ from nonsmooth.derive.declaration.algebra import along, cancel, inverse, remembe
 from nonsmooth.derive.declaration.configuration import Boundary, Configuration, Contact
 from nonsmooth.derive.declaration.dynamics import Dynamics, FirstOrder, SecondOrder
 
-__all__ = ["Assembly", "Regimes", "changed"]
-
 Regimes = tuple[str, ...]
 _Kind = TypeVar("_Kind", SwitchPart, FrictionPart, StopPart)
 

@@ -23,8 +23,6 @@ from nonsmooth.derive.declaration.configuration import Boundary
 from nonsmooth.derive.declaration.parameter import is_rational
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["constraints_of", "part_of", "states_of"]
-
 
 @singledispatch
 def part_of(element: Element, frame: Frame, elements: Sequence[Element]) -> Part:

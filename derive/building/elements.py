@@ -16,19 +16,6 @@ from nonsmooth.derive.building.matrices import is_array, values_of_doubles
 from nonsmooth.derive.declaration.fields import declared, exact, made, set_fields
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = [
-    "ELEMENTS",
-    "Direction",
-    "Element",
-    "Friction",
-    "Harmonic",
-    "Regions",
-    "RigidStop",
-    "Slider",
-    "SoftStop",
-    "Terms",
-]
-
 Direction = str | Mapping[str, Any] | Sequence[Any]
 
 

@@ -25,8 +25,6 @@ from nonsmooth.derive.declaration.parameter import Parameter, sign_of
 from nonsmooth.derive.declaration.system import TIME
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["Frame", "inferred_parameters"]
-
 _LISTED = 12
 
 

@@ -31,8 +31,6 @@ from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Transition
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["GrowingSystem", "is_large", "whole"]
-
 _LARGEST = 10_000  # coordinates times sets of boundaries, of what is listed at once
 _MOST = 4096  # configurations that are listed when they are asked for
 # what a growing system has of its own; the rest is made when it is asked for

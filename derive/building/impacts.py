@@ -19,8 +19,6 @@ from nonsmooth.derive.building.assembly import Assembly, Regimes, changed
 from nonsmooth.derive.declaration.algebra import along, cancel
 from nonsmooth.derive.declaration.transition import Condition
 
-__all__ = ["impacts"]
-
 _APPROACH = sp.Dummy("approach", positive=True)
 _Impact = tuple[tuple[Condition, ...], Regimes, sp.Matrix]
 

@@ -17,8 +17,6 @@ import sympy as sp
 from nonsmooth.derive.declaration.fields import exact, made, rows_of, shown
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["chain_matrices", "is_array", "read_matrices", "square", "values_of_doubles"]
-
 _OF_WORDS = "OUT"  # kinds of arrays that hold objects or texts
 _MORE_LINKS = {"none": -1, "left": 0, "right": 0, "both": 1}
 

@@ -23,8 +23,6 @@ from nonsmooth.derive.declaration.soundness import check_unique, fault_of_mass
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["oscillator"]
-
 
 def oscillator(
     name: str,

@@ -10,16 +10,6 @@ import sympy as sp
 
 from nonsmooth.derive.declaration.configuration import Boundary
 
-__all__ = [
-    "Conditions",
-    "Exit",
-    "FrictionPart",
-    "Holder",
-    "Part",
-    "StopPart",
-    "SwitchPart",
-]
-
 # functions of the state that are not positive in a regime, and those that vanish in it
 Conditions = tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]
 

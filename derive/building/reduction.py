@@ -19,8 +19,6 @@ from nonsmooth.derive.declaration.fields import made, shown
 from nonsmooth.derive.declaration.soundness import check_unique
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["ReducedStructure", "reduce_structure"]
-
 Array = npt.NDArray[np.float64]
 Method = Literal["craig-bampton", "free-interface"]
 Direction = int | str | Mapping[Any, float] | Sequence[float] | Array

@@ -23,8 +23,6 @@ from nonsmooth.derive.building.assembly import Assembly, Regimes, changed
 from nonsmooth.derive.building.parts import FrictionPart, StopPart
 from nonsmooth.derive.declaration.transition import Condition
 
-__all__ = ["Choice", "at_rest", "landed", "loaded", "pins", "still", "unsettled"]
-
 # conditions, and the regimes that they lead to
 Choice = tuple[tuple[Condition, ...], Regimes]
 

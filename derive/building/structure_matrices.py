@@ -9,8 +9,6 @@ import numpy.typing as npt
 
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["Factor", "Structure", "checked_structure", "lowest_modes"]
-
 Array = npt.NDArray[np.float64]
 
 # up to here LAPACK is faster than a factor of the shifted matrix and Lanczos' iterations

@@ -16,8 +16,6 @@ from nonsmooth.derive.building.parts import FrictionPart, Holder, StopPart
 from nonsmooth.derive.building.resting import at_rest, landed, loaded, pins, still, unsettled
 from nonsmooth.derive.declaration.transition import ContactLaw, LawContact, Transition
 
-__all__ = ["contact_law", "transitions_alone", "transitions_at", "transitions_from"]
-
 
 def transitions_from(assembly: Assembly, regimes: Regimes) -> Iterator[Transition]:
     """The transitions for every set of boundaries that a configuration reaches at one instant."""

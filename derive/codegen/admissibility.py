@@ -15,8 +15,6 @@ from nonsmooth.derive.codegen.naming import c_function
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.errors import DerivationError
 
-__all__ = ["VERDICTS", "admissible_function", "admissible_source"]
-
 MOST_STATES = 16  # NONSMOOTH_STATES of nonsmooth_motions.h
 
 # what stands in place of the row of a boundary, by name, as in nonsmooth_admissible.h

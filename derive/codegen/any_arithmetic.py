@@ -20,8 +20,6 @@ from nonsmooth.derive.codegen.naming import python_function
 from nonsmooth.derive.equations.program import Argument, Kernel, Output
 from nonsmooth.derive.errors import DerivationError
 
-__all__ = ["print_python", "python_kernel", "shape_text"]
-
 
 @lru_cache(maxsize=1 << 14)
 def _ordered_terms(expression: sp.Expr, order: str | None) -> list[sp.Expr]:

@@ -19,8 +19,6 @@ from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, 
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.symbols import meaning_of
 
-__all__ = ["Body", "Constant", "Line", "body_of", "split"]
-
 _Translation = Callable[[sp.Expr], sp.Expr]
 
 

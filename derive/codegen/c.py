@@ -22,18 +22,6 @@ from nonsmooth.derive.equations.program import Argument, Kernel, Output, require
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.entire import ExponentialDifference
 
-__all__ = [
-    "Scope",
-    "c_kernel",
-    "count_of_fixed",
-    "fixed_part",
-    "in_lane",
-    "lane_call",
-    "line_sources",
-    "print_c",
-]
-
-
 _IN_LANES = (
     "spectrum",
     "equations",

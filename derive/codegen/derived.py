@@ -25,16 +25,6 @@ from nonsmooth.derive.equations.shown_conditions import transition_unshown
 from nonsmooth.derive.errors import DeclarationError, DerivationError
 from nonsmooth.derive.flows.modal import derive_flows
 
-__all__ = [
-    "MOST_PHASES",
-    "MOST_STATES",
-    "DerivedSystem",
-    "Underived",
-    "Use",
-    "derive_system",
-    "reduced_names",
-]
-
 # beyond, an orbit's formulas are no longer worth their length: it is composed at run time
 MOST_PHASES = 6
 # states of all phases together, beyond which deriving and compiling takes longer than an answer

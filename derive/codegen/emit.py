@@ -40,15 +40,6 @@ from nonsmooth.derive.document.hypertext import to_markdown
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.errors import DerivationError
 
-__all__ = [
-    "EmittedSystem",
-    "emit_library",
-    "emit_package",
-    "emit_system",
-    "included",
-    "including",
-]
-
 EXTENSION = "_kernels.c"
 PROVENANCE = "PROVENANCE.json"
 COMMAND = "python scripts/regenerate.py"

@@ -12,16 +12,6 @@ from nonsmooth.derive.codegen.naming import c_function
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.equations.program import Kernel
 
-__all__ = [
-    "Array",
-    "Function",
-    "c_declaration",
-    "c_statement",
-    "function_of_kernel",
-    "function_of_orbit",
-    "listed",
-]
-
 
 @dataclass(frozen=True)
 class Array:

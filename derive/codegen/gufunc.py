@@ -14,8 +14,6 @@ from typing import NamedTuple
 from nonsmooth.derive.codegen.function import Array, Function, listed
 from nonsmooth.derive.codegen.naming import module_file
 
-__all__ = ["Wrapped", "extension_source", "wrapped"]
-
 _MOST_ENTRIES = 4096  # of one point: a block of 64 takes 2 MB at most, on the stack up to 32 kB
 
 

@@ -27,8 +27,6 @@ from nonsmooth.derive.declaration.fields import exact
 from nonsmooth.derive.declaration.parameter import Parameter
 from nonsmooth.derive.equations.equation_system import EquationSystem
 
-__all__ = ["header_file"]
-
 _WIDTH = 100
 
 # meaning of the arrays that several functions share, by name

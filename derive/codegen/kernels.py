@@ -23,14 +23,6 @@ from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum, derive_flows
 from nonsmooth.derive.symbols import Symbol, derivative
 
-__all__ = [
-    "flow_kernels",
-    "orbit_kernels",
-    "period_map_kernel",
-    "reduced_kernel",
-    "spectrum_kernel",
-]
-
 
 def spectrum_kernel(spectrum: Spectrum) -> Kernel:
     """Kernel of a system's spectrum and its derivatives by the parameters it depends on."""

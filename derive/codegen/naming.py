@@ -7,8 +7,6 @@ import re
 from collections.abc import Collection
 from unicodedata import normalize
 
-__all__ = ["c_function", "constant", "free_name", "identifier", "module_file", "python_function"]
-
 _C_KEYWORDS = """
 alignas alignof asm auto bool break case char const constexpr continue default do double else enum
 extern false float for goto if inline int long nullptr register restrict return short signed sizeof

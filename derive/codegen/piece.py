@@ -23,8 +23,6 @@ from nonsmooth.derive.declaration.dynamics import Dynamics
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.equations.program import Argument, Kernel, Output
 
-__all__ = ["emit_piece"]
-
 _Conditions = Mapping[str, tuple[Sequence[sp.Expr], Sequence[sp.Expr]]]
 
 

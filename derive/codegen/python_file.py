@@ -29,18 +29,6 @@ from nonsmooth.derive.declaration.presentation import Presentation
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.equations.equation_system import EquationSystem
 
-__all__ = [
-    "GENERATE",
-    "Stamp",
-    "composed_table",
-    "emit_python",
-    "orbit_table",
-    "python_file",
-    "system_table",
-    "system_tables",
-    "text_hash",
-]
-
 GENERATE = "nonsmooth generate FILE.py"  # what makes the files of a declaration
 
 

@@ -15,15 +15,6 @@ from nonsmooth.derive.codegen.emit import PROVENANCE, EmittedSystem, emit_packag
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.systems import SYSTEMS, declaration
 
-__all__ = [
-    "check",
-    "differences",
-    "emit_systems",
-    "find_generated",
-    "outdated",
-    "surrounding_checkout",
-]
-
 # hashes of derivations and of files: they differ wherever anything does
 _STAMP = re.compile(r"((?:derivation|sha256)\w*\W{1,4})(?:[0-9a-f]{64}|[0-9a-f]{16})\b", re.I)
 # files by how easily a formula is read in them

@@ -32,8 +32,6 @@ from nonsmooth.derive.declaration.transition import ContactLaw
 from nonsmooth.derive.equations.program import Argument, Kernel, Output
 from nonsmooth.derive.flows.modal import Flow, Mode, Spectrum
 
-__all__ = ["SimulationForm"]
-
 # entries that are not zero by their places in a matrix with the offsets in its last column
 _Entries = dict[tuple[int, int], sp.Expr]
 _TITLES = {

@@ -22,15 +22,6 @@ from nonsmooth.derive.codegen.naming import c_function, constant
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.errors import DerivationError
 
-__all__ = [
-    "MOST_REDUCED",
-    "STATUSES",
-    "directions_function",
-    "directions_source",
-    "solve_function",
-    "solve_source",
-]
-
 MOST_REDUCED = 3  # beyond, Cramer's rule is no way to solve a linear system
 MOST_STEPS = 32
 MOST_NUMBERS = 4096  # of a lane, so that all lanes fit on the stack of a thread

@@ -9,20 +9,6 @@ from typing import Any, TypeVar, cast
 import numpy as np
 import sympy as sp
 
-__all__ = [
-    "affine_terms",
-    "along",
-    "cancel",
-    "factor",
-    "factor_terms",
-    "frozen",
-    "inverse",
-    "is_affine",
-    "is_surely_positive_definite",
-    "remembered",
-    "symbols_of",
-]
-
 _Method = TypeVar("_Method", bound=Callable[..., Any])
 
 

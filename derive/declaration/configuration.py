@@ -11,8 +11,6 @@ from nonsmooth.derive.declaration.dynamics import Dynamics
 from nonsmooth.derive.declaration.fields import declared
 from nonsmooth.derive.declaration.soundness import check_unique, named
 
-__all__ = ["Boundary", "Configuration", "Contact"]
-
 
 @declared
 class Boundary:

@@ -20,8 +20,6 @@ from nonsmooth.derive.declaration.fields import declared, made, rows_of, set_fie
 from nonsmooth.derive.declaration.parameter import check_finite
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["Dynamics", "FirstOrder", "SecondOrder"]
-
 
 @declared
 class SecondOrder:

@@ -32,8 +32,6 @@ from nonsmooth.derive.declaration.formulas import formula
 from nonsmooth.derive.declaration.real_numbers import settled
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["declared", "exact", "made", "rows_of", "set_fields", "shown"]
-
 _Class = TypeVar("_Class", bound=type)
 
 _WORDS = {bool: "True or False", int: "an integer", sp.Symbol: "a symbol", str: "a text"}

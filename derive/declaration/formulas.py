@@ -14,8 +14,6 @@ import sympy as sp
 
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["formula"]
-
 _TOKEN = re.compile(r"\s*((?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[^\W\d]\w*|\*\*|[-+*/^(),])\s*")
 _NOT_ZERO = re.compile(r"[\d.]*[1-9][\d.]*[eE]-\d+|[0.]*\.\d*[1-9]\d*")  # as it is written
 _LARGEST_POWER = 200_000  # bits

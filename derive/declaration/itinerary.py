@@ -21,8 +21,6 @@ from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Transition
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["Itinerary", "Phase", "Reference", "dwell_symbol"]
-
 
 @declared
 class Phase:

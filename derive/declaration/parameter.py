@@ -10,14 +10,6 @@ import sympy as sp
 from nonsmooth.derive.declaration.fields import declared
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = [
-    "Parameter",
-    "check_finite",
-    "is_positive",
-    "is_rational",
-    "sign_of",
-]
-
 
 def check_finite(expression: sp.Expr, where: str) -> None:
     """Refuse an expression with NaN, an infinity or the imaginary unit.

@@ -18,8 +18,6 @@ from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Condition, Transition
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["Presentation"]
-
 
 @declared
 class Presentation:

@@ -19,8 +19,6 @@ from sympy.printing.str import StrPrinter
 
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["is_irrational", "map_numbers", "nearest_double", "number_text", "settled"]
-
 _FUNCTIONS = (sp.sin, sp.cos, sp.exp, sp.log, sp.asin, sp.acos, sp.atan)
 _EXPONENTIAL = (sp.exp, sp.sinh, sp.cosh, sp.tanh, sp.coth)
 _WRITTEN = (sp.Rational, sp.Pow, sp.Add, sp.Mul, sp.pi.func, sp.E.func, *_FUNCTIONS)

@@ -34,8 +34,6 @@ if TYPE_CHECKING:
     from nonsmooth.derive.declaration.system import System
     from nonsmooth.derive.declaration.transition import Transition
 
-__all__ = ["check_name", "check_system", "check_unique", "fault_of_mass", "named"]
-
 _Named = TypeVar("_Named", "Boundary", "Configuration")
 
 

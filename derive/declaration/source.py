@@ -8,8 +8,6 @@ from dataclasses import field
 from nonsmooth.derive.declaration.fields import declared
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["Source"]
-
 _PARTS = (
     "model",
     "start",

@@ -13,8 +13,6 @@ from nonsmooth.derive.declaration.itinerary import Itinerary, Phase
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["moves_freely", "translations", "unfolded"]
-
 _LARGEST_ORDER = 64
 
 

@@ -25,8 +25,6 @@ from nonsmooth.derive.declaration.transition import ContactLaw, Transition
 from nonsmooth.derive.errors import DeclarationError
 from nonsmooth.derive.registry import registered
 
-__all__ = ["TIME", "System"]
-
 TIME = sp.Symbol("t", real=True)
 
 

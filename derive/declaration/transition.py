@@ -9,8 +9,6 @@ import sympy as sp
 
 from nonsmooth.derive.declaration.fields import declared, exact, set_fields
 
-__all__ = ["Condition", "ContactLaw", "LawContact", "Transition"]
-
 
 @declared
 class Condition:

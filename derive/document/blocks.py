@@ -12,20 +12,6 @@ from typing import Any
 
 import sympy as sp
 
-__all__ = [
-    "LINE_WIDTH",
-    "Block",
-    "Document",
-    "Formula",
-    "Heading",
-    "Line",
-    "Paragraph",
-    "Table",
-    "marked",
-    "text_width",
-    "width",
-]
-
 # em of the text block that the LaTeX preamble sets, less the room of an equation number
 LINE_WIDTH = 42.0
 

@@ -15,8 +15,6 @@ from nonsmooth.derive.document.view import Described, where_zero
 from nonsmooth.derive.equations.linearisation import saltation_matrix
 from nonsmooth.derive.equations.section import Passage, Section, passages_of, start_of
 
-__all__ = ["Cycle", "Harmonic", "Passing"]
-
 
 @dataclass(frozen=True)
 class Passing(Passage):

@@ -19,8 +19,6 @@ from nonsmooth.derive.document.blocks import (
     marked,
 )
 
-__all__ = ["equation_html", "mathml", "to_html", "to_markdown"]
-
 _STYLE = """
 :root { color-scheme: light dark; }
 body { font: 1.05rem/1.55 Georgia, "Times New Roman", serif; margin: 0 auto; max-width: 56rem;

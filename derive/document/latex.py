@@ -20,8 +20,6 @@ from nonsmooth.derive.document.blocks import (
     text_width,
 )
 
-__all__ = ["LatexMissing", "compile_pdf", "to_latex"]
-
 _PREAMBLE = r"""\documentclass[10pt,a4paper]{article}
 \usepackage{amsmath,amssymb}
 \usepackage{array,booktabs,longtable}

@@ -17,8 +17,6 @@ from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.derive.symbols import meaning_of
 
-__all__ = ["Notation", "with_signs"]
-
 # a symbol with indices, to which a power may be put
 _LETTER = re.compile(r"\\?[A-Za-z]+(?:\{[A-Za-z]+\})?(?:_\{[^ ]*\})?")
 # place of functions among the factors of a product

@@ -19,19 +19,6 @@ from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.derive.flows.modal import Flow
 from nonsmooth.derive.symbols import Symbol, inside, meaning_of
 
-__all__ = [
-    "CONSTANT",
-    "Factors",
-    "Letters",
-    "Responses",
-    "Symbols",
-    "free_letters",
-    "grouped_by",
-    "head",
-    "is_response",
-    "is_written",
-]
-
 _GREEK_NAMES = (
     "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau"
     " upsilon phi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega"

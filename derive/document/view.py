@@ -23,9 +23,6 @@ from nonsmooth.derive.equations.symmetry import halfway, phase_ends
 from nonsmooth.derive.flows.modal import Flow
 from nonsmooth.derive.symbols import Symbol, meaning_of
 
-__all__ = ["Described", "View", "functions_of", "monodromy_trace", "naming_of", "where_zero"]
-
-
 # more products of functions of time are not written out
 _MOST_TERMS = 12
 # a factor of more terms gets a letter

@@ -15,8 +15,6 @@ from nonsmooth.derive.document.blocks import Line
 from nonsmooth.derive.document.printer import Notation
 from nonsmooth.derive.document.symbols import Letters, free, free_letters, head
 
-__all__ = ["Naming", "alike", "count", "enumeration", "letters_of", "number"]
-
 # capitals that stand for matrices and the like in every document
 _TAKEN = set("ADEFIJKMPQRSTU")
 # letters that have one meaning in all documents

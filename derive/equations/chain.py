@@ -20,17 +20,6 @@ from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.derive.flows.modal import TIME, Flow
 from nonsmooth.derive.symbols import Symbol
 
-__all__ = [
-    "PHASE",
-    "Chain",
-    "Link",
-    "affine_conditions",
-    "affine_in",
-    "derived_time",
-    "follow",
-    "name_functions",
-]
-
 PHASE = Symbol("phase")  # of the forcing, as a coordinate of the Poincare map
 
 

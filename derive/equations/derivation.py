@@ -21,8 +21,6 @@ from nonsmooth.derive.equations.symmetry import half_phases, required_values, va
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.modal import Flow, Spectrum, derive_flows
 
-__all__ = ["MOST_OPERATIONS", "derive_equations"]
-
 MOST_OPERATIONS = 1000  # of the states along an orbit: beyond, its derivatives fill a book
 
 

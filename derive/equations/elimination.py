@@ -36,8 +36,6 @@ from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.derive.symbols import Symbol
 
-__all__ = ["LinearSolution", "eliminate_coordinates", "entry", "reduce_forced", "solve_linear"]
-
 MOST_BY_CRAMER = 3
 _SOUND = sp.Rational(1, 1000)  # of a determinant, in units of its bound
 

@@ -19,14 +19,6 @@ from nonsmooth.derive.equations.program import Equation
 from nonsmooth.derive.equations.section import Passage, passages_of
 from nonsmooth.derive.errors import DerivationError
 
-__all__ = [
-    "energy_of",
-    "is_conservative",
-    "keeps_volume",
-    "on_boundary",
-    "without_redundant",
-]
-
 
 @lru_cache(maxsize=64)
 def energy_of(dynamics: Dynamics, states: tuple[sp.Symbol, ...]) -> sp.Expr | None:

@@ -30,11 +30,6 @@ from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum
 from nonsmooth.derive.registry import registered
 from nonsmooth.derive.symbols import derivative
 
-__all__ = [
-    "BoundaryFunction",
-    "EquationSystem",
-]
-
 
 @dataclass(frozen=True)
 class BoundaryFunction:

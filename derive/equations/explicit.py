@@ -11,8 +11,6 @@ from nonsmooth.derive.equations.program import Stage, assign
 from nonsmooth.derive.flows.modal import TIME
 from nonsmooth.derive.symbols import Symbol
 
-__all__ = ["LINEAR", "RETURN", "Angle", "ExplicitTime", "explicit_time"]
-
 
 class Angle(sp.Function):
     """Angle in [0, 2 pi) of a point (cosine, sine): written Angle(sine, cosine)."""

@@ -21,8 +21,6 @@ from nonsmooth.derive.declaration.fields import exact
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.errors import DerivationError
 
-__all__ = ["PERIODS", "Forcing", "forcing_of"]
-
 PERIODS = "the orbit takes whole periods of the forcing"
 
 

@@ -20,14 +20,6 @@ from nonsmooth.derive.equations.chain import Chain
 from nonsmooth.derive.equations.program import Program, Stage, assign, assign_matrix
 from nonsmooth.derive.symbols import Symbol, derivative
 
-__all__ = [
-    "monodromy",
-    "poincare_jacobian",
-    "saltation_matrices",
-    "saltation_matrix",
-    "sensitivities",
-]
-
 
 def sensitivities(
     chain: Chain, unknowns: Sequence[sp.Symbol]

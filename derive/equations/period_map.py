@@ -27,8 +27,6 @@ from nonsmooth.derive.equations.section import coordinates_of, is_zero, multiple
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.symbols import Symbol, derivative
 
-__all__ = ["PeriodMap", "derive_period_map"]
-
 
 @dataclass(frozen=True)
 class PeriodMap:

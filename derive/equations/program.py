@@ -15,28 +15,6 @@ import sympy as sp
 
 from nonsmooth.derive.symbols import Symbol, derivative
 
-__all__ = [
-    "Argument",
-    "Equation",
-    "Kernel",
-    "Output",
-    "Program",
-    "Stage",
-    "affine_sum",
-    "assign",
-    "assign_matrix",
-    "coefficients_of",
-    "differentiate",
-    "evaluate",
-    "gradient",
-    "jacobian",
-    "merged",
-    "name_parts",
-    "prune",
-    "required",
-]
-
-
 Equation = tuple[str, sp.Expr]  # its meaning, and what vanishes
 
 

@@ -41,8 +41,6 @@ from nonsmooth.derive.equations.section import Passage, passages_of, section_of,
 from nonsmooth.derive.flows.modal import TIME, Flow
 from nonsmooth.derive.symbols import Symbol, derivative
 
-__all__ = ["Elimination", "Reduction", "reduce_itinerary"]
-
 
 @dataclass(frozen=True)
 class Elimination:

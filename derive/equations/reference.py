@@ -21,8 +21,6 @@ from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.equations.program import coefficients_of, evaluate
 from nonsmooth.derive.flows.modal import Spectrum
 
-__all__ = ["ReferenceOrbit", "reference_orbit", "reference_values", "with_guess"]
-
 _PHASES = 360  # at which a forcing is tried
 _GUESSED = 6  # digits of a guess
 _DIGITS = 30

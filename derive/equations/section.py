@@ -20,22 +20,6 @@ from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Transition
 from nonsmooth.derive.errors import DerivationError
 
-__all__ = [
-    "Passage",
-    "Section",
-    "bordered",
-    "coordinates_of",
-    "is_zero",
-    "multiple_of",
-    "passages_of",
-    "reset_matrix",
-    "row_of",
-    "section_of",
-    "simplified",
-    "smallest_section",
-    "start_of",
-]
-
 
 @dataclass(frozen=True)
 class Passage:

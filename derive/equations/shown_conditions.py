@@ -28,8 +28,6 @@ from nonsmooth.derive.equations.section import (
     simplified,
 )
 
-__all__ = ["transition_unshown"]
-
 
 def transition_unshown(itinerary: Itinerary) -> str | None:
     """The first boundary behind which an orbit's phases do not show where it leads, or None."""

@@ -25,16 +25,6 @@ from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.modal import Flow
 from nonsmooth.derive.symbols import Symbol
 
-__all__ = [
-    "end_conditions",
-    "half_phases",
-    "halfway",
-    "phase_ends",
-    "required_values",
-    "reversor_of",
-    "vanishing_coordinates",
-]
-
 
 def half_phases(
     itinerary: Itinerary, flows: Mapping[str, Flow], start: Section

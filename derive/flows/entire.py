@@ -8,8 +8,6 @@ from typing import Any
 import mpmath
 import sympy as sp
 
-__all__ = ["ExponentialDifference"]
-
 
 @lru_cache(maxsize=256)  # the derivatives of one function are one column
 def _column(

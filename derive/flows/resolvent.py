@@ -26,8 +26,6 @@ from sympy.polys.matrices import DomainMatrix
 from nonsmooth.derive.declaration.parameter import Parameter, is_positive, sign_of
 from nonsmooth.derive.errors import DerivationError
 
-__all__ = ["MOST_ROOTS", "resolvent"]
-
 # A block whose characteristic polynomial does not factor further is written out up to here. Beyond,
 # doubles lose digits: of 100 periods of 3, 4 and 5 damped masses in a row the worst errors were
 # 1.4, 6 and 70 times the unit of tests/derive/test_flow_accuracy.py, their conditions in it.

@@ -27,14 +27,6 @@ from nonsmooth.derive.declaration.source import Source
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Condition, Transition
 
-__all__ = [
-    "global_stick",
-    "orbits",
-    "solution_ii",
-    "symmetric",
-    "system",
-]
-
 _PARAMETERS = (
     Parameter("chi", "stiffness ratio k2/(k1 + k2), nondimensional", upper=1),
     Parameter("eta", "mass ratio m1/m2, nondimensional"),

@@ -26,8 +26,6 @@ from nonsmooth.derive.systems.rigid_stop import (
     states,
 )
 
-__all__ = ["one_contact", "orbits", "system"]
-
 _STOP = Parameter("k3", "stiffness of the stop")
 k3 = _STOP.symbol
 x1 = states[0]

@@ -23,18 +23,6 @@ from typer.core import TyperGroup
 from nonsmooth.runtime.cli.keeping import say
 from nonsmooth.runtime.core.errors import NoConvergence, NonsmoothError, one_line
 
-__all__ = [
-    "ANSWERED",
-    "NOT_MET",
-    "PURPOSES",
-    "UNANSWERED",
-    "WRONG_INPUT",
-    "app",
-    "fail",
-    "is_unread",
-    "print_json",
-]
-
 ANSWERED, UNANSWERED, WRONG_INPUT, NOT_MET = 0, 1, 2, 3
 _SHORTEST = 4  # of an option with its dashes: a shorter one is like any other
 _UNREAD = 141  # as of a program that the closed pipe's signal ends

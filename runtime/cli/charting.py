@@ -18,8 +18,6 @@ from nonsmooth.runtime.cli.reply import Reply
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.workload import BYTES, check_hours, check_memory
 
-__all__ = ["chart"]
-
 TRANSITIONS = 2000
 MOST_COUNTED = 20_000_000  # points that the summary reads again
 

@@ -18,8 +18,6 @@ from nonsmooth.runtime.cli.reply import Reply
 from nonsmooth.runtime.cli.resuming import Request
 from nonsmooth.runtime.core.errors import InputError
 
-__all__ = ["command"]
-
 AsJson = Annotated[
     bool,
     option(

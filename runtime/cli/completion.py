@@ -10,8 +10,6 @@ import typer
 
 from nonsmooth.runtime.core.errors import NonsmoothError
 
-__all__ = ["complete_assignments", "complete_files", "complete_orbits", "complete_systems"]
-
 _SAVED = (".json", ".npz", ".csv", ".zarr")  # endings of what commands save
 
 

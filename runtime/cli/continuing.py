@@ -31,8 +31,6 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.orbit import Orbit
     from nonsmooth.runtime.present.answers import Others
 
-__all__ = ["follow"]
-
 
 @command(
     "continue",

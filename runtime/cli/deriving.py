@@ -19,8 +19,6 @@ from nonsmooth.runtime.cli.reply import Reply, show_comparison
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, missing_extra, unknown_name
 from nonsmooth.runtime.core.files import unwritable, write_file
 
-__all__ = ["equations", "generate", "regenerate", "section_formulas"]
-
 REMEDY = "python scripts/regenerate.py"
 
 

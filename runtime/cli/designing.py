@@ -22,8 +22,6 @@ from nonsmooth.runtime.core.errors import InputError
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.orbit import Orbit
 
-__all__ = ["design"]
-
 
 @command(
     "design",

@@ -30,17 +30,6 @@ from rich.text import Text
 
 from nonsmooth.runtime.present.told import Listing, Told
 
-__all__ = [
-    "console_as_wide",
-    "counted",
-    "shared",
-    "show_differences",
-    "show_result",
-    "show_told",
-    "show_written",
-    "steps",
-]
-
 _STYLES = {  # of verdicts
     **dict.fromkeys(("proved", "stable", "conditionally stable"), "green"),
     **dict.fromkeys(("refuted", "unstable", "refused"), "red"),

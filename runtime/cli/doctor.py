@@ -15,8 +15,6 @@ from types import ModuleType
 from nonsmooth.runtime.cli.command import command
 from nonsmooth.runtime.cli.reply import Reply
 
-__all__ = ["Diagnosis", "diagnoses", "doctor"]
-
 _NAME = "nonsmooth"
 _EXTENSIONS = ("nonsmooth.generated._kernels", "nonsmooth.runtime._engine")
 _LATEX = ("pdflatex", "lualatex", "tectonic")

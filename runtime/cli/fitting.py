@@ -20,8 +20,6 @@ from nonsmooth.runtime.cli.reply import Reply
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.workload import SECONDS, check_hours
 
-__all__ = ["fit"]
-
 _DATA = re.compile(r"(?P<file>.+\.(?:csv|npz|nc|zarr))/?(?::(?P<known>.*))?", re.IGNORECASE)
 _PRIOR = re.compile(r"(?P<mean>.+?)\s*(?:\+-|±)\s*(?P<deviation>.+)")
 

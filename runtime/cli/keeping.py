@@ -16,17 +16,6 @@ from typing import Any
 from nonsmooth.runtime.cli.resuming import command_to_resume
 from nonsmooth.runtime.core.errors import Interrupted, one_line
 
-__all__ = [
-    "INTERRUPTED",
-    "heed_interrupts",
-    "heeding",
-    "interrupted",
-    "kept_of",
-    "same_command",
-    "say",
-    "worked",
-]
-
 INTERRUPTED = 130  # exit code
 _LONGEST_COMMAND = 100_000  # characters
 _HASTE = 5.0  # seconds for which more of Ctrl-C is part of the first

@@ -17,8 +17,6 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
     from nonsmooth.runtime.present.told import Listing, Told
 
-__all__ = ["list_orbits"]
-
 
 @command("list", "list", "list my_oscillator.py", "list dry-friction --json")
 def list_orbits(

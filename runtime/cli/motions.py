@@ -30,8 +30,6 @@ from nonsmooth.runtime.cli.reply import Reply
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.workload import SECONDS, check_hours
 
-__all__ = ["find", "simulate", "sweep"]
-
 _FORCING = "forcing-phase"
 
 SaveMotion = Annotated[

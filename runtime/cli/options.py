@@ -21,38 +21,6 @@ from nonsmooth.runtime.core.workload import HOURS
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.orbit import Orbit
 
-__all__ = [
-    "KEPT",
-    "Beyond",
-    "Check",
-    "Configuration",
-    "Derivatives",
-    "Digits",
-    "Guess",
-    "OrbitName",
-    "Over",
-    "Parameters",
-    "Physical",
-    "Plot",
-    "Proven",
-    "Quantity",
-    "Require",
-    "RequireProof",
-    "RequiredVerdict",
-    "Resume",
-    "Save",
-    "Seed",
-    "Start",
-    "SystemName",
-    "Tiles",
-    "Workers",
-    "Yes",
-    "missing_start",
-    "option",
-    "parameters_as",
-    "solved_within",
-]
-
 KEPT = "Keep and show"
 
 

@@ -10,17 +10,6 @@ from nonsmooth.runtime.core.errors import InputError
 if TYPE_CHECKING:
     from nonsmooth.runtime.core.values import Value
 
-__all__ = [
-    "assignments",
-    "ends",
-    "grid",
-    "guessed",
-    "ranges",
-    "split",
-    "texts_by_name",
-    "values_and_ranges",
-]
-
 _LONGEST_COUNT = 18  # digits
 
 Range = tuple[Any, ...]  # values of its parts; None where one is blank

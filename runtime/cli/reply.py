@@ -20,8 +20,6 @@ from nonsmooth.runtime.core.errors import InputError, NonsmoothError
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["Reply", "met", "proved", "show_comparison"]
-
 PICTURES = (".png", ".svg", ".pdf")  # endings of files
 
 

@@ -20,8 +20,6 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.model.kernels import OrbitKernels
     from nonsmooth.runtime.orbits.orbit import Orbit
 
-__all__ = ["Request", "command_to_resume", "hold"]
-
 _FILES = {"save", "resume", "overwrite"}
 _TARGETS = {"orbit": "an orbit", "system": "a system"}
 _HOLDERS = ("orbit", "events", "branches")  # entries whose parts hold a system, as files do

@@ -22,8 +22,6 @@ from typing import Any, NamedTuple, TypeVar
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value, parse
 
-__all__ = ["checked", "checked_methods"]
-
 _Checked = TypeVar("_Checked", bound=Callable[..., Any])
 _Class = TypeVar("_Class", bound=type)
 

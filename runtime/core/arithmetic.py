@@ -23,8 +23,6 @@ from nonsmooth.runtime.core.exponentials.in_doubles import exponential_differenc
 from nonsmooth.runtime.core.taylor_models import TaylorModel
 from nonsmooth.runtime.core.values import Value, flint_precision, parse
 
-__all__ = ["FLOATS", "Balls", "Floats", "Mpmath", "exact_ball", "middle"]
-
 
 class Floats:
     """Double precision, elementwise over NumPy arrays."""

@@ -18,8 +18,6 @@ from numpy.typing import NDArray
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.float_sets import Floats, ManySets
 
-__all__ = ["BoxGrid", "DividedGrid"]
-
 _LARGEST = 10**8  # boxes
 _EXPONENT = 900  # of 2, of a side: what is near to none and to infinity has other roundings
 _FARTHEST = 2**52  # sides from 0: doubles and machine integers hold all places exactly

@@ -13,8 +13,6 @@ import numpy as np
 
 from nonsmooth.runtime.core.arithmetic import Floats, Mpmath
 
-__all__ = ["ComplexSteps", "imaginary_parts", "real_parts", "step_of", "stepped"]
-
 _TINY = 1e-30
 
 

@@ -12,8 +12,6 @@ from nonsmooth.runtime.core.errors import InputError, one_or_several, unknown_na
 from nonsmooth.runtime.core.registry import Shown
 from nonsmooth.runtime.core.values import real_array
 
-__all__ = ["DifferentiableFunction"]
-
 Derivatives = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
 Pullback = Callable[[np.ndarray, np.ndarray], np.ndarray]
 

@@ -16,20 +16,6 @@ from pathlib import Path
 
 from nonsmooth.runtime.core.errors import InputError
 
-__all__ = [
-    "PARTIAL",
-    "check_ending",
-    "check_folder",
-    "check_target",
-    "fill_file",
-    "folder_made",
-    "path_of",
-    "read_file",
-    "unwritable",
-    "write_file",
-    "write_files",
-]
-
 PARTIAL = ".partial"  # ending of what a killed process left
 
 

@@ -19,18 +19,6 @@ from numpy.typing import NDArray
 if TYPE_CHECKING:
     from flint import arb_mat
 
-__all__ = [
-    "LONGEST",
-    "ROUNDING",
-    "Floats",
-    "ManySets",
-    "Rounded",
-    "joined_sets",
-    "product",
-    "upward",
-    "within",
-]
-
 Floats = NDArray[np.float64]
 
 LONGEST = 256  # terms of one sum for which the bounds hold

@@ -22,8 +22,6 @@ from nonsmooth.runtime.core.rational_functions import Extension, RationalFunctio
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["Irrationals", "irrationals"]
-
 _OPERATORS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
     ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv,
 }  # fmt: skip

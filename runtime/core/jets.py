@@ -16,8 +16,6 @@ from typing import Any
 
 from nonsmooth.runtime.core.taylor_models import TaylorModel, added, matrix, range_of, space_of
 
-__all__ = ["Jet", "jet", "part_of"]
-
 
 class Jet(TaylorModel):
     """A number or a matrix with its derivatives; comparisons are of the values.

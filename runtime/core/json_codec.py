@@ -59,45 +59,6 @@ from nonsmooth.runtime.core.values import (
     parse,
 )
 
-__all__ = [
-    "IN_ANSWERS",
-    "IN_FILES",
-    "UNSTATED",
-    "AnyComplex",
-    "AnyComplexTable",
-    "AnyDigits",
-    "AnyRow",
-    "AnyTable",
-    "BlankDigits",
-    "BlankExact",
-    "BlankText",
-    "BlankValue",
-    "Codec",
-    "Complex",
-    "Digits",
-    "Exact",
-    "Flags",
-    "Follows",
-    "FromOne",
-    "Inconsistent",
-    "Integers",
-    "Ordinal",
-    "Row",
-    "Several",
-    "Table",
-    "Told",
-    "answer",
-    "by",
-    "decode",
-    "encode",
-    "given_value",
-    "json_schema",
-    "named_as",
-    "nan_as_null",
-    "one_of",
-    "stated",
-]
-
 Record = TypeVar("Record")
 Entry = TypeVar("Entry")
 _WRONG_TYPE = " is of the wrong type"

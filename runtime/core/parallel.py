@@ -19,15 +19,6 @@ from typing import IO, Any, NamedTuple, TypeVar
 
 from nonsmooth.runtime.core.errors import NoConvergence, check_integer
 
-__all__ = [
-    "check_called_off",
-    "check_workers",
-    "in_parallel",
-    "in_processes",
-    "serve",
-    "thread_pool",
-]
-
 Part = TypeVar("Part")
 Result = TypeVar("Result")
 

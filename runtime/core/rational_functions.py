@@ -14,8 +14,6 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from flint import arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-__all__ = ["Extension", "RationalFunction", "pivot", "symbols"]
-
 
 def pivot(row: Iterable[Any]) -> Any:
     """Return the place of the first entry that is not zero; None if all are."""

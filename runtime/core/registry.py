@@ -12,8 +12,6 @@ from typing import Any, ClassVar
 
 from nonsmooth.runtime.core.arguments import checked_methods
 
-__all__ = ["Certified", "Kept", "Shown", "register", "registered"]
-
 _PLACES: dict[str, str] = {}
 
 

@@ -28,20 +28,6 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import path_of, read_file, write_file
 from nonsmooth.runtime.core.json_codec import decode, encode, json_schema
 
-__all__ = [
-    "DAMAGED",
-    "WRONG_SHAPE",
-    "FileFormat",
-    "array_in",
-    "check_same_question",
-    "checksum_of",
-    "content_of",
-    "format_in",
-    "naming",
-    "parsed",
-    "stating",
-]
-
 DAMAGED = "cut, damaged, or not an .npz file"
 _PIECE = 1 << 20  # bytes that are unpacked at a time
 _BEGINNING = 400  # characters of a file in which its format is looked for first

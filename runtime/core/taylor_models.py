@@ -19,22 +19,6 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from flint import arb, arb_mat
 
-__all__ = [
-    "AT_BOTH_ENDS",
-    "BENT_MEAN",
-    "MEAN",
-    "Space",
-    "TaylorModel",
-    "added",
-    "averaged",
-    "lifted",
-    "matrix",
-    "middle_of",
-    "range_of",
-    "space_of",
-    "unit_matrix",
-]
-
 _SMALL = 0.25  # norm to which an exponent is halved
 _LARGEST = 2.0**40  # norm of an exponent about whose exponential anything is said
 _BLOCK = 4  # powers that are kept for an exponential

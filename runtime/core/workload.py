@@ -13,17 +13,6 @@ from pathlib import Path
 
 from nonsmooth.runtime.core.errors import InputError
 
-__all__ = [
-    "BYTES",
-    "HOURS",
-    "SECONDS",
-    "TooLarge",
-    "check_hours",
-    "check_memory",
-    "hours_told",
-    "memory_here",
-]
-
 HOURS = 24.0  # of all processors of this machine, that a work may take unasked
 # of one processor; scripts/benchmark.py measures them
 SECONDS = {

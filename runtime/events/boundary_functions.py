@@ -15,8 +15,6 @@ import numpy as np
 
 from nonsmooth.runtime.events.crossings_and_maxima import falling_zeros
 
-__all__ = ["Ends", "PhaseWaves", "ends_of", "interior_maxima"]
-
 _LEAST_CELLS, _CELLS_PER_RADIAN, _MOST_CELLS = 16, 3, 600
 _EDGE = 1e-7  # of a dwell time: a maximum nearer to the ends is no interior one
 

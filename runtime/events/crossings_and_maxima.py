@@ -24,16 +24,6 @@ from nonsmooth.runtime.events.leading_derivative import UNIT, leading
 from nonsmooth.runtime.events.quasi_polynomials import TINY, Jet, QuasiPolynomial
 from nonsmooth.runtime.model.engine_run import LONGEST_WAIT, ORDERS
 
-__all__ = [
-    "Crossing",
-    "Maximum",
-    "Series",
-    "Start",
-    "falling_zeros",
-    "first_crossing",
-    "maximum",
-]
-
 _INVERSE_FACTORIALS = tuple(1 / math.factorial(k) for k in range(ORDERS + 2))
 _MOST_STEPS = 2_000_000  # a window of LONGEST_WAIT takes some of them for each radian
 _CHECKED_EVERY = 16  # steps between two attempts to prove that nothing can follow

@@ -13,20 +13,6 @@ from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
-__all__ = [
-    "UNIT",
-    "Leading",
-    "Located",
-    "Row",
-    "Vector",
-    "derivatives",
-    "dot",
-    "leading",
-    "leading_signs",
-    "orders",
-    "rows_of",
-]
-
 UNIT = 2.0**-48  # 16 eps, the rounding of a sum of products by that of absolute values
 
 R = TypeVar("R")

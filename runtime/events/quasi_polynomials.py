@@ -33,17 +33,6 @@ from nonsmooth.runtime.model.time_functions import (
     wave,
 )
 
-__all__ = [
-    "TINY",
-    "BoundaryTable",
-    "ConfigurationTable",
-    "Jet",
-    "ModeFunctions",
-    "QuasiPolynomial",
-    "functions_along",
-    "plain_functions",
-]
-
 TINY = 1e-300  # what underflow may take away
 _SHORT = 0.5  # radians of the fastest exponent
 _ABOVE = 1 + 2.0**-40  # of a bound: its own rounding

@@ -29,16 +29,6 @@ from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.piecewise import cut_tables
 from nonsmooth.runtime.model.structure import Structure, TransitionShape
 
-__all__ = [
-    "Choice",
-    "Chooser",
-    "ContactOutcome",
-    "Decider",
-    "Judge",
-    "batch_decider",
-    "choose",
-]
-
 _SWEEPS = 200  # of the iteration that guesses what holds
 _ROUNDINGS = 4  # of a reset, in units of the rounding of a sum
 

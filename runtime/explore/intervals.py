@@ -16,8 +16,6 @@ from nonsmooth.runtime.orbits.one_point import solve_kernels
 from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.shooting.newton import CONVERGED, SINGULAR, STATUS
 
-__all__ = ["Interval", "admissible_intervals", "singular_values"]
-
 _HALVINGS = 60  # more than a double has bits
 _APART = 2.0**-40, 2.0**-32  # of a value: so far beyond an end it is looked why it is one
 

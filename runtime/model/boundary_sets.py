@@ -12,18 +12,6 @@ import numpy as np
 
 from nonsmooth.runtime.model.structure import Structure
 
-__all__ = [
-    "lowest_of",
-    "mask_of",
-    "mask_type",
-    "masks_of",
-    "members_of",
-    "names_of",
-    "no_words",
-    "numbered",
-    "words_of",
-]
-
 _BITS = 32
 
 

@@ -44,22 +44,6 @@ from nonsmooth.runtime.model.parameters import (
     system_parameters,
 )
 
-__all__ = [
-    "Batch",
-    "Point",
-    "SystemPoint",
-    "check_relations",
-    "chosen_value",
-    "complete",
-    "complete_arrays",
-    "complete_batch",
-    "complete_system",
-    "default_parameters",
-    "follow",
-    "followers",
-    "left_open",
-]
-
 Terms = dict[str, Fraction]
 
 

@@ -15,8 +15,6 @@ from nonsmooth.runtime.model.factored_flows import arrays_of, factored_functions
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import Structure
 
-__all__ = ["layout_of", "numbers_of"]
-
 
 @cache
 def layout_of(structure: Structure) -> np.ndarray:

@@ -14,20 +14,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-__all__ = [
-    "FARTHEST_END",
-    "GROWTH",
-    "LARGEST_STATE",
-    "LONGEST_QUIET",
-    "LONGEST_WAIT",
-    "MOST_AT_ONCE",
-    "MOST_POLES",
-    "ORDERS",
-    "Grazing",
-    "Run",
-    "Status",
-]
-
 # what they are is told there, beside each
 _LIMITS = dict(
     re.findall(

@@ -23,8 +23,6 @@ from typing import Any
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import parse
 
-__all__ = ["Function", "written"]
-
 _TOKEN = re.compile(r"\s*(?:(?P<number>\d+)|(?P<name>[^\W\d]\w*)|(?P<sign>\*\*|[-+*/(),]))")
 _ROUND = {
     "+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv,

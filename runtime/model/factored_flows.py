@@ -21,16 +21,6 @@ import numpy as np
 
 from nonsmooth.runtime.model.structure import ModeShape
 
-__all__ = [
-    "FactoredFlows",
-    "Flows",
-    "arrays_of",
-    "cut_flows",
-    "factored_functions",
-    "flows_size",
-    "matrices_of",
-]
-
 
 class _FactorPlaces(NamedTuple):
     """Places of the functions of time whose matrices are stored, and of those with factors.

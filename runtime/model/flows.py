@@ -17,8 +17,6 @@ from nonsmooth.runtime.model.factored_flows import FactoredFlows
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.time_functions import functions_at
 
-__all__ = ["composite_rule", "exponential", "extended", "flow_states", "functions_of", "parts_of"]
-
 _GUARD = 32  # bits
 
 

@@ -17,9 +17,6 @@ from nonsmooth.runtime.core.values import parse
 from nonsmooth.runtime.model.loading.growing import JoinedKernel
 from nonsmooth.runtime.model.vectorised import filled, vectorised
 
-__all__ = ["Boundary", "OrbitKernels", "ParameterTable", "SavedTable", "SystemKernels"]
-
-
 # kernels of an orbit, the last of which some have not
 _KINDS = ("equations", "trace", "passage", "linearisation", "reduced", "period_map")
 

@@ -12,20 +12,6 @@ from nonsmooth.runtime.core.errors import NonsmoothError
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
 from nonsmooth.runtime.model.structure import FORCING_PHASE
 
-__all__ = [
-    "NO_UNIT",
-    "Units",
-    "cycle_label",
-    "dwell_names",
-    "is_hashed",
-    "itinerary_text",
-    "shown_name",
-    "start_names",
-    "symbol",
-    "units_of",
-    "with_unit",
-]
-
 _GREEK = re.compile(
     "alpha|beta|gamma|delta|epsilon|zeta|eta|theta|iota|kappa|lambda|mu|nu|xi|pi|rho|sigma|tau"
     "|upsilon|phi|chi|psi|omega"

@@ -13,18 +13,6 @@ from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.values import Value, as_value, real_array
 from nonsmooth.runtime.model.kernels import ParameterTable, SystemKernels
 
-__all__ = [
-    "check_constraints",
-    "check_domain",
-    "constrained",
-    "domain_text",
-    "in_domain",
-    "number_of",
-    "parameter_points",
-    "system_parameters",
-    "value_of",
-]
-
 
 def in_domain(table: ParameterTable, numbers: Any) -> Any:
     """Whether a number, or each of an array, is in a parameter's domain; NaN is in none."""

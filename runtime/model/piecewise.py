@@ -31,17 +31,6 @@ from nonsmooth.runtime.model.modes.simple_modes import ModeGroup
 from nonsmooth.runtime.model.parameters import system_parameters
 from nonsmooth.runtime.model.structure import Structure, structure_of
 
-__all__ = [
-    "PiecewiseLinear",
-    "PointGroup",
-    "cut_tables",
-    "numbers_at",
-    "piecewise",
-    "piecewise_at",
-    "piecewise_in",
-    "tables_at",
-]
-
 
 @dataclass(frozen=True, eq=False)
 class PiecewiseLinear:

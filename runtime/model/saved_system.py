@@ -31,21 +31,6 @@ from nonsmooth.runtime.model.kernels import (
 )
 from nonsmooth.runtime.model.loading.load import remember
 
-__all__ = [
-    "SAVED_VERSION",
-    "KeptOrbitName",
-    "KeptSystem",
-    "KeptSystemName",
-    "SavedSystem",
-    "SystemEntries",
-    "check_same_system",
-    "kernels_of_saved",
-    "named",
-    "same_system",
-    "saved_of",
-    "system_in",
-]
-
 # part of the version of each format whose files hold a system: raised when what it holds changes
 SAVED_VERSION = 2
 _EXACT = ("fields", "rows", "resets")

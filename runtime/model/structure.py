@@ -13,18 +13,6 @@ from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.loading.growing import NOT_VISITED
 
-__all__ = [
-    "FORCING_PHASE",
-    "BoundaryShape",
-    "ContactShape",
-    "ModeShape",
-    "Modes",
-    "Structure",
-    "TransitionShape",
-    "mode_shapes",
-    "structure_of",
-]
-
 FORCING_PHASE = "forcing-phase"  # in an itinerary: the phase of the first forcing begins anew
 
 

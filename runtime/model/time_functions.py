@@ -22,15 +22,6 @@ import numpy as np
 from nonsmooth.runtime.core.exponentials.in_doubles import divided_differences
 from nonsmooth.runtime.model.structure import ModeShape
 
-__all__ = [
-    "chains",
-    "derivative_matrix",
-    "function_bounds",
-    "function_orders",
-    "functions_at",
-    "wave",
-]
-
 _SPLIT = 2.0**27 + 1  # halves a double's digits
 
 _Poles = tuple[complex, ...]

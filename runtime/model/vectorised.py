@@ -11,8 +11,6 @@ import numpy as np
 
 from nonsmooth.runtime.core.arithmetic import FLOATS
 
-__all__ = ["filled", "vectorised"]
-
 
 def vectorised(
     function: Callable[..., Any], inputs: list[tuple[int, ...]], outputs: list[tuple[int, ...]]

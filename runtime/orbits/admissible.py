@@ -39,21 +39,6 @@ from nonsmooth.runtime.shooting.newton import NEGATIVE
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.orbit import Orbit
 
-__all__ = [
-    "NEITHER",
-    "NO_ORBIT",
-    "UNTOLD",
-    "Admissibility",
-    "Coincidence",
-    "Requirement",
-    "Violation",
-    "assess_admissibility",
-    "boundary_curves",
-    "kernel_limits",
-    "trigonometric_rows",
-]
-
-
 NEITHER, NO_ORBIT, UNTOLD = -1, -2, -3  # limits: none fails, there is no orbit, it is not told
 MOST_MISSED = 2.0**-30  # in units of the data; the compiled test's number
 

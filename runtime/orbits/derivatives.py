@@ -36,8 +36,6 @@ if TYPE_CHECKING:
         OrbitMotionDerivatives,
     )
 
-__all__ = ["OrbitDerivatives", "followed", "orbit_derivatives", "orbit_function"]
-
 _ALONG = ("dissipation", "margin")
 _GIVEN = ("period", "trace", "determinant", "spectral_radius")
 _KEPT = 64  # points whose orbits are remembered

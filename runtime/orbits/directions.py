@@ -44,17 +44,6 @@ from nonsmooth.runtime.shooting.translations import projection_along
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.problem import Evaluation
 
-__all__ = [
-    "Directions",
-    "MovedCycles",
-    "kernel_directions",
-    "moved_cycles",
-    "relative_changes",
-    "section_along",
-    "solve_linear",
-    "table_directions",
-]
-
 CONSISTENT = 1e-7  # of the terms of an equation: what no orbit can follow
 
 

@@ -57,8 +57,6 @@ from nonsmooth.runtime.shooting.shooting_map import (
 from nonsmooth.runtime.shooting.table_newton import sizes as sizes_along
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["KernelEquations", "OrbitEquations", "equations_of", "phase_waves"]
-
 _SMALLEST = 0.05  # size of an unknown in units of what changes an equation by itself, at least
 _ZERO = 1e-9  # relative size below which a derivative counts as zero
 _LEAP = 1e-6  # of the difference of two parts before a step: what is left of it behind a leap

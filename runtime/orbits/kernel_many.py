@@ -39,8 +39,6 @@ from nonsmooth.runtime.shooting.newton import (
     judged,
 )
 
-__all__ = ["CHUNK", "NUMPY_JUDGED", "KernelPoints"]
-
 CHUNK = 1 << 15  # points that one thread takes at a time
 NUMPY_SOLVED, NUMPY_JUDGED = 1e-5, 3e-4  # seconds a point without compiled kernels
 _WIDE = 25.0  # ratio of the spectrum's parameters beyond which the digits of orbits are counted

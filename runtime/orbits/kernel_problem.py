@@ -50,14 +50,6 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
     from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = [
-    "KernelProblem",
-    "assess_stability",
-    "chosen_parameters",
-    "has_reciprocal_pair",
-    "kernel_problem",
-]
-
 _WIDE = 50.0  # ratio of frequencies beyond which doubles lose digits of the Poincare map
 
 

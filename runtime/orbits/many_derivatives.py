@@ -33,8 +33,6 @@ from nonsmooth.runtime.shooting.shooting_map import (
 )
 from nonsmooth.runtime.shooting.translations import projection_along
 
-__all__ = ["ManyDirections", "derivatives_of_many", "table_directions_many", "table_rates"]
-
 _POINTS, _COLUMNS = 1 << 9, 1 << 15  # that one thread takes at a time, by tables and kernels
 _ZERO = 1e-12  # of the largest multiplier: one that is zero but for rounding
 _OF_MAPS = ("determinant", "spectral_radius")  # where multipliers are asked for

@@ -16,8 +16,6 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.orbit import Orbit
     from nonsmooth.runtime.orbits.problem import OrbitProblem
 
-__all__ = ["Motion", "Samples", "orbit_motion"]
-
 MOST_SAMPLES = 10_000_000
 
 

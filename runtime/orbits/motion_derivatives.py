@@ -27,13 +27,6 @@ from nonsmooth.runtime.simulation.phase_functions import (
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.orbit import Orbit
 
-__all__ = [
-    "KINDS",
-    "BoundaryMargin",
-    "LocalExtreme",
-    "OrbitMotionDerivatives",
-]
-
 # what has extremes, and the signs of those that count: 1 of maxima, -1 of minima
 KINDS = {
     "maximum": (1,),

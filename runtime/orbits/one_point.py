@@ -31,8 +31,6 @@ from nonsmooth.runtime.shooting.kernel_newton import Full, judged_at, solve_full
 from nonsmooth.runtime.shooting.newton import CONVERGED, OUTSIDE, sure_digits
 from nonsmooth.runtime.simulation.recurrence import Recurrence
 
-__all__ = ["Itinerary", "guess_along", "search", "solve_kernels"]
-
 STARTS_PER_UNKNOWN, STARTS_OF_ONE = 40, 400
 SHORTEST_DWELL, LONGEST_DWELL = 1e-6, 12.6  # up to two periods of the unit frequency
 

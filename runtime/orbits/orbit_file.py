@@ -35,16 +35,6 @@ from nonsmooth.runtime.shooting.shooting_map import numbers_in
 from nonsmooth.runtime.shooting.symmetry import symmetry_of
 from nonsmooth.runtime.shooting.translations import projection_along
 
-__all__ = [
-    "ORBIT",
-    "KeptOrbit",
-    "check_solves",
-    "load_orbit_file",
-    "orbit_content",
-    "orbit_in",
-    "save_orbit",
-]
-
 _DOUBLE_BITS = 53
 _MOST_BITS = 8 * MOST_DIGITS
 _LARGEST_EXPONENT, _LEAST_EXPONENT = 308, -10 * MOST_DIGITS  # decimal

@@ -60,8 +60,6 @@ from nonsmooth.runtime.simulation.trajectory import Trajectory
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
 
-__all__ = ["Evaluation", "OrbitProblem", "labelled", "labelled_as", "motion_along", "orbit_of"]
-
 
 @dataclass(frozen=True)
 class OrbitProblem:

@@ -26,18 +26,6 @@ from nonsmooth.runtime.shooting.symmetry import part_of, symmetry_of, whole_orbi
 from nonsmooth.runtime.shooting.table_newton import sizes
 from nonsmooth.runtime.shooting.translations import up_to_shift
 
-__all__ = [
-    "ARITHMETICS",
-    "MOST_DIGITS",
-    "Refined",
-    "check_digits",
-    "enclosed_trace",
-    "refine",
-    "refine_both",
-    "refine_kernels",
-    "refine_tables",
-]
-
 ARITHMETICS = ("flint", "mpmath", "both")
 MOST_DIGITS = 100_000
 _START_DIGITS, _START_DIGITS_OF_TABLES = 15, 14

@@ -47,8 +47,6 @@ from nonsmooth.runtime.shooting.shooting_map import (
 from nonsmooth.runtime.shooting.translations import projection_along, translations_of
 from nonsmooth.runtime.simulation.engines import run_motions
 
-__all__ = ["CHUNK", "assess_cycle", "first_limits", "limits_at"]
-
 _EPSILON = float(np.finfo(float).eps)
 _SLOWEST = float(np.finfo(float).tiny)
 _SIZES = 9  # instants of a phase at which the sizes of its states are taken

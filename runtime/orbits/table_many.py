@@ -54,8 +54,6 @@ from nonsmooth.runtime.shooting.translations import (
     translations_of,
 )
 
-__all__ = ["Arrays", "TablePoints", "solve_itineraries"]
-
 Arrays = Mapping[str, np.ndarray]  # by name
 CHUNK = 1 << 11  # points that one thread takes at a time; an eighth where there are several
 

@@ -48,23 +48,6 @@ from nonsmooth.runtime.shooting.symmetry import (
 from nonsmooth.runtime.shooting.table_newton import digits_of, fitting_start, solve_shape, unsolved
 from nonsmooth.runtime.shooting.translations import up_to_shift
 
-__all__ = [
-    "CONTINUATION_STEPS",
-    "Symmetries",
-    "fitted_start",
-    "named_guess",
-    "period_in",
-    "phases_and_dwell",
-    "solve_declared",
-    "solve_itinerary",
-    "steps_between",
-    "unknowns_of",
-    "value_of",
-    "whole_names",
-    "with_routes",
-    "with_routes_at",
-]
-
 CONTINUATION_STEPS = 24  # from a reference orbit to other parameters
 
 _Phases = Sequence[tuple[str, str | Sequence[str]]]

@@ -28,8 +28,6 @@ from nonsmooth.runtime.simulation.lyapunov import Exponent, lyapunov
 from nonsmooth.runtime.simulation.observables import Observables
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["Others", "branch_json", "largest_exponent", "result_json"]
-
 Others = Mapping[int, list[dict[str, Any]]]  # itineraries beyond events, by the events' numbers
 
 

@@ -28,8 +28,6 @@ from nonsmooth.runtime.present.compare_declarations import check_domains, compar
 from nonsmooth.runtime.present.files.kept import format_named
 from nonsmooth.runtime.proof.branch.event_certificate import EventCertificates, events_claim
 
-__all__ = ["Check", "check_certificate"]
-
 _MOST = 500_000_000  # bytes of a file
 _HELD = "{} is the system as the file holds it: no declaration was run"
 _NOT_CALLED = "what the orbit and its unknowns are called was not compared"

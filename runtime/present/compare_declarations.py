@@ -52,8 +52,6 @@ from nonsmooth.runtime.proof.statement import (
 )
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, itinerary_shape
 
-__all__ = ["check_domains", "compare"]
-
 Content = Mapping[str, Any]
 
 

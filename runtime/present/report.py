@@ -16,17 +16,6 @@ from nonsmooth.runtime.orbits.refine import enclosed_trace
 from nonsmooth.runtime.present.told import Listing, Rows, Told
 from nonsmooth.runtime.shooting.multipliers import Stability
 
-__all__ = [
-    "admissibility_json",
-    "admissibility_rows",
-    "derivatives_json",
-    "multipliers_json",
-    "orbit_json",
-    "short",
-    "tell_report",
-    "trace_proof_json",
-]
-
 _LONGEST_NUMBER = 64  # beside the labels
 _GROUP, _GROUPS_IN_LINE = 10, 5
 _RANKS = {1: "one", 2: "two", 3: "three"}

@@ -43,8 +43,6 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.simulation.returns import PoincareMap
     from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["KINDS", "orbit_latex", "result_html", "result_text", "tell"]
-
 _MOST_DIGITS = 50  # of a number in a formula
 _TRANSITIONS = 40  # of a long motion: the first and the last half of them
 _EXTREMES = ("", "least", "at", "greatest", "at", "mean", "RMS")

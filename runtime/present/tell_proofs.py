@@ -24,8 +24,6 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.proof.sets.basin_certificate import BasinCertificate
     from nonsmooth.runtime.proof.sets.graph_certificate import Component, RegionCertificate
 
-__all__ = ["PROOFS"]
-
 _SETS = 12  # components that are listed
 _DOWN = Context(prec=3, rounding=ROUND_DOWN)  # no more is said than is proved
 _WIDE = Context(prec=28, Emin=MIN_EMIN, Emax=MAX_EMAX)

@@ -11,8 +11,6 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["Listing", "Rows", "Told", "counts", "first", "given", "html", "many", "span", "text"]
-
 _ROWS, _WIDTH = 3, 96  # in a console
 _MOST = 12  # entries of a row
 

@@ -30,25 +30,6 @@ from nonsmooth.runtime.model.saved_system import KeptOrbitName
 from nonsmooth.runtime.proof.motion.motion_proof import Enclosure
 from nonsmooth.runtime.proof.statement import decimals
 
-__all__ = [
-    "CLAIMS",
-    "GUARD",
-    "Certificate",
-    "Claims",
-    "Decided",
-    "Declaration",
-    "Enclosures",
-    "KeptBall",
-    "Stability",
-    "Stated",
-    "StatedOrbits",
-    "Unknown",
-    "ball_of",
-    "check_same_orbits",
-    "file_json",
-    "precise",
-]
-
 GUARD = 32  # bits beyond those of the enclosures
 NO_ORBIT = "no orbit is proved to exist"  # why there are no other claims
 CLAIMS = ("existence", "admissibility", "stability")

@@ -40,14 +40,6 @@ from nonsmooth.runtime.proof.orbit_to_prove import (
 )
 from nonsmooth.runtime.proof.statement import PERIOD, closing_json, decimals, system_declaration
 
-__all__ = [
-    "FEWEST_BITS",
-    "MOST_BITS",
-    "certify",
-    "refined",
-    "stated",
-]
-
 Direction = Mapping[str, Fraction]  # how parameters of the system, or the period, move
 
 _NEAR = 1e-5  # how far from the given numbers an orbit is still theirs, in units of the states

@@ -23,19 +23,6 @@ from nonsmooth.runtime.model.parameters import system_parameters
 from nonsmooth.runtime.model.saved_system import saved_of
 from nonsmooth.runtime.model.structure import Structure, structure_of
 
-__all__ = [
-    "ExactSystem",
-    "Matrix",
-    "NotRational",
-    "Row",
-    "Tables",
-    "declared_constants",
-    "exact_system",
-    "exact_tables",
-    "rational_of",
-    "tables_over",
-]
-
 _SHARP = 256  # bits that tell what irrational numbers make zero
 
 Row = tuple["fmpq", ...]  # n y + c: n, then c

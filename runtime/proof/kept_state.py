@@ -8,8 +8,6 @@ from typing import Any, Generic, TypeVar
 
 from nonsmooth.runtime.core.errors import Interrupted
 
-__all__ = ["KeptState"]
-
 _EVERY = 10.0  # seconds between states that are kept, at least
 _LONGER = 20  # times as long as it takes to keep one
 

@@ -36,17 +36,6 @@ from nonsmooth.runtime.proof.exact_tables import Matrix, Row, Tables, rational_o
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, itinerary_shape
 from nonsmooth.runtime.shooting.translations import translations_of
 
-__all__ = [
-    "ClosureConditions",
-    "NotCovered",
-    "Subject",
-    "SymplecticForm",
-    "closing_of",
-    "guess_of",
-    "subject_near",
-    "symplectic_form",
-]
-
 _MOST_TURNS = 1000
 
 

@@ -11,8 +11,6 @@ from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 
-__all__ = ["REFUSED", "as_read", "asking", "holds", "refusal"]
-
 # what the checker raises where something is not proved, or beyond what can be enclosed
 REFUSED = (Failure, ArithmeticError, ValueError)
 

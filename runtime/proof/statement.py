@@ -23,15 +23,6 @@ from nonsmooth.runtime.proof.exact_tables import NotRational, Tables, tables_ove
 from nonsmooth.runtime.proof.orbit_to_prove import ClosureConditions
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 
-__all__ = [
-    "PERIOD",
-    "closing_json",
-    "decimals",
-    "declaration_json",
-    "kernels_with",
-    "system_declaration",
-]
-
 PERIOD = "period"  # its name among the parameters at one point
 _RADIUS = 3  # digits that a radius needs
 

@@ -19,8 +19,6 @@ from nonsmooth.runtime.shooting.translations import directions_of, projection_al
 if TYPE_CHECKING:
     from nonsmooth.runtime.shooting.symmetry import Symmetry
 
-__all__ = ["closed_cycle", "closing", "closure_equations"]
-
 _MOST_TURNS = 24  # of the first forcing, until all meet again
 
 

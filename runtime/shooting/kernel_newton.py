@@ -29,22 +29,6 @@ from nonsmooth.runtime.shooting.newton import (
     judged,
 )
 
-__all__ = [
-    "Errors",
-    "Full",
-    "LinearisedEquations",
-    "Solved",
-    "dwell_times",
-    "equations_at",
-    "error_bounds",
-    "frequency_spread",
-    "judged_at",
-    "lasting_phases",
-    "natural_scales",
-    "solve_full",
-    "solve_reduced",
-]
-
 MOST_CONDITION = 1e12  # condition number beyond which a choice of unknowns is refused
 LEAST_DETERMINANT = 1e-12  # in units of its bound; the compiled solver's number
 _EPSILON = float(np.finfo(float).eps)

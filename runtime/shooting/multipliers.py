@@ -14,23 +14,6 @@ from nonsmooth.runtime.core.complex_steps import real_parts
 from nonsmooth.runtime.core.exponentials.matrices import inverses, sorted_by_size
 from nonsmooth.runtime.shooting.newton import LEAST
 
-__all__ = [
-    "MapDerivatives",
-    "Multiplier",
-    "MultiplierDerivatives",
-    "Stability",
-    "eigenvalues_of",
-    "family_margins",
-    "many_multiplier_derivatives",
-    "margins",
-    "modulus",
-    "multiplier_derivatives",
-    "nontrivial",
-    "orthonormal",
-    "pair_margins",
-    "stability_of",
-]
-
 _ROUNDING = 1e-12  # of multipliers: nearer to the unit circle nothing is told
 _RANK = 1e-9  # relative length below which a direction is none, in double precision
 _LOST = 10  # decimal digits that its length may lose beyond that

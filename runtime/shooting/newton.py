@@ -15,32 +15,6 @@ import numpy as np
 from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.core.errors import NoConvergence
 
-__all__ = [
-    "CONVERGED",
-    "DETERMINED",
-    "DOUBLE",
-    "GOING",
-    "INVALID",
-    "LEAST",
-    "MARGIN",
-    "NEGATIVE",
-    "OUTSIDE",
-    "SHORTEST",
-    "SINGULAR",
-    "STALLED",
-    "STATUS",
-    "TOLERANCE",
-    "UNSURE",
-    "climb",
-    "damping",
-    "iterate",
-    "judged",
-    "lost",
-    "message_of",
-    "precisions",
-    "sure_digits",
-]
-
 # the compiled solvers' numbers
 CONVERGED, STALLED, INVALID, NEGATIVE = 0, 1, 2, 3
 OUTSIDE = 4  # only of exchanged equations

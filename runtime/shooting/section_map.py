@@ -31,19 +31,6 @@ from nonsmooth.runtime.shooting.shooting_map import (
 from nonsmooth.runtime.shooting.table_newton import sizes
 from nonsmooth.runtime.shooting.translations import projection_along
 
-__all__ = [
-    "assess",
-    "local_maps",
-    "mechanical_states",
-    "reciprocal",
-    "saltations",
-    "section_dimension",
-    "section_map",
-    "smallest_section",
-    "stroboscopic_maps",
-    "timed_maps",
-]
-
 
 def section_map(phase: Phase, flow: Any, velocity: Any, behind: Any = None) -> Any:
     """Derivative (..., N, N) of the state behind a phase's reset by that at its start.

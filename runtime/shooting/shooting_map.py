@@ -40,32 +40,6 @@ from nonsmooth.runtime.model.piecewise import PiecewiseLinear, tables_at
 from nonsmooth.runtime.model.structure import FORCING_PHASE, Structure, TransitionShape
 from nonsmooth.runtime.model.time_functions import functions_at
 
-__all__ = [
-    "ItineraryShape",
-    "Numbers",
-    "Phase",
-    "Shooting",
-    "ShootingDerivatives",
-    "applied",
-    "cycle_maps",
-    "dependent",
-    "finite_at",
-    "flow_at",
-    "flows_along",
-    "flows_over",
-    "guesses",
-    "itinerary_shape",
-    "numbers_in",
-    "phases_in",
-    "relative_rates",
-    "shoot",
-    "shoot_along",
-    "shoot_many",
-    "shooting_derivatives",
-    "shooting_map",
-    "stepped_tables",
-]
-
 
 @dataclass(frozen=True, eq=False)
 class ItineraryShape:

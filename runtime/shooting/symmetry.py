@@ -27,17 +27,6 @@ from nonsmooth.runtime.shooting.translations import (
     translations_of,
 )
 
-__all__ = [
-    "Symmetry",
-    "images_of",
-    "matrix_of",
-    "part_of",
-    "symmetry_of",
-    "whole_itinerary",
-    "whole_orbit",
-    "whole_shape",
-]
-
 _SAME = 1e-12  # of the largest entry: numbers that are equal but for rounding
 _LARGEST_ORDER = 64
 

@@ -46,16 +46,6 @@ from nonsmooth.runtime.shooting.shooting_map import (
 )
 from nonsmooth.runtime.shooting.translations import up_to_shift
 
-__all__ = [
-    "TableSolution",
-    "digits_of",
-    "fitting_start",
-    "sizes",
-    "solve_in_python",
-    "solve_shape",
-    "unsolved",
-]
-
 # the compiled solver's numbers
 MOST_RESIDUAL = 1e-9  # in units of the terms that cancel
 _ANGLES = 48  # of a forcing, tried for a start

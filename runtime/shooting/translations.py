@@ -20,16 +20,6 @@ from nonsmooth.runtime.core.rational_functions import pivot
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import Structure
 
-__all__ = [
-    "deciding_rows",
-    "directions_of",
-    "gauges_of",
-    "projection_along",
-    "taken_resets",
-    "translations_of",
-    "up_to_shift",
-]
-
 _SAME = 1e-12  # of the largest entry of a row: numbers that are zero but for rounding
 _APART = 1e-9  # relative singular value above which rows annihilate no vector
 

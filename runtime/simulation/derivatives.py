@@ -42,14 +42,6 @@ from nonsmooth.runtime.simulation.one_sided import (
 from nonsmooth.runtime.simulation.phase_functions import phases_of
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = [
-    "ContactDerivatives",
-    "MotionDerivatives",
-    "ObservableDerivatives",
-    "chosen_numbers",
-    "motion_derivatives",
-]
-
 
 @checked_methods
 @dataclass(frozen=True, eq=False)

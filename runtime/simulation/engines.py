@@ -24,16 +24,6 @@ from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import Structure
 
-__all__ = [
-    "Trajectories",
-    "entry_size",
-    "in_order",
-    "no_ends",
-    "run_compiled",
-    "run_motions",
-    "store_end",
-]
-
 _FIRST_ENTRIES, _GRAZINGS = 4096, 64
 
 

@@ -34,8 +34,6 @@ from nonsmooth.runtime.simulation.moved_phases import flow_matrices
 from nonsmooth.runtime.simulation.phase_functions import phases_of
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["Exponent", "lyapunov", "lyapunov_spectrum"]
-
 _REST = 64 * np.finfo(float).eps  # of a vector field's terms: their sum is zero
 _LOST = 1e-13  # of the norm of a frame: a direction that a transition annihilates
 _DEPENDENT = 1e-8  # of the norm of a frame: a column that the others span

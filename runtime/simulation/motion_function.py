@@ -19,8 +19,6 @@ from nonsmooth.runtime.simulation.motion_linearisation import input_names, neare
 from nonsmooth.runtime.simulation.simulate import simulate_one
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["motion_function"]
-
 
 def motion_function(
     system: str | SystemKernels | DeclaredSystem,

@@ -24,18 +24,6 @@ from nonsmooth.runtime.shooting.shooting_map import Numbers, stepped_tables
 from nonsmooth.runtime.simulation.moved_phases import PhaseFlows
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = [
-    "MotionChanges",
-    "MotionLinearisation",
-    "Transitions",
-    "field_at",
-    "fitting_resets",
-    "input_names",
-    "nearest_start",
-    "transitions_behind",
-]
-
-
 _IMPACTS = 3  # in a row, each sooner than the one before: they accumulate
 _ERROR = 64 * np.finfo(float).eps
 

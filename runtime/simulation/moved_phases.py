@@ -33,8 +33,6 @@ from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.shooting.shooting_map import Numbers, flows_over
 from nonsmooth.runtime.simulation.phase_functions import Phases, extremes, fastest, phase_states
 
-__all__ = ["Differentiated", "MovedPhases", "PhaseFlows", "flow_matrices", "moments"]
-
 _NODES = 20  # of an integral, in a piece
 _ANGLE = 10.0  # radians in a piece
 _FEW = 4

@@ -19,16 +19,6 @@ from nonsmooth.runtime.simulation.moved_phases import moments
 from nonsmooth.runtime.simulation.phase_functions import Extreme, extremes, phases_of
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = [
-    "ContactObservables",
-    "Observables",
-    "acceleration_rows",
-    "force_rows",
-    "observe",
-    "observed_rows",
-    "told_of",
-]
-
 
 @dataclass(frozen=True)
 class ContactObservables:

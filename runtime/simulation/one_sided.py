@@ -36,16 +36,6 @@ from nonsmooth.runtime.simulation.motion_linearisation import (
 from nonsmooth.runtime.simulation.simulate import simulate_one
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = [
-    "CUT",
-    "DirectedMotion",
-    "check_times",
-    "directed_motions",
-    "gathered",
-    "scattered",
-]
-
-
 _TOGETHER = 1e-9  # by which linearised boundary functions may differ that vanish together
 _NEAR = 1e-8  # relative: within which a sequence comes to where the motion is
 _STEPS = (1e-5, 1e-7)  # of the time to the neighbouring transitions: how far events come apart

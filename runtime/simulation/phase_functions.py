@@ -28,18 +28,6 @@ from nonsmooth.runtime.model.time_functions import derivative_matrix, function_b
 if TYPE_CHECKING:
     from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = [
-    "Extreme",
-    "LocalMaximum",
-    "Phases",
-    "boundary_rows",
-    "extremes",
-    "fastest",
-    "local_maxima",
-    "phase_states",
-    "phases_of",
-]
-
 _CHUNK = 100_000  # functions on panels that are in memory at a time
 _ANGLE = 0.6  # radians of the fastest oscillation in a panel
 _HALVINGS = 40  # then a slope that touches zero is none that crosses it

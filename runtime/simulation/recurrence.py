@@ -24,21 +24,6 @@ from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
 from nonsmooth.runtime.simulation.engines import Trajectories
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = [
-    "Candidate",
-    "Itinerary",
-    "Recurrence",
-    "candidate_at",
-    "canonical",
-    "itinerary_of",
-    "near_returns",
-    "phase_name",
-    "recurrent_lengths",
-    "scales_of",
-    "sizes_of",
-    "variation",
-]
-
 _EXAMPLES = 20  # of near returns by one cycle
 
 _LEAST = 1e-5  # scale of a state in units of the largest of its kind: well above rounding

@@ -19,8 +19,6 @@ from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.model.structure import TransitionShape
 from nonsmooth.runtime.simulation.simulate import follow
 
-__all__ = ["PoincareMap", "Return", "poincare_map"]
-
 _FIRST, _MOST = 64, 65_536  # transitions that a return may take
 _STEP = 1e-6  # of a finite difference, relative to the states, in their natural units
 

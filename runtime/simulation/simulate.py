@@ -50,15 +50,6 @@ from nonsmooth.runtime.simulation.trajectory import Trajectory
 if TYPE_CHECKING:
     from nonsmooth.runtime.core.values import Number, Numbers
 
-__all__ = [
-    "LARGEST_COUNT",
-    "checked_count",
-    "follow",
-    "simulate",
-    "simulate_many",
-    "simulate_one",
-]
-
 AnySystem = str | SystemKernels | DeclaredSystem
 
 _LEAST_CHUNK, _LARGEST_CHUNK = 64, 4096  # motions given to a thread at a time

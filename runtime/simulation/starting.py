@@ -27,20 +27,6 @@ from nonsmooth.runtime.model.loading.growing import Growth, Visit, growth_of
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise_at
 from nonsmooth.runtime.model.structure import Structure, structure_of
 
-__all__ = [
-    "check_forcing",
-    "check_phases",
-    "configuration_of",
-    "configurations_of",
-    "forcing_start",
-    "on_circles",
-    "orders_along",
-    "start_state",
-    "start_states",
-    "visits_behind",
-    "with_starts",
-]
-
 _ERROR = 16 * np.finfo(float).eps
 
 _CIRCLE = 1e-8  # error of c^2 + s^2 that roundings of a long motion may make

@@ -35,8 +35,6 @@ from nonsmooth.runtime.model.engine_run import (
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import TransitionShape
 
-__all__ = ["run"]
-
 _RESOLUTION = 2.0**-104  # of a time that is the sum of two numbers
 
 

@@ -25,8 +25,6 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.simulation.derivatives import MotionDerivatives
     from nonsmooth.runtime.simulation.recurrence import Recurrence
 
-__all__ = ["Trajectory"]
-
 _ROUNDING = 1e-14  # of the end of a motion
 
 

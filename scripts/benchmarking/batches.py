@@ -18,8 +18,6 @@ from nonsmooth.derive.systems import rigid_stop
 from nonsmooth.runtime.model.kernels import compiled_for, load_orbit
 from nonsmooth.runtime.orbits.solve import declared_kernels
 
-__all__ = ["batches"]
-
 SOLVED, JUDGED, CHARTED = 0.5e-6, 2e-6, 3e-6  # what a point must take on one core
 
 

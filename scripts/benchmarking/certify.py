@@ -17,8 +17,6 @@ from nonsmooth.runtime.proof.branch.certify_event import certify_event
 from nonsmooth.runtime.proof.certify_orbit import certify
 from nonsmooth.runtime.proof.counting.certify_all import certify_all
 
-__all__ = ["boxed", "certified", "counted"]
-
 ORBIT = "dry-friction/global-stick"
 BITS = 100
 DIGITS = 1000

@@ -13,8 +13,6 @@ from pathlib import Path
 import numpy as np
 from benchmarking.measuring import Row
 
-__all__ = ["chart"]
-
 NAME = "dry-friction/global-stick"
 MOST_CHUNKS = 100  # that are computed of the largest grid
 

@@ -17,8 +17,6 @@ from nonsmooth.runtime.orbits.many_derivatives import derivatives_of_many
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["BatchTime", "GradientTime", "batch_times", "derivatives", "gradient_times"]
-
 _TURNS = 30
 _BATCHES = 9
 

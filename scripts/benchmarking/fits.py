@@ -14,8 +14,6 @@ from scipy.optimize import least_squares
 import nonsmooth as ns
 from nonsmooth.runtime.explore.fitting.fit import Fit
 
-__all__ = ["fits"]
-
 TRUTH = {"c": 0.05, "k": 2.5, "r": 0.8, "w": 2.1}
 GUESS = {"k": 2.53, "r": 0.79}
 START = {"x": -0.6, "v": 0.1}

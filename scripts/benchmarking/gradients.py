@@ -14,8 +14,6 @@ from benchmarking.measuring import Row, interleaved, told
 import nonsmooth as ns
 from nonsmooth.derive import Harmonic, RigidStop, oscillator
 
-__all__ = ["gradients", "reference", "state_at_the_end"]
-
 NAMES = ("zeta", "gap", "r", "x0", "v0")
 POINT = np.array([0.05, 0.3, 0.8, 0.0, 1.0])
 OMEGA, END = 2, 20.0

@@ -17,8 +17,6 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
-__all__ = ["Row", "apart", "interleaved", "machine", "timed", "told"]
-
 PACKAGES = ("nonsmooth", "numpy", "scipy", "sympy", "python-flint", "casadi", "heyoka", "diffrax")
 
 

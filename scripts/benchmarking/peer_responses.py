@@ -15,8 +15,6 @@ from functools import cached_property
 import numpy as np
 from scipy.integrate import solve_ivp
 
-__all__ = ["FORCE", "GAP", "SPRING", "HarmonicBalance", "Shooting", "follow_both_ways"]
-
 MASS = np.eye(2)
 STIFFNESS = np.array([[1.0, -1.0], [-1.0, 2.0]])
 DAMPING = 0.03 * STIFFNESS

@@ -28,8 +28,6 @@ import nonsmooth as ns
 from nonsmooth.derive import Harmonic, SoftStop, oscillator
 from nonsmooth.runtime.orbits.orbit import Orbit
 
-__all__ = ["responses"]
-
 INTERVAL = (0.5, 0.8)  # of Omega in example 03 of NLvib
 PHASES = 2 * np.pi * np.arange(512) / 512
 

@@ -23,8 +23,6 @@ from nonsmooth.runtime.shooting.table_newton import solve_shape
 from nonsmooth.runtime.simulation.engines import run_motions
 from nonsmooth.runtime.simulation.simulate import follow
 
-__all__ = ["impact_chain", "size"]
-
 SIZES = (2, 5, 10, 20, 50, 100, 200)
 LIMIT = 100  # coordinates at which a transition has to take less than MUST
 MUST = 100e-6

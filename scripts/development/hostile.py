@@ -28,8 +28,6 @@ from hostile_inputs import Case, cases
 
 from nonsmooth.runtime.core import workload
 
-__all__ = ["Outcome", "main", "prepared", "run_case"]
-
 SECONDS, SLOW, WALL = 40, 120, 200  # of processors, the same of `reproduce`, of the clock
 LONGEST = 4 / 3600  # hours that a work may take unasked, by estimate
 MEMORY = 6_000_000_000  # bytes

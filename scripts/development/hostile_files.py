@@ -16,17 +16,6 @@ import numpy as np
 import nonsmooth as ns
 from nonsmooth.runtime.core.result_files import checksum_of
 
-__all__ = [
-    "DATA",
-    "DECLARATION",
-    "ORBIT",
-    "REST",
-    "damage",
-    "declaration_names",
-    "make_devices",
-    "make_files",
-]
-
 ORBIT = "dry-friction/global-stick"
 DATA = {"chi": "0.5", "eta": "1", "us1": "1", "us2": "1", "ur1": "4.0195", "ur2": "1.4831"}
 REST = dict.fromkeys(("x1", "x2", "v1", "v2"), 0)

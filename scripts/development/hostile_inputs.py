@@ -17,8 +17,6 @@ from hostile_files import DATA, ORBIT, declaration_names
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.cli.proofs.certifying import certifying
 
-__all__ = ["Case", "Option", "cases", "options_of"]
-
 _LONG = "x" * 300
 NAMES = (
     "", " ", _LONG, "x" * 20_000, "a\nb", "a\x1b[31mb\r", "..", "/", ".", "-", "--", "é", "名字",

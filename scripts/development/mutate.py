@@ -25,8 +25,6 @@ from pathlib import Path
 
 from mutating import Place, functions, places, planted, probed
 
-__all__ = ["chosen", "main"]
-
 CHECKOUT = Path(__file__).resolve().parents[2]
 COPIED = ("derive", "generated", "runtime", "tests", "scripts", "docs", ".ci")
 LAID_OUT = {"__init__.py": "runtime/face/__init__.py", "derive": "derive",

@@ -11,8 +11,6 @@ from typing import NamedTuple
 
 from mutating_c import changes_in_c
 
-__all__ = ["Place", "functions", "places", "planted", "probed"]
-
 
 class Change(NamedTuple):
     """A piece of a text between two characters, its replacement, and what it is part of."""

@@ -5,8 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-__all__ = ["changes_in_c"]
-
 TOKEN = re.compile(
     r"""
     (?P<blank> ^[ \t]*\#(?:\\\n|[^\n])* | /\*.*?\*/ | //[^\n]* | [ \t]+ | \s )

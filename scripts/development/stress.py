@@ -35,8 +35,6 @@ from stressing_motions import (
 from stressing_proofs import branches_chunk, proofs_chunk
 from stressing_search import FAMILIES, search_chunk
 
-__all__ = ["main"]
-
 TRANSITIONS = 40
 
 

@@ -12,8 +12,6 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["EPS", "Shape", "Sums", "first_excess", "undecided"]
-
 EPS = float(np.finfo(float).eps)
 
 Shape = tuple[tuple[int, bool], ...]  # of each mode the number of powers, and whether it oscillates

@@ -24,8 +24,6 @@ from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import BoundaryShape, Structure, TransitionShape
 from nonsmooth.runtime.simulation.engines import run_compiled
 
-__all__ = ["against_digits", "chains_chunk", "random_chain"]
-
 TRANSITIONS = 40
 BITS = 200  # sixty digits
 STEP = 2.0**-6

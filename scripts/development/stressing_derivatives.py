@@ -12,8 +12,6 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 
 from tests.moved_motions import compared_at_random
 
-__all__ = ["derivatives_chunk"]
-
 TRANSITIONS = 200
 ALLOWED = 1e-9  # in units of the motion's condition
 

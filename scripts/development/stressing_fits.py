@@ -11,8 +11,6 @@ import numpy as np
 import nonsmooth as ns
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, SoftStop, oscillator
 
-__all__ = ["fits_chunk", "impacting"]
-
 WALL = "wall-reaches-stop"
 FEWEST, MOST = 0.90, 0.99  # of the intervals
 FREE = ("k", "r", "v0")

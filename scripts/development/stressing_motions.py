@@ -20,17 +20,6 @@ from nonsmooth.runtime.simulation.engines import run_compiled
 from nonsmooth.runtime.simulation.starting import configuration_of
 from nonsmooth.runtime.simulation.stepping import run as reference
 
-__all__ = [
-    "ELASTIC",
-    "FRICTION",
-    "RIGID",
-    "Motion",
-    "against_integrator",
-    "against_proof",
-    "against_reference",
-    "random_motion",
-]
-
 FRICTION = ("plain", "equal-limits", "near-limits", "scales", "on-belt", "at-limit", "both-on-belt")
 RIGID = ("rigid", "rigid-touching")
 ELASTIC = ("elastic", "elastic-touching")

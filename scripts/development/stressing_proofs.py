@@ -21,8 +21,6 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 
 from tests.moved_motions import random_oscillator
 
-__all__ = ["branches_chunk", "proofs_chunk"]
-
 PERIODS = 80  # of the forcing, after which most motions have settled
 DIGITS = 60  # of the orbit that the enclosures have to hold
 NEAR = 1e-6  # of a motion's size: how near it comes back in doubles

@@ -19,8 +19,6 @@ from nonsmooth.runtime.model.structure import (
 )
 from nonsmooth.runtime.simulation.engines import run_motions
 
-__all__ = ["FAMILIES", "random_sums", "search", "search_chunk", "verdicts"]
-
 _STATES = 8  # a search judges the start by as many derivatives
 _ALLOWED = 64 * EPS
 PROVED = 0.002  # share that is proved in balls as a whole

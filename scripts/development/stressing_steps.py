@@ -12,8 +12,6 @@ from nonsmooth.runtime.model.engine_run import Run
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 
-__all__ = ["broken_step"]
-
 _ALLOWED = 64 * EPS
 
 

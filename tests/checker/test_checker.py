@@ -7,12 +7,11 @@ import json
 import runpy
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from contextlib import nullcontext
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -28,7 +27,6 @@ from nonsmooth.runtime.checker.orbits.points import JudgedOrbit
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.taylor_models import TaylorModel, space_of
 from nonsmooth.runtime.present.tell import tell
-from nonsmooth.runtime.proof.certificate import Certificate
 from tests.certified import (
     believed,
     content_of,
@@ -62,23 +60,23 @@ SUBJECTS: dict[str, Callable[[], Any]] = {
 
 
 @cache
-def certificate(name: str) -> Certificate:
+def certificate(name):
     return ns.certify(SUBJECTS[name]())
 
 
 @pytest.fixture
-def content(request: pytest.FixtureRequest) -> dict[str, Any]:
+def content(request):
     """The file of the certificate that a test is about."""
     return content_of(certificate(request.param))
 
 
 @of_files(*SUBJECTS)
-def test_true_certificates_pass(content: dict[str, Any]) -> None:
+def test_true_certificates_pass(content):
     believed(content)
 
 
 @of_files("global-stick", "symmetric", "rigid", "elastic", "kicked", "soft", "twice")
-def test_centres_outside_their_enclosures_are_refused(content: dict[str, Any]) -> None:
+def test_centres_outside_their_enclosures_are_refused(content):
     for name in content["enclosures"]:
         for by in (3, -3):
             changed = copy.deepcopy(content)
@@ -92,8 +90,8 @@ def test_centres_outside_their_enclosures_are_refused(content: dict[str, Any]) -
 
 @of_files("global-stick", "symmetric", "rigid", "elastic", "kicked", "soft", "twice")
 def test_multipliers_that_are_not_stated_are_no_larger_than_is_stated(
-    content: dict[str, Any],
-) -> None:
+    content,
+):
     assert content["multipliers"]
     known = [complex(*(float(m[k]["mid"]) for k in ("re", "im"))) for m in content["multipliers"]]
     zero = {"mid": "0", "rad": "1e-12"}
@@ -112,7 +110,7 @@ def test_multipliers_that_are_not_stated_are_no_larger_than_is_stated(
 
 
 @of_files("rigid", "elastic", "symmetric")
-def test_each_disc_holds_one_multiplier_of_its_own(content: dict[str, Any]) -> None:
+def test_each_disc_holds_one_multiplier_of_its_own(content):
     first, second = content["multipliers"]
     refused({**content, "multipliers": [first, first]}, "stated multiplier is none")
     wide = {"mid": "0", "rad": "9"}
@@ -123,12 +121,12 @@ def test_each_disc_holds_one_multiplier_of_its_own(content: dict[str, Any]) -> N
 
 
 @pytest.fixture(scope="module")
-def by_two() -> dict[str, Any]:
+def by_two():
     """The file of an orbit with its derivatives by two parameters."""
     return content_of(ns.certify(SUBJECTS["symmetric"](), derivatives=["V", "eta"]))
 
 
-def test_derivatives_are_those_of_the_multiplier_that_is_stated(by_two: dict[str, Any]) -> None:
+def test_derivatives_are_those_of_the_multiplier_that_is_stated(by_two):
     turned = {**by_two, "multipliers": by_two["multipliers"][::-1]}
     refused(turned, "the derivative of multiplier")
     rates = {**by_two["derivatives"]}
@@ -138,7 +136,7 @@ def test_derivatives_are_those_of_the_multiplier_that_is_stated(by_two: dict[str
     refused({**by_two, "derivatives": rates}, "the derivative of multiplier")
 
 
-def test_derivatives_by_one_parameter_are_not_those_by_another(by_two: dict[str, Any]) -> None:
+def test_derivatives_by_one_parameter_are_not_those_by_another(by_two):
     content = copy.deepcopy(by_two)
     for rates in (content["directions"], *content["derivatives"].values()):
         rates["V"] = rates["eta"]
@@ -150,8 +148,8 @@ PROPOSAL = ("parameters", "given_period", "itinerary", "declaration", "closing",
 
 @of_files("global-stick", "rigid", "irrational", "soft")
 def test_the_judge_reads_the_proposal_alone_and_is_the_same_at_any_precision(
-    content: dict[str, Any],
-) -> None:
+    content,
+):
     proposal = {name: content[name] for name in PROPOSAL}
     found = []
     for precision in (30, 1000):
@@ -167,7 +165,7 @@ def test_the_judge_reads_the_proposal_alone_and_is_the_same_at_any_precision(
 
 
 @of_files("global-stick", "rigid", "elastic", "kicked", "soft", "twice")
-def test_boxes_without_the_orbit_are_refused(content: dict[str, Any]) -> None:
+def test_boxes_without_the_orbit_are_refused(content):
     for place in range(len(content["box"])):
         changed = copy.deepcopy(content)
         moved(changed["box"][place])
@@ -178,9 +176,7 @@ def test_boxes_without_the_orbit_are_refused(content: dict[str, Any]) -> None:
         refused(changed)
 
 
-def other_systems(
-    declared: dict[str, Any], by: str, most: int, fixed: bool = False
-) -> Iterator[None]:
+def other_systems(declared, by, most, fixed=False):
     """Make numbers of visited fields, and of what ends a phase, larger: one at a time.
 
     If `fixed`, only those of fields that are no functions of parameters, which may be zero.
@@ -206,13 +202,13 @@ def other_systems(
 
 
 @of_files("global-stick", "kicked", "rigid", "elastic", "soft")
-def test_another_system_has_another_orbit(content: dict[str, Any]) -> None:
+def test_another_system_has_another_orbit(content):
     for _ in other_systems(content["declaration"], "1001/1000", 100):
         refused(content)
 
 
 @of_files("kicked", "global-stick")
-def test_boundaries_in_the_way_are_seen(content: dict[str, Any]) -> None:
+def test_boundaries_in_the_way_are_seen(content):
     phases, configurations = (content["declaration"][k] for k in ("phases", "configurations"))
     row = configurations[phases[0]["configuration"]]["boundaries"]
     size = len(content["declaration"]["states"])
@@ -223,7 +219,7 @@ def test_boundaries_in_the_way_are_seen(content: dict[str, Any]) -> None:
 
 
 @of_files("kicked")
-def test_a_boundary_just_reached_inside_is_seen(content: dict[str, Any]) -> None:
+def test_a_boundary_just_reached_inside_is_seen(content):
     wall = content["declaration"]["configurations"]["right"]["boundaries"]["wall"]
     wall[-1] = "-1999999999999/1000000000000"  # the orbit goes to 2
     content["margins"] = []
@@ -235,7 +231,7 @@ def test_a_boundary_just_reached_inside_is_seen(content: dict[str, Any]) -> None
 
 
 @of_files("global-stick", "rigid", "elastic", "kicked", "soft")
-def test_margins_that_are_too_large_or_not_positive_are_refused(content: dict[str, Any]) -> None:
+def test_margins_that_are_too_large_or_not_positive_are_refused(content):
     for place, margin in enumerate(content["margins"]):
         changed = copy.deepcopy(content)
         larger = str(Fraction(margin["least"]) * 3)
@@ -248,7 +244,7 @@ def test_margins_that_are_too_large_or_not_positive_are_refused(content: dict[st
 
 
 @of_files("global-stick", "symmetric", "crossed", "tangent", "kicked")
-def test_claims_of_another_verdict_are_refused(content: dict[str, Any]) -> None:
+def test_claims_of_another_verdict_are_refused(content):
     for name in ("existence", "admissibility", "stability"):
         for verdict in {"proved", "refuted"} - {content["claims"][name]}:
             changed = copy.deepcopy(content)
@@ -264,7 +260,7 @@ def test_claims_of_another_verdict_are_refused(content: dict[str, Any]) -> None:
 
 
 @of_files("rigid", "elastic")
-def test_what_is_kept_is_not_taken_for_granted(content: dict[str, Any]) -> None:
+def test_what_is_kept_is_not_taken_for_granted(content):
     for closing in ({**content["closing"], "kind": "state"}, {"kind": "state"}):
         for period in (content["given_period"], ""):
             refused({**content, "closing": closing, "given_period": period})
@@ -289,19 +285,19 @@ def test_what_is_kept_is_not_taken_for_granted(content: dict[str, Any]) -> None:
     refused({**content, "closing": closing}, "functions that vanish though")
 
 
-def exchange_boundaries(content: dict[str, Any]) -> None:
+def exchange_boundaries(content):
     rows = content["declaration"]["configurations"]["slip-slip"]["boundaries"]
     names = "first-reaches-belt", "second-reaches-belt"
     rows |= {name: rows[other] for name, other in zip(names, names[::-1], strict=True)}
 
 
-def begin_later(content: dict[str, Any], *parts: str) -> None:
+def begin_later(content, *parts):
     for holder, name in ((content, "itinerary"), (content["declaration"], "phases")):
         if name in parts:
             holder[name] = holder[name][1:] + holder[name][:1]
 
 
-def end_at(content: dict[str, Any], place: int, boundary: str) -> None:
+def end_at(content, place, boundary):
     content["declaration"]["phases"][place]["boundaries"] = [boundary]
     content["itinerary"][place][1] = boundary
 
@@ -318,14 +314,12 @@ def end_at(content: dict[str, Any], place: int, boundary: str) -> None:
     ],
     indirect=["content"],
 )
-def test_phases_end_where_the_itinerary_says(
-    content: dict[str, Any], change: Callable[[dict[str, Any]], None], told: str | None
-) -> None:
+def test_phases_end_where_the_itinerary_says(content, change, told):
     change(content)
     refused(content, told)
 
 
-def ending_at(content: dict[str, Any], boundaries: list[str]) -> dict[str, Any]:
+def ending_at(content, boundaries):
     """A file whose first phase and its transition name other boundaries."""
     changed = copy.deepcopy(content)
     declared = changed["declaration"]
@@ -336,7 +330,7 @@ def ending_at(content: dict[str, Any], boundaries: list[str]) -> dict[str, Any]:
 
 
 @of_files("soft", "kicked")
-def test_what_the_itinerary_names_is_declared(content: dict[str, Any]) -> None:
+def test_what_the_itinerary_names_is_declared(content):
     declared = content["declaration"]
     phase = declared["phases"][0]
     ending = phase["boundaries"]
@@ -353,7 +347,7 @@ def test_what_the_itinerary_names_is_declared(content: dict[str, Any]) -> None:
 
 
 @of_files("soft", "twice")
-def test_forcings_have_to_return(content: dict[str, Any]) -> None:
+def test_forcings_have_to_return(content):
     changed = copy.deepcopy(content)
     changed["closing"]["turns"] += 1
     refused(changed)
@@ -366,7 +360,7 @@ def test_forcings_have_to_return(content: dict[str, Any]) -> None:
 
 
 @of_files("perturbed", "soft")
-def test_a_box_with_a_root_is_not_empty(content: dict[str, Any]) -> None:
+def test_a_box_with_a_root_is_not_empty(content):
     changed = copy.deepcopy(content)
     changed["claims"] = {
         "existence": "refuted", "admissibility": "undecided", "stability": "undecided",
@@ -385,7 +379,7 @@ def test_a_box_with_a_root_is_not_empty(content: dict[str, Any]) -> None:
 
 
 @of_files("irrational")
-def test_constants_are_checked_and_balls_may_not_be_wider(content: dict[str, Any]) -> None:
+def test_constants_are_checked_and_balls_may_not_be_wider(content):
     assert content["claims"]["admissibility"] == "proved"
     other = {**content, "parameters": {**content["parameters"], "k": "sqrt(3)"}}
     refused(other)
@@ -397,7 +391,7 @@ def test_constants_are_checked_and_balls_may_not_be_wider(content: dict[str, Any
 
 
 @of_files("soft")
-def test_names_are_not_taken_for_numbers(content: dict[str, Any]) -> None:
+def test_names_are_not_taken_for_numbers(content):
     name = content["itinerary"][0][0]
     renamed = json.loads(json.dumps(content).replace(f'"{name}"', '"mid"'))
     assert renamed["itinerary"][0][0] == "mid"
@@ -421,7 +415,7 @@ runpy.run_module("nonsmooth.runtime.checker", run_name="__main__")
 """
 
 
-def grazing() -> Any:
+def grazing():
     branch = ns.continue_orbit(loop(), "a", (1.5, 3.5))
     return ns.certify.event(branch, branch.events[-1])
 
@@ -434,7 +428,7 @@ def grazing() -> Any:
         grazing,
     ],
 )
-def test_the_checker_takes_nothing_but_its_arithmetic(prove: Any, tmp_path: Path) -> None:
+def test_the_checker_takes_nothing_but_its_arithmetic(prove, tmp_path):
     path = tmp_path / "certificate.json"
     prove().save(path)
     done = subprocess.run(
@@ -448,7 +442,7 @@ def test_the_checker_takes_nothing_but_its_arithmetic(prove: Any, tmp_path: Path
     assert others == {"core", *(f"core.{name}" for name in ARITHMETIC)}
 
 
-def with_entry(content: str, change: Callable[[dict[str, Any]], object]) -> str:
+def with_entry(content, change):
     """The text of a file with a change, its checksum made right."""
     entries = json.loads(content)
     change(entries)
@@ -484,14 +478,14 @@ WRONG: list[tuple[Callable[[str], str], int, str, str]] = [
 
 @pytest.mark.parametrize(("change", "code", "told", "refusal"), WRONG)
 def test_what_is_wrong_is_said_in_one_line(
-    change: Callable[[str], str],
-    code: int,
-    told: str,
-    refusal: str,
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+    change,
+    code,
+    told,
+    refusal,
+    tmp_path,
+    monkeypatch,
+    capsys,
+):
     path = tmp_path / "certificate.json"
     certificate("kicked").save(path)
     path.write_text(change(path.read_text()))
@@ -518,9 +512,7 @@ def test_what_is_wrong_is_said_in_one_line(
         *((text, None) for text in ("1/0", "1.5/2", "1e999999999", "٣")),
     ],
 )
-def test_numbers_that_no_double_is_are_shown_and_others_refused_in_one_line(
-    text: str, told: str | None, tmp_path: Path
-) -> None:
+def test_numbers_that_no_double_is_are_shown_and_others_refused_in_one_line(text, told, tmp_path):
     content = content_of(certificate("global-stick"))
     content["enclosures"]["period"]["rad"] = text
     path = saved(content, tmp_path / "proof.json")
@@ -532,7 +524,7 @@ def test_numbers_that_no_double_is_are_shown_and_others_refused_in_one_line(
     assert "\n" not in str(caught.value)
 
 
-def test_bounds_that_are_fractions_are_shown(tmp_path: Path) -> None:
+def test_bounds_that_are_fractions_are_shown(tmp_path):
     content = content_of(certificate("global-stick"))
     content["other_multipliers"] = "1/64"
     content["margins"][0]["least"] = content["box"][0]["rad"] = f"1/{10**20}"
@@ -544,9 +536,7 @@ def test_bounds_that_are_fractions_are_shown(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("first", "last", "given_back"), [(2, 1, True), (-2, -1, True), (2, -1, False), (0, 1, False)]
 )
-def test_the_energy_gives_back_the_coordinate_left_out(
-    first: int, last: int, given_back: bool
-) -> None:
+def test_the_energy_gives_back_the_coordinate_left_out(first, last, given_back):
     """Where it changes with it all the way between the ends of the cycle, as x^2/2 does with x."""
     orbit: Any = SimpleNamespace(
         numbers=arb_mat,
@@ -564,9 +554,7 @@ def test_the_energy_gives_back_the_coordinate_left_out(
 @pytest.mark.parametrize("part", ["above", "below"])
 @pytest.mark.parametrize("exponents", [[0, 10_001, 0], [-1, 0, 0], [0, -1, 1], [10_001, 1, 0]])
 @of_files("irrational")
-def test_no_power_of_any_parameter_is_too_high(
-    content: dict[str, Any], part: str, exponents: list[int]
-) -> None:
+def test_no_power_of_any_parameter_is_too_high(content, part, exponents):
     wall = content["declaration"]["configurations"]["right"]["boundaries"]["wall"]
     wall[-1] = {"above": [["-1", [0, 1, 2]]], "below": [["1", [0, 1, 1]]]}  # -a, in other words
     believed(signed(content))
@@ -574,7 +562,7 @@ def test_no_power_of_any_parameter_is_too_high(
     refused(content, "a power too high")
 
 
-def test_a_model_of_a_lower_order_holds_what_it_leaves_out() -> None:
+def test_a_model_of_a_lower_order_holds_what_it_leaves_out():
     space = space_of(2, 5)
     whole = TaylorModel(space, tuple(arb(1) for _ in space.exponents))
     part = lower(whole)

@@ -2,7 +2,6 @@
 
 import json
 from math import prod
-from typing import Any
 
 import numpy as np
 import pytest
@@ -249,7 +248,7 @@ def test_false_tiles_are_not_followed_for_ever(content):
 X, Z = sp.symbols("x z", real=True)
 
 
-def relay(side: str, beyond: Any, rate: Any, drift: Any = 0, parameters: Any = ()) -> System:
+def relay(side, beyond, rate, drift=0, parameters=()):
     """Where x turns at 0 and 1 while z decays; on one side it falls off beyond a boundary."""
     ends, decay = {"up": Boundary("top", X - 1), "down": Boundary("bottom", -X)}, [0, -rate]
     sides = [

@@ -9,7 +9,6 @@ from collections.abc import Callable
 from fractions import Fraction
 from functools import cache
 from itertools import permutations
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -60,7 +59,7 @@ MAPS: dict[str, tuple[Callable[[], Any], Box, int]] = {
 
 
 @cache
-def written(name: str) -> str:
+def written(name):
     """The file of a map."""
     orbit, box, tiles = MAPS[name]
     found = ns.certify.box(orbit(), box, tiles=tiles)
@@ -68,17 +67,17 @@ def written(name: str) -> str:
 
 
 @pytest.fixture
-def content(request: pytest.FixtureRequest) -> dict[str, Any]:
+def content(request):
     """The entries of the map that a test is about."""
     found: dict[str, Any] = json.loads(written(request.param))
     return found
 
 
-def of(*names: str) -> pytest.MarkDecorator:
+def of(*names):
     return pytest.mark.parametrize("content", names, indirect=True)
 
 
-def totalled(content: dict[str, Any]) -> dict[str, Any]:
+def totalled(content):
     """With totals that follow from the tiles, and the checksum made right again."""
     told = claimed(BoxCertificate, content).to_json()
     content |= {name: told[name] for name in ("claims", "shares", "enclosures")}
@@ -86,16 +85,16 @@ def totalled(content: dict[str, Any]) -> dict[str, Any]:
     return content
 
 
-def proved(content: dict[str, Any]) -> list[dict[str, Any]]:
+def proved(content):
     return [tile for tile in content["tiles"] if tile["claims"]["existence"] == "proved"]
 
 
 @of(*MAPS)
-def test_true_maps_pass(content: dict[str, Any]) -> None:
+def test_true_maps_pass(content):
     believed(content)
 
 
-def test_the_maps_are_of_all_kinds() -> None:
+def test_the_maps_are_of_all_kinds():
     verdicts = {name: claimed(BoxCertificate, json.loads(written(name))).shares for name in MAPS}
     assert verdicts["stick"]["proved"] == verdicts["rigid"]["proved"] == 1
     assert verdicts["forced"]["proved"] == verdicts["irrational"]["proved"] == 1
@@ -106,7 +105,7 @@ def test_the_maps_are_of_all_kinds() -> None:
 
 
 @of("stick", "rigid", "forced", "flip")
-def test_centres_outside_their_enclosures_are_refused(content: dict[str, Any]) -> None:
+def test_centres_outside_their_enclosures_are_refused(content):
     for name in content["tiles"][0]["enclosures"]:
         changed = copy.deepcopy(content)
         moved(proved(changed)[-1]["enclosures"][name], Fraction(21, 10))
@@ -115,15 +114,13 @@ def test_centres_outside_their_enclosures_are_refused(content: dict[str, Any]) -
 
 @pytest.mark.slow
 @of("stick", "rigid", "forced", "irrational")
-def test_another_system_has_another_orbit(content: dict[str, Any]) -> None:
+def test_another_system_has_another_orbit(content):
     for _ in other_systems(content["declaration"], "11/10", 6):
         refused(content)
 
 
 @of("stick", "flip", "rigid", "unstable", "wall", "coarse")
-def test_claims_of_another_verdict_are_refused(
-    content: dict[str, Any], request: pytest.FixtureRequest
-) -> None:
+def test_claims_of_another_verdict_are_refused(content, request):
     seen = set()
     if "wall" in request.node.name:  # what was not tried may be true
         seen = {("proved", "undecided", "proved")}
@@ -146,7 +143,7 @@ def test_claims_of_another_verdict_are_refused(
 
 
 @of("flip", "wall")
-def test_tiles_of_other_places_are_refused(content: dict[str, Any]) -> None:
+def test_tiles_of_other_places_are_refused(content):
     for change in (
         lambda tiles: tiles.pop(),
         lambda tiles: tiles.append(tiles[0]),
@@ -170,7 +167,7 @@ def test_tiles_of_other_places_are_refused(content: dict[str, Any]) -> None:
 
 
 @of("stick", "rigid", "forced")
-def test_guesses_in_other_places_are_refused(content: dict[str, Any]) -> None:
+def test_guesses_in_other_places_are_refused(content):
     size = len(content["tiles"][0]["guess"])
     for guess in ([0.0] * size, [3.0] * size, [0.5] * (size - 1)):
         content["tiles"][0]["guess"] = guess
@@ -179,7 +176,7 @@ def test_guesses_in_other_places_are_refused(content: dict[str, Any]) -> None:
 
 @pytest.mark.slow
 @of("stick", "rigid", "forced", "flip", "wall", "irrational")
-def test_wider_boxes_are_refused(content: dict[str, Any]) -> None:
+def test_wider_boxes_are_refused(content):
     for name in content["box"]:
         changed = copy.deepcopy(content)
         low, high = map(Fraction, changed["box"][name])
@@ -190,7 +187,7 @@ def test_wider_boxes_are_refused(content: dict[str, Any]) -> None:
         refused(changed, "the box is empty")
 
 
-def test_constants_may_not_depend_on_each_other() -> None:
+def test_constants_may_not_depend_on_each_other():
     parameter, constant = symbols(["p", "c"])
     box = [(fmpq(0), fmpq(1))]
     for divisor, alright in (
@@ -206,7 +203,7 @@ def test_constants_may_not_depend_on_each_other() -> None:
 
 
 @of("rigid", "unstable")
-def test_what_is_kept_is_not_taken_for_granted(content: dict[str, Any]) -> None:
+def test_what_is_kept_is_not_taken_for_granted(content):
     for change in (
         {"kind": "state", "dropped": -1},
         {"kind": "state"},
@@ -223,7 +220,7 @@ def test_what_is_kept_is_not_taken_for_granted(content: dict[str, Any]) -> None:
 
 
 @of("flip")
-def test_totals_follow_from_the_tiles(content: dict[str, Any]) -> None:
+def test_totals_follow_from_the_tiles(content):
     changed = copy.deepcopy(content)
     changed["claims"]["stability"] = "proved"
     refused(changed, "stability of the box")
@@ -241,7 +238,7 @@ def test_totals_follow_from_the_tiles(content: dict[str, Any]) -> None:
 
 
 @pytest.mark.parametrize("seed", range(12))
-def test_no_false_enclosure_passes(seed: int) -> None:
+def test_no_false_enclosure_passes(seed):
     """Of the kicked mass all is known: it begins with v0 = 1/(1 - r), and r is its trace."""
     drawn = random.Random(seed)
     content = json.loads(written("flip"))
@@ -264,7 +261,7 @@ def test_no_false_enclosure_passes(seed: int) -> None:
         believed(content)  # smaller tiles tell
 
 
-def test_the_orbit_is_the_same_on_all_of_a_tile(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_orbit_is_the_same_on_all_of_a_tile(monkeypatch):
     """With halves exchanged all enclosures hold, of orbits that are not those of the tile."""
     content = json.loads(written("flip"))
     tile = proved(content)[0]
@@ -293,7 +290,7 @@ def test_the_orbit_is_the_same_on_all_of_a_tile(monkeypatch: pytest.MonkeyPatch)
 
 
 @of("stick", "rigid")
-def test_a_map_is_compared_with_its_system(content: dict[str, Any], tmp_path: Path) -> None:
+def test_a_map_is_compared_with_its_system(content, tmp_path):
     path = saved(content, tmp_path / "map.json")
     found = ns.certify.check(path)
     assert (found.difference, found.note) == (None, None)
@@ -327,7 +324,7 @@ orbits = [Itinerary("loop", system, [("free", "stop-reaches-stop", "T")], refere
 """
 
 
-def test_a_map_of_a_users_file(tmp_path: Path) -> None:
+def test_a_map_of_a_users_file(tmp_path):
     source, path = tmp_path / "own.py", tmp_path / "map.json"
     source.write_text(OWN)
     orbit = ns.solve(f"{source}:loop")
@@ -345,7 +342,7 @@ def test_a_map_of_a_users_file(tmp_path: Path) -> None:
     assert "is not that of the file, or has changed" in told
 
 
-def test_a_state_of_another_system_is_not_resumed(tmp_path: Path) -> None:
+def test_a_state_of_another_system_is_not_resumed(tmp_path):
     source = tmp_path / "own.py"
     source.write_text(OWN)
     box: Box = {"r": ("0.78", "0.82")}
@@ -355,7 +352,7 @@ def test_a_state_of_another_system_is_not_resumed(tmp_path: Path) -> None:
         ns.certify.box(ns.solve(f"{source}:loop"), box, resume=state)
 
 
-def test_a_map_with_tiles_of_no_orbit_passes(tmp_path: Path) -> None:
+def test_a_map_with_tiles_of_no_orbit_passes(tmp_path):
     orbit = ns.solve("dry-friction/symmetric")
     found = ns.certify.box(orbit, {"V": ("0.6", "1.3"), "eta": ("3.8", "4.2")}, tiles=2)
     assert {"existence"} in [set(tile.reasons) for tile in found.tiles]
@@ -370,12 +367,12 @@ def test_a_map_with_tiles_of_no_orbit_passes(tmp_path: Path) -> None:
 Place = list[tuple[int, int]]
 
 
-def ends(place: Place) -> list[tuple[Fraction, Fraction]]:
+def ends(place):
     """Where a tile is in the box, which is 0 to 1 along each axis."""
     return [(Fraction(step, 2**level), Fraction(step + 1, 2**level)) for step, level in place]
 
 
-def beyond(event: dict[str, Any], place: Place, edge: list[tuple[Fraction, Fraction]]) -> bool:
+def beyond(event, place, edge):
     """Whether points of an edge of the tile of a fold are beyond the fold, as far as is seen."""
     axis, sign = event["axis"] - 1, 1 if event["above"] == "beyond a fold" else -1
     units = [
@@ -390,9 +387,7 @@ def beyond(event: dict[str, Any], place: Place, edge: list[tuple[Fraction, Fract
 
 @pytest.mark.parametrize("steep", [True, False])
 @pytest.mark.parametrize("seed", range(30))
-def test_open_tiles_are_beyond_folds_where_nothing_else_is_beside_them(
-    seed: int, steep: bool
-) -> None:
+def test_open_tiles_are_beyond_folds_where_nothing_else_is_beside_them(seed, steep):
     """And always there, if the curve only rises or falls."""
     drawn, places = random.Random(seed), [[(0, 0), (0, 0)]]
     for _ in range(drawn.choice((3, 12, 60))):
@@ -438,7 +433,7 @@ def test_open_tiles_are_beyond_folds_where_nothing_else_is_beside_them(
         assert answers[k] == own if steep else answers[k] <= own
 
 
-def test_a_fold_is_where_orbits_meet_and_not_amid_their_tube() -> None:
+def test_a_fold_is_where_orbits_meet_and_not_amid_their_tube():
     """The tube is moved along the two orbits, and the curve to where the parameter then is."""
     content = content_of(test_fold_curves.small())
     (event,) = (tile["event"] for tile in content["tiles"])

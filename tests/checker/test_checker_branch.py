@@ -5,7 +5,6 @@ import json
 from collections.abc import Callable
 from fractions import Fraction
 from itertools import product
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -28,7 +27,7 @@ Content = dict[str, Any]
 
 
 @pytest.fixture(scope="module")
-def content() -> Content:
+def content():
     path = shared_file("branch of friction", prove_branch)
     assert ns.certify.check(path).claims == {"branch": "proved"}
     found: Content = json.loads(path.read_text())
@@ -36,7 +35,7 @@ def content() -> Content:
 
 
 @pytest.fixture(scope="module")
-def preloaded(tmp_path_factory: pytest.TempPathFactory) -> Content:
+def preloaded(tmp_path_factory):
     """A tile of which only narrow parts are proved to be stable: a multiplier is near 1."""
     rate = sp.symbols("Omega")
     system = oscillator(
@@ -53,7 +52,7 @@ def preloaded(tmp_path_factory: pytest.TempPathFactory) -> Content:
     return content
 
 
-def test_derivatives_along_the_branch_are_those_of_differences(content: Content) -> None:
+def test_derivatives_along_the_branch_are_those_of_differences(content):
     """By the parameter and by an unknown: of orbits at a point, and in a box around it."""
     curve, middle, step = curve_of(content), arb(1.08), arb(2) ** -40
     with ctx.workprec(192):
@@ -78,7 +77,7 @@ def test_derivatives_along_the_branch_are_those_of_differences(content: Content)
 
 
 @pytest.mark.parametrize("radius", [0.125, 0.375])
-def test_a_linear_system_is_solved_for_all_numbers_in_its_balls(radius: float) -> None:
+def test_a_linear_system_is_solved_for_all_numbers_in_its_balls(radius):
     unit, right = arb_mat([[1, 0], [0, 1]]), arb_mat([[1], [1]])
     found = solution(unit + arb_mat([[arb(0, radius)] * 2] * 2), unit, right)
     for a, b, c, d in product((-radius, radius), repeat=4):
@@ -86,27 +85,27 @@ def test_a_linear_system_is_solved_for_all_numbers_in_its_balls(radius: float) -
         assert all(x.contains(true[k, 0]) for k, x in enumerate(found))
 
 
-def event_of(content: Content, kind: str) -> Any:
+def event_of(content, kind):
     return tile_of(content, kind)["event"]
 
 
-def tile_of(content: Content, kind: str) -> Any:
+def tile_of(content, kind):
     return next(tile for tile in content["tiles"] if (tile["event"] or {}).get("kind") == kind)
 
 
-def drop_an_event(content: Content) -> None:
+def drop_an_event(content):
     tile = tile_of(content, "flip")
     tile["event"] = None
     for other in content["tiles"][content["tiles"].index(tile) :]:
         other["before"] = other["after"] = tile["before"]
 
 
-def exchange_the_sides(content: Content) -> None:
+def exchange_the_sides(content):
     tile = tile_of(content, "grazing")
     tile["before"], tile["after"] = tile["after"], tile["before"]
 
 
-def call_it_stable(content: Content) -> None:
+def call_it_stable(content):
     for tile in content["tiles"]:
         tile.update(event=None, before="stable", after="stable")
 
@@ -141,12 +140,12 @@ ATTACKS: list[Callable[[Content], object]] = [
 
 
 @pytest.mark.slow
-def test_a_branch_is_proved_again(content: Content) -> None:
+def test_a_branch_is_proved_again(content):
     believed(content)
 
 
 @pytest.mark.parametrize("attack", ATTACKS)
-def test_an_edited_branch_is_refused(content: Content, attack: Callable[[Content], object]) -> None:
+def test_an_edited_branch_is_refused(content, attack):
     edited = copy.deepcopy(content)
     attack(edited)
     refused(edited)
@@ -155,7 +154,7 @@ def test_an_edited_branch_is_refused(content: Content, attack: Callable[[Content
 
 
 @pytest.mark.parametrize("kind", ["flip", "grazing"])
-def test_an_event_is_between_its_bounds(content: Content, kind: str) -> None:
+def test_an_event_is_between_its_bounds(content, kind):
     """They are amid the longer rest of its tile, and all that is there is enclosed."""
     edited = copy.deepcopy(content)
     tile = tile_of(edited, kind)
@@ -168,23 +167,23 @@ def test_an_event_is_between_its_bounds(content: Content, kind: str) -> None:
 
 
 @pytest.mark.slow
-def test_only_a_grazing_has_a_window() -> None:
+def test_only_a_grazing_has_a_window():
     edited = json.loads(written("branch-vanishing"))
     event_of(edited, "vanishing-phase")["window"] = ["1/10", "1/5"]
     refused(edited, "a window of no grazing")
 
 
-def test_other_parameters_are_another_branch(content: Content, tmp_path: Path) -> None:
+def test_other_parameters_are_another_branch(content, tmp_path):
     other = {**content["parameters"], "eta": "4.1"}
     refused_file({**content, "parameters": other}, tmp_path, "")
 
 
-def width(number: Any) -> float:
+def width(number):
     return float(abs(range_of(number - number.mid())).upper())
 
 
 @pytest.mark.slow
-def test_a_tile_is_proved_on_parts(content: Content, preloaded: Content) -> None:
+def test_a_tile_is_proved_on_parts(content, preloaded):
     """On each half of a tile the orbits are at least as narrowly enclosed, and are there."""
     for tile in [*checked_tiles(content), *checked_tiles(preloaded)]:
         seen: list[Any] = []
@@ -205,7 +204,7 @@ def test_a_tile_is_proved_on_parts(content: Content, preloaded: Content) -> None
                 assert abs(after.at([0]) - exact) <= width(after) + 2**-40
 
 
-def test_a_map_that_is_multiplied_by_a_speed_is_the_map_times_it(preloaded: Content) -> None:
+def test_a_map_that_is_multiplied_by_a_speed_is_the_map_times_it(preloaded):
     """Also where the equations are divided by a dwell time, and the map needs no speed."""
     curve, seen = curve_of(preloaded), set()
     for divided in (None, 1, 2):

@@ -5,7 +5,6 @@ from __future__ import annotations
 import copy
 import json
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -21,7 +20,6 @@ from nonsmooth.derive import (
     System,
     Transition,
 )
-from nonsmooth.runtime.present.check_file import Check
 from nonsmooth.runtime.proof.counting.census import Census
 from tests.certified import (
     LOOP,
@@ -39,13 +37,13 @@ from tests.certified import (
 
 
 @cache
-def _census() -> Census:
+def _census():
     values, box = {"k": 9, "r": "1/3", "a": 10}, {"tau1": "2.5", "tau2": "2"}
     return ns.certify.all(kicked(), values, box, itinerary=LOOP)
 
 
 @pytest.fixture
-def content(tmp_path: Path) -> dict[str, Any]:
+def content(tmp_path):
     """Of a file with two orbits: half a turn, and a whole one, on the right."""
     _census().save(tmp_path / "census.json")
     found: dict[str, Any] = json.loads((tmp_path / "census.json").read_text())
@@ -53,12 +51,12 @@ def content(tmp_path: Path) -> dict[str, Any]:
     return found
 
 
-def checked(content: dict[str, Any], folder: Path) -> Check:
+def checked(content, folder):
     """What the check says of changed content whose checksums are right."""
     return ns.certify.check(saved(content, folder / "changed.json"))
 
 
-def test_a_census_is_proved_again_by_its_tree(content: dict[str, Any], tmp_path: Path) -> None:
+def test_a_census_is_proved_again_by_its_tree(content, tmp_path):
     found = checked(content, tmp_path)
     assert found.difference is None
     assert found.claims == {"orbits": "proved"}
@@ -75,7 +73,7 @@ def test_a_census_is_proved_again_by_its_tree(content: dict[str, Any], tmp_path:
     assert told == known
 
 
-def _stated(content: dict[str, Any]) -> dict[str, Any]:
+def _stated(content):
     """A changed file whose counts and statement follow from its entries again."""
     found = [orbit["certificate"] for orbit in content["orbits"] if orbit["certificate"]]
     proved = [each["claims"]["admissibility"] for each in found].count("proved")
@@ -89,7 +87,7 @@ def _stated(content: dict[str, Any]) -> dict[str, Any]:
     return content
 
 
-def test_no_leaf_of_the_tree_can_be_changed(content: dict[str, Any], tmp_path: Path) -> None:
+def test_no_leaf_of_the_tree_can_be_changed(content, tmp_path):
     """Each letter is needed: the census without it, or with another one, is refused."""
     (tree,) = content["trees"]
     assert {*"ab-*"} <= {*tree}
@@ -133,16 +131,12 @@ def test_no_leaf_of_the_tree_can_be_changed(content: dict[str, Any], tmp_path: P
         (lambda c: c["declaration"]["phases"].reverse(), "itinerary is not that"),
     ],
 )  # fmt: skip
-def test_what_the_tree_does_not_prove_is_refused(
-    content: dict[str, Any], tmp_path: Path, change: Any, told: str
-) -> None:
+def test_what_the_tree_does_not_prove_is_refused(content, tmp_path, change, told):
     change(content)
     refused_file(_stated(content), tmp_path, told)
 
 
-def test_an_orbit_without_a_certificate_is_proved_by_the_tree(
-    content: dict[str, Any], tmp_path: Path
-) -> None:
+def test_an_orbit_without_a_certificate_is_proved_by_the_tree(content, tmp_path):
     content["orbits"][1].update(certificate=None, reason="none was asked for")
     found = checked(_stated(content), tmp_path)
     assert found.difference is None
@@ -151,9 +145,7 @@ def test_an_orbit_without_a_certificate_is_proved_by_the_tree(
     assert "1 undecided" in found.certificate.statement
 
 
-def test_orbits_that_their_system_does_not_name_are_refused(
-    content: dict[str, Any], tmp_path: Path
-) -> None:
+def test_orbits_that_their_system_does_not_name_are_refused(content, tmp_path):
     assert checked(content, tmp_path).compared
     for part in (content, *(orbit["certificate"] for orbit in content["orbits"])):
         part["orbit"] = "elsewhere.py:loop"
@@ -174,14 +166,12 @@ def test_orbits_that_their_system_does_not_name_are_refused(
         (lambda c: c["orbits"][0]["certificate"]["parameters"].update(k="8"), "parameters: it"),
     ],
 )  # fmt: skip
-def test_what_is_false_is_refused(
-    content: dict[str, Any], tmp_path: Path, change: Any, told: str
-) -> None:
+def test_what_is_false_is_refused(content, tmp_path, change, told):
     change(content)
     refused_file(content, tmp_path, told)
 
 
-def waiting() -> Any:
+def waiting():
     """A swing that waits for the phase of its forcing before it is struck anew."""
     x, v, c, s = sp.symbols("x v c s", real=True)
     half = sp.Rational(1, 2)
@@ -204,7 +194,7 @@ def waiting() -> Any:
     )  # fmt: skip
 
 
-def test_a_certificate_of_another_number_of_turns_is_refused(tmp_path: Path) -> None:
+def test_a_certificate_of_another_number_of_turns_is_refused(tmp_path):
     """An orbit that waits for one turn has the start of one that waits for two."""
     path, phases = tmp_path / "waits.json", [("fly", "back"), ("wait", "go")]
     census = ns.certify.all(waiting(), {}, {"tau1": (1, 9), "tau2": (1, 25)}, itinerary=phases)
@@ -222,7 +212,7 @@ def test_a_certificate_of_another_number_of_turns_is_refused(tmp_path: Path) -> 
             assert checked(_stated(changed), tmp_path).difference is not None
 
 
-def test_an_itinerary_repeats_itself_by_its_transitions(tmp_path: Path) -> None:
+def test_an_itinerary_repeats_itself_by_its_transitions(tmp_path):
     """Kicked in two ways by turns, an orbit has not the half of the phases that it names twice."""
     v = sp.Symbol("v", real=True)
     kicks = [
@@ -240,7 +230,7 @@ def test_an_itinerary_repeats_itself_by_its_transitions(tmp_path: Path) -> None:
     refused(content)
 
 
-def test_what_meets_no_boundary_or_two_at_once_is_not_counted() -> None:
+def test_what_meets_no_boundary_or_two_at_once_is_not_counted():
     """Their equations hold elsewhere too: half a turn later, or where one of two is not reached."""
     with pytest.raises(ns.InputError, match="several boundaries end a phase"):
         ns.certify.all(struck(), {"c": 0}, {"tau1": (7, 8)},

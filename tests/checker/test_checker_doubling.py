@@ -3,7 +3,6 @@
 import copy
 import json
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -26,7 +25,7 @@ DOUBLING = "nonsmooth.runtime.checker.ranges.doubling"
 
 
 @pytest.fixture(scope="module")
-def content() -> Content:
+def content():
     path = shared_file("nonsmooth certified doubling", prove_doubling)
     assert ns.certify.check(path).claims == {"doubling": "proved"}
     found: Content = json.loads(path.read_text())
@@ -66,9 +65,7 @@ EDITS: list[tuple[Callable[[Content, Content], object], str | None]] = [
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("edit", "told"), EDITS)
-def test_what_is_false_is_refused(
-    content: Content, edit: Callable[[Content, Content], object], told: str | None
-) -> None:
+def test_what_is_false_is_refused(content, edit, told):
     edited = copy.deepcopy(content)
     edit(edited, edited["doubled"])
     refused(edited, told)
@@ -78,7 +75,7 @@ Proved = tuple[list[Content], list[list[CheckedTile]]]
 
 
 @pytest.fixture(scope="module")
-def proved(content: Content) -> Proved:
+def proved(content):
     """Both branches with their tiles, as if these were proved."""
     branches = [content["branch"], content["doubled"]["branch"]]
     tiles = [[CheckedTile(curve_of(each), tile) for tile in each["tiles"]] for each in branches]
@@ -86,7 +83,7 @@ def proved(content: Content) -> Proved:
     return branches, tiles
 
 
-def other_stiffness(branch: Content) -> None:
+def other_stiffness(branch):
     branch["declaration"]["configurations"]["slip-slip"]["field"][2][0] = "-1.0001"
 
 
@@ -100,16 +97,14 @@ def other_stiffness(branch: Content) -> None:
         (other_stiffness, "the declarations differ"),
     ],
 )
-def test_a_branch_of_something_else_is_not_the_doubled_one(
-    content: Content, proved: Proved, change: Callable[[Content], object], told: str
-) -> None:
+def test_a_branch_of_something_else_is_not_the_doubled_one(content, proved, change, told):
     (branch, beyond), tiles = copy.deepcopy(proved[0]), proved[1]
     change(beyond)
     with pytest.raises(Failure, match=told):
         check_doubled(content["doubled"], [branch, beyond], tiles)
 
 
-def test_the_doubled_branch_begins_in_the_tube(content: Content, proved: Proved) -> None:
+def test_the_doubled_branch_begins_in_the_tube(content, proved):
     """Not in one of half the amplitude, nor in one that is beside it."""
     (branch, beyond), (own, (first, *_)) = proved
     found = JudgedDoubling(content["doubled"], branch, own[content["doubled"]["tile"] - 1])
@@ -125,7 +120,7 @@ def test_the_doubled_branch_begins_in_the_tube(content: Content, proved: Proved)
 @pytest.mark.parametrize(
     ("by", "told"), [(2, "outside of its tile"), (0, "not that of the branch")]
 )
-def test_the_flip_is_that_of_the_tile(content: Content, proved: Proved, by: int, told: str) -> None:
+def test_the_flip_is_that_of_the_tile(content, proved, by, told):
     """A tile behind it, or one whose tube is elsewhere."""
     (branch, _), (own, _) = proved
     doubled = content["doubled"]
@@ -138,9 +133,7 @@ def test_the_flip_is_that_of_the_tile(content: Content, proved: Proved, by: int,
         JudgedDoubling(doubled, branch, moved).locate()
 
 
-def test_nothing_is_claimed_where_the_parameter_may_turn(
-    content: Content, proved: Proved, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_nothing_is_claimed_where_the_parameter_may_turn(content, proved, monkeypatch):
     (branch, _), (own, _) = proved
     found = JudgedDoubling(content["doubled"], branch, own[content["doubled"]["tile"] - 1])
     monkeypatch.setattr(f"{DOUBLING}.DoubledEquations.rate", lambda *_: arb(-1, 2))
@@ -148,9 +141,7 @@ def test_nothing_is_claimed_where_the_parameter_may_turn(
         found.locate()
 
 
-def test_another_event_on_the_tube_leaves_it_undecided(
-    content: Content, proved: Proved, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_another_event_on_the_tube_leaves_it_undecided(content, proved, monkeypatch):
     (branch, _), (own, _) = proved
     found = JudgedDoubling(content["doubled"], branch, own[content["doubled"]["tile"] - 1])
     found.locate()
@@ -162,13 +153,13 @@ def test_another_event_on_the_tube_leaves_it_undecided(
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["dry-friction/global-stick", "rigid-stop/one-impact", "mine"])
-def test_the_name_of_another_orbit_is_refused(content: Content, name: str, tmp_path: Path) -> None:
+def test_the_name_of_another_orbit_is_refused(content, name, tmp_path):
     path = tmp_path / "edited.json"
     path.write_text(json.dumps(signed({**content, "orbit": name})))
     assert name in str(ns.certify.check(path).difference)
 
 
-def test_a_file_that_was_edited_is_refused(content: Content) -> None:
+def test_a_file_that_was_edited_is_refused(content):
     edited = copy.deepcopy(content)
     edited["end"] = "."
     with pytest.raises(Failure, match="checksum"):

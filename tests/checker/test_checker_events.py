@@ -30,7 +30,6 @@ from nonsmooth.runtime.checker.orbits.events import JudgedEvent
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.present.files.kept import save_result
-from nonsmooth.runtime.proof.branch.event_certificate import EventCertificate
 from tests.certified import (
     LOOP,
     believed,
@@ -49,7 +48,7 @@ WRONG = (Failure, ArithmeticError, KeyError, ValueError, TypeError, IndexError)
 
 
 @cache
-def gated() -> Any:
+def gated():
     """The kicked mass, v -> r v + 1, with limits of its velocity that are reached at 2.
 
     It begins with v0 = 1/(1 - r) and comes back to x = 0 with -v0.
@@ -70,13 +69,13 @@ def gated() -> Any:
     return load_system(between_springs("gated", springs, more, (rest, *limits), watched))
 
 
-def limited(parameter: str, lower: float, upper: float) -> Branch:
+def limited(parameter, lower, upper):
     given = {"r": "1/2", "fast": "3", "slow": "3", "gate": "1", parameter: str((lower + upper) / 2)}
     orbit = ns.solve(gated(), given, [*[np.pi, np.pi / 2], *[0.0, 2.0]], itinerary=LOOP)
     return ns.continue_orbit(orbit, parameter, (lower, upper))
 
 
-def followed(name: str, parameter: str, lower: float, upper: float) -> Branch:
+def followed(name, parameter, lower, upper):
     return ns.continue_orbit(ns.solve(name), parameter, (lower, upper))
 
 
@@ -106,27 +105,27 @@ KINDS = {
 
 
 @cache
-def proved(name: str) -> tuple[EventCertificate, ...]:
+def proved(name):
     branch = BRANCHES[name]()
     return tuple(ns.certify.event(branch, event) for event in branch.events)
 
 
 @cache
-def written(name: str, folder: Path) -> str:
+def written(name, folder):
     path = folder / f"{name}.json"
     save_result(proved(name), path)
     return path.read_text()
 
 
 @pytest.fixture
-def content(request: pytest.FixtureRequest, tmp_path_factory: Any) -> dict[str, Any]:
+def content(request, tmp_path_factory):
     """The file of a branch's events."""
     folder = Path(tmp_path_factory.getbasetemp())
     found: dict[str, Any] = json.loads(written(request.param, folder))
     return found
 
 
-def event_of(content: dict[str, Any], kind: str) -> dict[str, Any]:
+def event_of(content, kind):
     """The last of a kind, alone in its file."""
     content["events"] = [event for event in content["events"] if event["kind"] == kind][-1:]
     found: dict[str, Any] = content["events"][0]
@@ -134,26 +133,26 @@ def event_of(content: dict[str, Any], kind: str) -> dict[str, Any]:
 
 
 @of_files(*BRANCHES)
-def test_true_events_pass(content: dict[str, Any]) -> None:
+def test_true_events_pass(content):
     believed(content)
     assert [event["kind"] for event in content["events"]] == KINDS[content_name(content)]
     undecided = {event["kind"] for event in content["events"] if event["claim"] != "proved"}
     assert undecided <= {"branch-point"}
 
 
-def content_name(content: dict[str, Any]) -> str:
+def content_name(content):
     return next(name for name in BRANCHES if proved(name)[0].text == content["events"][0]["text"])
 
 
 @pytest.mark.parametrize("name", ["entry", "meeting", "condition"])
-def test_limits_of_the_gated_mass_are_where_they_are_reached(name: str) -> None:
+def test_limits_of_the_gated_mass_are_where_they_are_reached(name):
     (event,) = proved(name)
     assert event.value.contains(2)
     assert event.value.ball.rad() < 1e-30
 
 
 @of_files(*BRANCHES)
-def test_centres_outside_their_enclosures_are_refused(content: dict[str, Any]) -> None:
+def test_centres_outside_their_enclosures_are_refused(content):
     for place, event in enumerate(content["events"]):
         for name in event["enclosures"]:
             for by in (Fraction(-3, 2), Fraction(3, 2)):
@@ -164,7 +163,7 @@ def test_centres_outside_their_enclosures_are_refused(content: dict[str, Any]) -
 
 
 @of_files(*BRANCHES)
-def test_boxes_without_the_event_are_refused(content: dict[str, Any]) -> None:
+def test_boxes_without_the_event_are_refused(content):
     for place, event in enumerate(content["events"]):
         for side in range(len(event["box"])):
             changed = copy.deepcopy(content)
@@ -184,7 +183,7 @@ def test_boxes_without_the_event_are_refused(content: dict[str, Any]) -> None:
 
 
 @pytest.mark.parametrize("seed", range(12))
-def test_no_false_enclosure_passes(seed: int, tmp_path: Path) -> None:
+def test_no_false_enclosure_passes(seed, tmp_path):
     """The limits of the gated mass are reached at 2, and it begins with 2."""
     drawn = random.Random(seed)
     content = json.loads(written(drawn.choice(["entry", "meeting", "condition"]), tmp_path))
@@ -201,7 +200,7 @@ def test_no_false_enclosure_passes(seed: int, tmp_path: Path) -> None:
         believed(signed(content))
 
 
-def test_a_thousand_digits(tmp_path: Path) -> None:
+def test_a_thousand_digits(tmp_path):
     branch = BRANCHES["wall"]()
     path = tmp_path / "events.json"
     found = ns.certify.event(branch, branch.events[-1], 3400)
@@ -218,7 +217,7 @@ OTHERS = ("flip", "fold", "neimark-sacker", "vanishing-phase", "condition",
 
 
 @of_files(*BRANCHES)
-def test_events_of_another_kind_are_refused(content: dict[str, Any]) -> None:
+def test_events_of_another_kind_are_refused(content):
     for kind in {event["kind"] for event in content["events"]} - {"branch-point"}:
         event = event_of(copy.deepcopy(content), kind)
         for other in OTHERS:
@@ -234,7 +233,7 @@ def test_events_of_another_kind_are_refused(content: dict[str, Any]) -> None:
 
 
 @of_files("symmetric", "stick", "impacts", "entry", "meeting", "condition")
-def test_other_places_are_refused(content: dict[str, Any]) -> None:
+def test_other_places_are_refused(content):
     for event in content["events"]:
         if event["phase"] is None:
             continue
@@ -249,14 +248,14 @@ def test_other_places_are_refused(content: dict[str, Any]) -> None:
 
 
 @of_files("symmetric", "torus", "impacts", "entry")
-def test_another_system_has_another_event(content: dict[str, Any]) -> None:
+def test_another_system_has_another_event(content):
     event = event_of(content, KINDS[content_name(content)][-1])
     for _ in other_systems(event["declaration"], "11/10", 8, fixed=True):
         refused(content)
 
 
 @of_files("wall")
-def test_other_constants_are_refused(content: dict[str, Any]) -> None:
+def test_other_constants_are_refused(content):
     event = event_of(content, "grazing")
     assert event["parameters"]["k"] == "sqrt(2)"
     for text in ("sqrt(3)", "-sqrt(2)", "1.4142", "open('x')", "", "sqrt(2)/0", "2**9**9**9"):
@@ -266,13 +265,13 @@ def test_other_constants_are_refused(content: dict[str, Any]) -> None:
 
 
 @of_files("rigid", "impacts")
-def test_a_file_without_events_claims_nothing(content: dict[str, Any]) -> None:
+def test_a_file_without_events_claims_nothing(content):
     content["events"] = []
     refused(content, "no event")
 
 
 @of_files("rigid", "impacts")
-def test_undecided_events_claim_nothing(content: dict[str, Any]) -> None:
+def test_undecided_events_claim_nothing(content):
     event = content["events"][0]
     event |= {"claim": "undecided", "reason": "none", "enclosures": {}, "kind": "flop"}
     event |= {"box": [], "declaration": {}, "closing": {}}
@@ -284,7 +283,7 @@ def test_undecided_events_claim_nothing(content: dict[str, Any]) -> None:
 
 
 @of_files("wall")
-def test_a_parameter_is_not_hidden_behind_an_unknown_of_its_name(content: dict[str, Any]) -> None:
+def test_a_parameter_is_not_hidden_behind_an_unknown_of_its_name(content):
     """The one enclosure has to hold both of them."""
     event = event_of(content, "grazing")
     name, other = event["parameter"], event["declaration"]["phases"][0]["dwell_time"]
@@ -296,7 +295,7 @@ def test_a_parameter_is_not_hidden_behind_an_unknown_of_its_name(content: dict[s
 
 
 @of_files("symmetric", "stick", "rigid", "wall")
-def test_events_are_compared_with_their_system(content: dict[str, Any], tmp_path: Path) -> None:
+def test_events_are_compared_with_their_system(content, tmp_path):
     path = saved(content, tmp_path / "events.json")
     found = ns.certify.check(path)
     assert found.difference is None
@@ -313,7 +312,7 @@ def test_events_are_compared_with_their_system(content: dict[str, Any], tmp_path
 
 
 @of_files("symmetric", "torus")
-def test_no_event_is_believed_where_a_divisor_may_be_zero(content: dict[str, Any]) -> None:
+def test_no_event_is_believed_where_a_divisor_may_be_zero(content):
     event = content["events"][-1]
     judge = JudgedEvent(event)
     judge.declared.exactly.divisors.append(lambda point: point[0] - arb(event["box"][-1]["mid"]))

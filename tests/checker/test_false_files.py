@@ -6,7 +6,6 @@ import copy
 import json
 from collections.abc import Callable
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -22,14 +21,14 @@ STICK = "dry-friction/global-stick"
 
 
 @cache
-def text_of(name: str) -> str:
+def text_of(name):
     """A file of a kind."""
     if name != "derivatives-family":
         return written(name)
     return json.dumps(content_of(ns.certify(damped_at_zero(), derivatives=True)))
 
 
-def content_named(name: str) -> Any:
+def content_named(name):
     """The content of a file; of several branches' events those of the first one."""
     content = json.loads(text_of(name))
     if name == "events":
@@ -37,7 +36,7 @@ def content_named(name: str) -> Any:
     return content
 
 
-def exchanged(content: Any, one: str, other: str) -> Any:
+def exchanged(content, one, other):
     """All names and texts with two words exchanged."""
     text = json.dumps(content)
     for old, new in ((one, "\0"), (other, one), ("\0", other)):
@@ -45,7 +44,7 @@ def exchanged(content: Any, one: str, other: str) -> Any:
     return json.loads(text)
 
 
-def refusal(content: Any, path: Path) -> str | None:
+def refusal(content, path):
     """What the check says of content with the right checksums."""
     path.write_text(json.dumps(renewed(content)))
     try:
@@ -54,47 +53,47 @@ def refusal(content: Any, path: Path) -> str | None:
         return str(problem)
 
 
-def census_at(content: Any) -> None:
+def census_at(content):
     content["parameters"]["chi"] = "0.6"
     content["statement"] = content["statement"].replace("chi = 0.5", "chi = 0.6")
 
 
-def smaller_box(content: Any) -> None:
+def smaller_box(content):
     content["box"] = [side.replace("tau <= 3", "tau <= 1") for side in content["box"]]
     content["statement"] = content["statement"].replace("tau <= 3", "tau <= 1")
 
 
-def one_more(content: Any) -> None:
+def one_more(content):
     orbit = {"unique": content["orbits"][0]["unique"], "certificate": None, "reason": ""}
     content["orbits"].append(orbit)
     content["count"] = 2
     content["statement"] = content["statement"].replace("exactly 1 orbit", "exactly 2 orbits")
 
 
-def no_orbit(content: Any) -> None:
+def no_orbit(content):
     content |= {"orbits": [], "count": 0, "admissible": 0}
     told = content["statement"].replace("exactly 1 orbit", "exactly 0 orbits")
     content["statement"] = told.replace("1 admissible", "0 admissible")
 
 
-def event(content: Any, name: str, value: Any) -> None:
+def event(content, name, value):
     content["events"][0][name] = value
 
 
-def turned(content: Any, quantity: str, name: str) -> None:
+def turned(content, quantity, name):
     """A derivative with its sign turned."""
     found = content["derivatives"][quantity][name]
     middle = found["mid"]
     found["mid"] = middle[1:] if middle.startswith("-") else f"-{middle}"
 
 
-def renamed(content: Any, old: str, new: str) -> None:
+def renamed(content, old, new):
     """Derivatives that are said to be by another parameter, along the same direction."""
     for entry in (*content["derivatives"].values(), content["directions"]):
         entry[new] = entry.pop(old)
 
 
-def no_family(content: Any) -> None:
+def no_family(content):
     """Derivatives by a damping, with which there is no such orbit: as of the equations alone."""
     content["directions"]["c"] = {"c": "1"}
     for rates in content["derivatives"].values():
@@ -161,7 +160,7 @@ FALSE: dict[str, dict[str, Change]] = {
 
 
 @pytest.mark.parametrize(("kind", "name"), [(kind, name) for kind in FALSE for name in FALSE[kind]])
-def test_false_files_are_refused(kind: str, name: str, tmp_path: Path) -> None:
+def test_false_files_are_refused(kind, name, tmp_path):
     change = FALSE[kind][name]
     content = content_named(kind)
     assert refusal(content, tmp_path / "same.json") is None
@@ -180,12 +179,12 @@ def test_false_files_are_refused(kind: str, name: str, tmp_path: Path) -> None:
         ("events", lambda c: event(c, "bits", 128_000), "128000 bits are more than the"),
     ],
 )
-def test_why_a_file_is_refused(name: str, change: Change, told: str, tmp_path: Path) -> None:
+def test_why_a_file_is_refused(name, change, told, tmp_path):
     content = content_named(name)
     assert told in str(refusal(change(content) or content, tmp_path / "false.json"))
 
 
-def test_names_that_are_there_twice_are_refused(tmp_path: Path) -> None:
+def test_names_that_are_there_twice_are_refused(tmp_path):
     path = tmp_path / "twice.json"
     path.write_text(text_of("derived").replace('"chi": "0.5"', '"chi": "0.6", "chi": "0.5"', 1))
     with pytest.raises(InputError, match="'chi' is there twice"):
@@ -196,7 +195,7 @@ def test_names_that_are_there_twice_are_refused(tmp_path: Path) -> None:
     ("name", "told"),
     [("value", "undecided and has no value"), ("trace", "existence is undecided")],
 )
-def test_what_is_undecided_has_no_numbers(name: str, told: str) -> None:
+def test_what_is_undecided_has_no_numbers(name, told):
     found: Any = ns.certify(ns.solve("dry-friction/solution-ii"))
     if name == "value":
         branch = ns.continue_orbit(ns.solve("rigid-stop/one-impact"), "T", (5.5, 7.5))
@@ -206,6 +205,6 @@ def test_what_is_undecided_has_no_numbers(name: str, told: str) -> None:
         getattr(found, name)
 
 
-def test_the_shapes_of_files_are_those_of_their_records() -> None:
+def test_the_shapes_of_files_are_those_of_their_records():
     """Else `python -m tests.file_shapes` writes them anew."""
     assert json.loads(KEPT.read_text()) == file_shapes()

@@ -1,13 +1,9 @@
 """What is proved of the multipliers of maps whose eigenvalues are known."""
 
-from __future__ import annotations
-
 import copy
-from collections.abc import Iterator
 from functools import cache
 from itertools import combinations
 from types import SimpleNamespace
-from typing import Any
 
 import numpy as np
 import pytest
@@ -28,24 +24,24 @@ from tests.certified import believed, content_of, refused
 
 
 @pytest.fixture(autouse=True)
-def bits() -> Iterator[None]:
+def bits():
     with ctx.workprec(200):
         yield
 
 
-def map_of(square: Any, kind: str = "stable", size: int = 0) -> Any:
+def map_of(square, kind="stable", size=0):
     """An orbit whose Poincare map, of so many coordinates, has a derivative on a section."""
     size = size or square.nrows()
     declared = SimpleNamespace(free=range(size), size=size, stability=kind, alone=True)
     return SimpleNamespace(section=square, declared=declared)
 
 
-def diagonal(*entries: Any) -> Any:
+def diagonal(*entries):
     places = range(len(entries))
     return arb_mat([[entries[i] if i == j else 0 for j in places] for i in places])
 
 
-def similar(eigenvalues: Any, rng: np.random.Generator) -> Any:
+def similar(eigenvalues, rng):
     """Balls of a real matrix with these eigenvalues: real ones, and one of each complex pair."""
     size = sum(1 + bool(np.iscomplex(m)) for m in eigenvalues)
     block, place = np.zeros((size, size)), 0
@@ -60,7 +56,7 @@ def similar(eigenvalues: Any, rng: np.random.Generator) -> Any:
 
 
 @pytest.mark.parametrize("size", [1, 2, 3, 5])
-def test_orbits_are_stable_where_all_multipliers_are_inside_the_unit_circle(size: int) -> None:
+def test_orbits_are_stable_where_all_multipliers_are_inside_the_unit_circle(size):
     rng = np.random.default_rng(size)
     seen = set()
     for _ in range(40):
@@ -72,7 +68,7 @@ def test_orbits_are_stable_where_all_multipliers_are_inside_the_unit_circle(size
     assert seen == {"proved", "refuted"}
 
 
-def test_of_wide_coefficients_a_root_outside_is_seen_and_none_is_made_up() -> None:
+def test_of_wide_coefficients_a_root_outside_is_seen_and_none_is_made_up():
     """As next to a grazing, where a trace is large and the product of the roots is not known."""
     assert _inside([arb(1), arb(3e9, 4e8), arb(0, 1e13)]) == "refuted"
     wide = [(1.64, 2e-3), (2.509, 4e-4), (1.66, 2e-3), (0.706343, 1e-7)]
@@ -104,9 +100,7 @@ def test_of_wide_coefficients_a_root_outside_is_seen_and_none_is_made_up() -> No
     ],
 )
 @pytest.mark.parametrize("rest", [(1.0, 0.0), (1.0,)])
-def test_pairs_on_the_unit_circle_are_told_from_others(
-    pairs: tuple[complex, ...], verdict: str, rest: tuple[float, ...]
-) -> None:
+def test_pairs_on_the_unit_circle_are_told_from_others(pairs, verdict, rest):
     square = similar((*rest, *pairs), np.random.default_rng(3))
     # the numbers are doubles: the balls have to contain the exact ones
     wide = arb_mat([[x + arb(0, 1e-12) for x in row] for row in square.tolist()])
@@ -126,9 +120,7 @@ def test_pairs_on_the_unit_circle_are_told_from_others(
         ([0.2, 0.7, 1.3, -0.4, 0.9], True),
     ],
 )
-def test_two_roots_with_the_product_one_are_told_from_a_pair_on_the_circle(
-    roots: list[complex], told: bool
-) -> None:
+def test_two_roots_with_the_product_one_are_told_from_a_pair_on_the_circle(roots, told):
     polynomial = [arb(float(c), 1e-12) for c in np.poly(roots).real]
     assert paired(polynomial) is told
     expected = np.prod([1 - x * y for x, y in combinations(roots, 2)]).real
@@ -137,7 +129,7 @@ def test_two_roots_with_the_product_one_are_told_from_a_pair_on_the_circle(
 
 
 @pytest.mark.parametrize("seed", range(5))
-def test_multipliers_are_enclosed_and_all_others_are_below_their_bound(seed: int) -> None:
+def test_multipliers_are_enclosed_and_all_others_are_below_their_bound(seed):
     rng = np.random.default_rng(seed)
     pair = 0.7 * np.exp(1j * rng.uniform(0.3, 2.8))
     wanted = [*rng.uniform(-1.4, 1.4, 2), pair]
@@ -171,9 +163,7 @@ with ctx.workprec(200):
         ((TINY,), "stable", 0, [TINY]),
     ],
 )
-def test_multipliers_that_lie_too_near_are_not_stated(
-    entries: tuple[Any, ...], kind: str, more: int, told: list[float]
-) -> None:
+def test_multipliers_that_lie_too_near_are_not_stated(entries, kind, more, told):
     """To each other, to the trivial 1, or to zero, of which there are as many as are left."""
     orbit = map_of(diagonal(*entries), kind, len(entries) + more)
     assert [complex(m) for m in multipliers(orbit)] == told
@@ -182,7 +172,7 @@ def test_multipliers_that_lie_too_near_are_not_stated(
 p, q = (Parameter(name, "what multipliers depend on", lower=-sp.oo) for name in "pq")
 
 
-def branch(*rows: list[Any]) -> Any:
+def branch(*rows):
     """States at rest, which are mapped by a matrix each time that a clock comes to 1: p = -1."""
     *states, clock = sp.symbols(f"y1:{len(rows) + 1} clock", real=True)
     field = FirstOrder(sp.zeros(len(rows) + 1), [*[0] * len(rows), 1])
@@ -200,7 +190,7 @@ def branch(*rows: list[Any]) -> Any:
     return ns.continue_orbit(orbit, "p", (-1.125, -0.875))
 
 
-def test_a_neutral_saddle_is_no_torus() -> None:
+def test_a_neutral_saddle_is_no_torus():
     """Where p = 3, two real multipliers have the product 1."""
     flips = branch([p.symbol, 0], [0, q.symbol])
     content = content_of(ns.certify.event(flips, flips.events[0]))
@@ -218,7 +208,7 @@ P_AND_Q = {
 
 
 @cache
-def ranges(kind: str) -> list[dict[str, Any]]:
+def ranges(kind):
     """A branch and a map with an event where p = -1: the multipliers are a, i b and -i b."""
     a, b = P_AND_Q[kind]
     along, ends = branch([a, 0, 0], [0, 0, -b], [0, b, 0]), ("-9/8", "-7/8")
@@ -239,9 +229,7 @@ def ranges(kind: str) -> list[dict[str, Any]]:
         ("neimark-sacker", [["2", "0"], ["0", "1/2"]], "two (multipliers may be|are) real"),
     ],
 )
-def test_multipliers_that_pass_the_circle_otherwise_are_another_event(
-    kind: str, pair: list[list[str]], told: str
-) -> None:
+def test_multipliers_that_pass_the_circle_otherwise_are_another_event(kind, pair, told):
     for content in copy.deepcopy(ranges(kind)):
         (transition,) = content["declaration"]["transitions"]
         for row, numbers in zip(transition["reset"][1:3], pair, strict=True):

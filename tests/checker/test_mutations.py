@@ -12,7 +12,7 @@ import json
 import os
 import random
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable
 from contextlib import redirect_stdout
 from fractions import Fraction
 from functools import cache
@@ -25,9 +25,7 @@ import pytest
 import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.runtime.cli.display import show_result
-from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.present.files.kept import save_result
-from nonsmooth.runtime.proof.counting.census import Census
 from tests.certified import (
     LOOP,
     forced,
@@ -45,11 +43,11 @@ SAMPLE = int(os.environ.get("NONSMOOTH_MUTATIONS", "40"))  # of each file; 0 for
 STICK = "dry-friction/global-stick"
 
 
-def _census(**bounds: str) -> Census:
+def _census(**bounds):
     return ns.certify.all(kicked(), {"k": 9, "r": "1/3", "a": 10}, bounds, itinerary=LOOP)
 
 
-def _events(*branches: Branch) -> Any:
+def _events(*branches):
     found = [ns.certify.event(branch, event) for branch in branches for event in branch.events]
 
     class Several:
@@ -157,7 +155,7 @@ class Mutation(NamedTuple):
 
 
 @cache
-def written(name: str) -> str:
+def written(name):
     """The file of a kind."""
     import tempfile
 
@@ -167,7 +165,7 @@ def written(name: str) -> str:
         return path.read_text()
 
 
-def entries(content: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[tuple[Any, ...], Any]]:
+def entries(content, path=()):
     """All entries of a file with their paths."""
     if path:
         yield path, content
@@ -180,7 +178,7 @@ def entries(content: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[tuple[An
             yield from entries(entry, (*path, place))
 
 
-def mutations(content: Any) -> Iterator[Mutation]:
+def mutations(content):
     """All changes that are tried."""
     for path, entry in entries(content):
         yield Mutation(path, "remove")
@@ -197,7 +195,7 @@ def mutations(content: Any) -> Iterator[Mutation]:
             yield Mutation(path, "retype")
 
 
-def mutated(content: Any, mutation: Mutation, drawn: random.Random) -> Any:
+def mutated(content, mutation, drawn):
     """A changed copy; None if nothing is changed."""
     changed = copy.deepcopy(content)
     *above, last = mutation.path
@@ -229,7 +227,7 @@ def mutated(content: Any, mutation: Mutation, drawn: random.Random) -> Any:
     return None if changed == content else changed
 
 
-def other_than(entry: Any, parent: Any, last: Any) -> Any:
+def other_than(entry, parent, last):
     """Another value of the type of an entry, so far away that it cannot be meant."""
     if isinstance(entry, bool):
         return not entry
@@ -253,7 +251,7 @@ def other_than(entry: Any, parent: Any, last: Any) -> Any:
     return str(number)
 
 
-def renewed(content: Any) -> Any:
+def renewed(content):
     """With the right checksums."""
     if isinstance(content, dict):
         content = {name: renewed(entry) for name, entry in content.items()}
@@ -261,7 +259,7 @@ def renewed(content: Any) -> Any:
     return [renewed(entry) for entry in content] if isinstance(content, list) else content
 
 
-def said(content: Any, path: Path) -> tuple[str, Mapping[str, str], str | None] | None:
+def said(content, path):
     """What is shown, the claims and the note; None if the file is refused."""
     path.write_text(json.dumps(renewed(content)))
     try:
@@ -276,7 +274,7 @@ def said(content: Any, path: Path) -> tuple[str, Mapping[str, str], str | None] 
     return out.getvalue(), found.claims, found.note
 
 
-def sampled(content: Any, drawn: random.Random, count: int) -> list[Mutation]:
+def sampled(content, drawn, count):
     """So many mutations, as many of each kind of path as there are of others."""
     found = list(mutations(content))
     if not count or len(found) <= count:
@@ -295,7 +293,7 @@ KINDS = [
 
 
 @pytest.mark.parametrize("name", KINDS)
-def test_files_come_back_and_are_covered_by_their_checksum(name: str, tmp_path: Path) -> None:
+def test_files_come_back_and_are_covered_by_their_checksum(name, tmp_path):
     first, again = tmp_path / "file.json", tmp_path / "again.json"
     first.write_text(written(name))
     loaded = ns.load(first)
@@ -306,7 +304,7 @@ def test_files_come_back_and_are_covered_by_their_checksum(name: str, tmp_path: 
 
 
 @pytest.mark.parametrize("name", KINDS)
-def test_no_change_of_a_file_is_shown_as_proved(name: str, tmp_path: Path) -> None:
+def test_no_change_of_a_file_is_shown_as_proved(name, tmp_path):
     drawn = random.Random(name)
     content = json.loads(written(name))
     path = tmp_path / "file.json"

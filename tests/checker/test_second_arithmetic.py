@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -24,45 +23,45 @@ ORBITS: dict[str, Callable[[], Orbit]] = {
 
 
 @pytest.fixture(scope="module", params=[*ORBITS])
-def file(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def file(request, tmp_path_factory):
     path = tmp_path_factory.mktemp("certificates") / "certificate.json"
     ns.certify(ORBITS[request.param]()).save(path)
     return path
 
 
 @pytest.fixture
-def content(file: Path) -> dict[str, Any]:
+def content(file):
     found: dict[str, Any] = json.loads(file.read_text("utf-8"))
     return found
 
 
 @pytest.fixture(autouse=True)
-def digits() -> Any:
+def digits():
     before, iv.dps = iv.dps, DIGITS
     with workdps(DIGITS):
         yield
     iv.dps = before
 
 
-def interval(value: Fraction | str) -> Any:
+def interval(value):
     exact = Fraction(value)
     return iv.mpf(exact.numerator) / exact.denominator
 
 
-def around(ball: dict[str, str]) -> Any:
+def around(ball):
     middle, radius = Fraction(ball["mid"]), Fraction(ball["rad"])
     return iv.mpf([interval(middle - radius).a, interval(middle + radius).b])
 
 
-def middle_of(x: Any) -> Any:
+def middle_of(x):
     return mp.mpf(x.mid.a)
 
 
-def inside(inner: Any, outer: Any) -> bool:
+def inside(inner, outer):
     return bool(outer.a < inner.a and inner.b < outer.b)
 
 
-def meet(one: Any, other: Any) -> bool:
+def meet(one, other):
     return bool(one.a <= other.b and other.a <= one.b)
 
 
@@ -145,18 +144,18 @@ class StatedOrbit:
         return sum(moved[i, i] for i in range(self.size))
 
 
-def _term(coefficient: str, powers: Sequence[int], given: Sequence[Fraction]) -> Fraction:
+def _term(coefficient, powers, given):
     found = Fraction(coefficient)
     for value, power in zip(given, powers, strict=True):
         found *= value**power
     return found
 
 
-def _along(row: Sequence[Any], state: Any) -> Any:
+def _along(row, state):
     return sum(a * state[i] for i, a in enumerate(row))
 
 
-def exponential(matrix: Any) -> Any:
+def exponential(matrix):
     """Taylor's sum of the exponential; the rest is below a geometric series of its next term."""
     size, order = matrix.rows, 200
     total, term = iv.eye(size), iv.eye(size)
@@ -169,7 +168,7 @@ def exponential(matrix: Any) -> Any:
     return total + iv.matrix([[iv.mpf([-rest.b, rest.b])] * size] * size)
 
 
-def has_one_root(orbit: StatedOrbit, box: Sequence[Any]) -> bool:
+def has_one_root(orbit, box):
     """Krawczyk's test of a box, as in R. Krawczyk, Computing 4 (1969)."""
     count = len(box)
     middle = [iv.mpf(middle_of(x)) for x in box]
@@ -186,11 +185,11 @@ def has_one_root(orbit: StatedOrbit, box: Sequence[Any]) -> bool:
     return all(inside(middle[i] - step[i] + moved[i], x) for i, x in enumerate(box))
 
 
-def test_its_box_has_one_orbit(content: dict[str, Any]) -> None:
+def test_its_box_has_one_orbit(content):
     assert has_one_root(StatedOrbit(content), [around(x) for x in content["box"]])
 
 
-def test_its_enclosures_hold_what_intervals_give(content: dict[str, Any]) -> None:
+def test_its_enclosures_hold_what_intervals_give(content):
     orbit, box = StatedOrbit(content), [around(x) for x in content["box"]]
     enclosures = {name: around(ball) for name, ball in content["enclosures"].items()}
     names = [x["name"] for x in content["box"]]

@@ -14,7 +14,6 @@ import shlex
 import signal
 import sys
 import traceback
-from collections.abc import Callable
 from pathlib import Path
 from runpy import run_module
 
@@ -24,17 +23,17 @@ from nonsmooth.runtime.present.paper import writing
 writing._contents = lambda *_, **__: {"report.html": b"report", "results.json": b"{}"}
 
 
-def main() -> None:
+def main():
     """Run the command line."""
     run_module("nonsmooth", run_name="__main__")
 
 
-def kill() -> None:
+def kill():
     """End the process at once."""
     os.kill(os.getpid(), signal.SIGKILL)
 
 
-def twice() -> None:
+def twice():
     """Another process does the same, and is done first."""
     os.fsync = FSYNC
     process = os.fork()
@@ -54,19 +53,19 @@ def twice() -> None:
 FSYNC = os.fsync
 
 
-def contents() -> dict[str, str]:
+def contents():
     """All files here, and folders as such."""
     return {
         str(path): "" if path.is_dir() else path.read_bytes().hex() for path in Path().rglob("*")
     }
 
 
-def told(process: int) -> int:
+def told(process):
     """The exit code of a process, or the number of its signal, negative."""
     return os.waitstatus_to_exitcode(os.waitpid(process, 0)[1])
 
 
-def try_fault(command: str, name: str, fault: Callable[[], None]) -> None:
+def try_fault(command, name, fault):
     """Run a command up to its first file, and a fault from there."""
     before = contents()
 

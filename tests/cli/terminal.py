@@ -13,7 +13,7 @@ from typer.main import get_command
 from nonsmooth.runtime.cli.program import app
 
 
-def all_commands() -> dict[str, Any]:
+def all_commands():
     """The commands by their words, subcommands in place of the command that has them."""
     group: Any = get_command(app)
     return {
@@ -53,9 +53,7 @@ class Ended(NamedTuple):
     err: str
 
 
-def on_terminal(
-    *arguments: str, answers: Terminal | None = None, shown: Terminal | None = None
-) -> Ended:
+def on_terminal(*arguments, answers=None, shown=None):
     """Run a command whose three streams are terminals."""
     streams = answers or Terminal(), shown or Terminal(), Terminal()
     with pytest.MonkeyPatch.context() as patch:

@@ -1,14 +1,11 @@
 """nonsmooth certify: claims, JSON, exit codes, files."""
 
-from __future__ import annotations
-
 import json
-from pathlib import Path
 
 import pytest
 
 import nonsmooth as ns
-from tests.cli.test_cli import Ended, run
+from tests.cli.test_cli import run
 from tests.user_systems import declare
 
 pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
@@ -16,11 +13,11 @@ pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without
 STICK, SYMMETRIC = "dry-friction/global-stick", "dry-friction/symmetric"
 
 
-def certify(*arguments: str) -> Ended:
+def certify(*arguments):
     return run("certify", *arguments)
 
 
-def test_people_see_claims_reasons_and_margins() -> None:
+def test_people_see_claims_reasons_and_margins():
     code, out, _ = certify("dry-friction/symmetric")
     assert code == 0
     assert "stability refuted: a multiplier lies outside the unit circle" in out
@@ -45,26 +42,26 @@ def test_people_see_claims_reasons_and_margins() -> None:
         (["branch", SYMMETRIC, "V=0.9:1.2", "--tiles", "1", "--require", "proved"], 3, "undecided"),
     ],
 )
-def test_exit_codes(arguments: list[str], code: int, told: str) -> None:
+def test_exit_codes(arguments, code, told):
     found, _, err = certify(*arguments)
     assert found == code
     assert told in err
     assert len(err.splitlines()) == bool(told)
 
 
-def test_an_orbit_is_certified_with_and_without_the_subcommand() -> None:
+def test_an_orbit_is_certified_with_and_without_the_subcommand():
     short, long = (certify(*words, STICK, "--json") for words in ((), ("orbit",)))
     assert short == long
     assert short.code == 0
 
 
-def test_without_an_orbit_the_help_is_shown() -> None:
+def test_without_an_orbit_the_help_is_shown():
     code, out, _ = certify()
     assert code == 2
     assert "doubling" in out
 
 
-def test_derivatives_are_told_saved_and_proved_again(tmp_path: Path) -> None:
+def test_derivatives_are_told_saved_and_proved_again(tmp_path):
     path = tmp_path / "proof.json"
     by = ("--derivatives", "eta,e1")
     code, out, err = certify(STICK, *by, "--json", "--save", str(path))
@@ -89,13 +86,13 @@ def test_derivatives_are_told_saved_and_proved_again(tmp_path: Path) -> None:
             assert " ".join(row[2:]) in " ".join(again.split())
 
 
-def test_people_see_why_there_is_no_derivative() -> None:
+def test_people_see_why_there_is_no_derivative():
     code, out, _ = certify("dry-friction/solution-ii", "--derivatives", "V")
     assert code == 1
     assert "no derivatives: by V: no orbit is proved to exist" in out
 
 
-def test_a_users_orbit_is_certified_saved_and_checked(tmp_path: Path) -> None:
+def test_a_users_orbit_is_certified_saved_and_checked(tmp_path):
     declare(tmp_path)
     path = tmp_path / "certificate.json"
     code, out, _ = certify(f"{tmp_path}/mine.py:loop", "k=9/4", "--save", str(path))
@@ -109,7 +106,7 @@ def test_a_users_orbit_is_certified_saved_and_checked(tmp_path: Path) -> None:
     assert json.loads(out)["same"] is True
 
 
-def test_a_check_that_differs_is_told(tmp_path: Path) -> None:
+def test_a_check_that_differs_is_told(tmp_path):
     path = tmp_path / "certificate.json"
     ns.certify(ns.solve(STICK)).save(path)
     path.write_text(path.read_text().replace('"bits": 128', '"bits": 129', 1))
@@ -142,9 +139,7 @@ FLIP = "certify doubling dry-friction/symmetric V=1.07:1.09 --tiles 1"
         ("certify box dry-friction/global-stick V=0.99:1.01", ("existence proved", "100 % proved")),
     ],
 )
-def test_what_is_proved_is_saved_drawn_and_checked(
-    asked: str, words: tuple[str, ...], tmp_path: Path
-) -> None:
+def test_what_is_proved_is_saved_drawn_and_checked(asked, words, tmp_path):
     file, picture = str(tmp_path / "proof.json"), tmp_path / "proof.svg"
     written = ("--save", file, "--plot", str(picture), "--require", "proved")
     found = run(*asked.split(), *written)
@@ -156,7 +151,7 @@ def test_what_is_proved_is_saved_drawn_and_checked(
     assert "proved again from the file" in check.out
 
 
-def test_a_time_ends_it_and_says_so(tmp_path: Path) -> None:
+def test_a_time_ends_it_and_says_so(tmp_path):
     file = tmp_path / "short.json"
     found = run(*FLIP.split(), "--seconds", "1e-6", "--save", str(file))
     assert found.code == 1

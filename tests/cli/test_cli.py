@@ -38,7 +38,7 @@ EXAMPLES = [
 ]
 
 
-def run(*arguments: str) -> Ended:
+def run(*arguments):
     """Run a command in this process."""
     result = CliRunner().invoke(app, list(arguments))
     if result.exception is not None and not isinstance(result.exception, SystemExit):
@@ -46,7 +46,7 @@ def run(*arguments: str) -> Ended:
     return Ended(result.exit_code, result.stdout, result.stderr)
 
 
-def run_process(*command: str, **environment: str) -> subprocess.CompletedProcess[str]:
+def run_process(*command, **environment):
     """Run a command as a process of its own, its output piped."""
     unwanted = ("COLUMNS", "FORCE_COLOR", "GITHUB_ACTIONS", "NO_COLOR", "PY_COLORS")
     inherited = {name: text for name, text in os.environ.items() if name not in unwanted}
@@ -60,11 +60,11 @@ def run_process(*command: str, **environment: str) -> subprocess.CompletedProces
     )
 
 
-def nonsmooth_process(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
+def nonsmooth_process(*arguments, **environment):
     return run_process(*PROGRAM, *arguments, **environment)
 
 
-def told(*arguments: str, code: int = 0) -> dict[str, Any]:
+def told(*arguments, code=0):
     """Give the one JSON document on stdout; nothing else may be there."""
     found, out, err = run(*arguments, "--json")
     assert found == code, err
@@ -75,7 +75,7 @@ def told(*arguments: str, code: int = 0) -> dict[str, Any]:
 # --- help
 
 
-def test_help_lists_each_command_once_below_what_it_is_for() -> None:
+def test_help_lists_each_command_once_below_what_it_is_for():
     listed = GROUP.list_commands(None)
     assert sorted(listed) == sorted(GROUP.commands)
     certify = GROUP.commands["certify"]
@@ -89,7 +89,7 @@ def test_help_lists_each_command_once_below_what_it_is_for() -> None:
 
 
 @pytest.mark.parametrize("name", COMMANDS)
-def test_every_command_has_help_with_examples_and_json(name: str) -> None:
+def test_every_command_has_help_with_examples_and_json(name):
     code, out, err = run(*name.split(), "--help")
     assert (code, err) == (0, "")
     assert "--json" in out
@@ -100,7 +100,7 @@ def test_every_command_has_help_with_examples_and_json(name: str) -> None:
         assert example in " ".join(out.split())
 
 
-def test_the_command_line_stays_small_and_every_option_is_explained() -> None:
+def test_the_command_line_stays_small_and_every_option_is_explained():
     """Options are as many as flags that mean different things, those of all commands included."""
     options = {
         (flag, option.help, option.metavar)
@@ -115,7 +115,7 @@ def test_the_command_line_stays_small_and_every_option_is_explained() -> None:
 
 
 @cache
-def _found_in_page() -> dict[str, bytes]:
+def _found_in_page():
     """The own oscillator of the page of commands, and the orbits that are found in it."""
     page = (CHECKOUT / "docs/how_to/commands.md").read_text(encoding="utf-8")
     blocks = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
@@ -128,7 +128,7 @@ def _found_in_page() -> dict[str, bytes]:
         return {path.name: path.read_bytes() for path in (file, kept)}
 
 
-def engine_needed(example: str) -> bool:
+def engine_needed(example):
     """Thousands of motions or orbits, which take minutes in Python."""
     slow = "nonsmooth chart", "nonsmooth find", "nonsmooth sweep"
     slow = *slow, "nonsmooth certify chaos", "nonsmooth certify region"
@@ -142,7 +142,7 @@ LONG = *LONG, "--over energy", "A.zarr", "--format", "forcing-phase", "--subject
 LONG = *LONG, "found.json"
 
 
-def marks_of(example: str) -> list[pytest.MarkDecorator]:
+def marks_of(example):
     """What of an example takes minutes in Python, and what takes long in C too."""
     long = [pytest.mark.slow] if any(words in example for words in LONG) else []
     return [*long, pytest.mark.compiled] if engine_needed(example) else long
@@ -151,9 +151,9 @@ def marks_of(example: str) -> list[pytest.MarkDecorator]:
 @pytest.mark.parametrize("example", [pytest.param(e, marks=marks_of(e)) for e in EXAMPLES])
 @pytest.mark.usefixtures("empty_reproduction")
 def test_examples_work(
-    example: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
-    committed_derivation: dict[str, str],
-) -> None:  # fmt: skip
+    example, tmp_path, monkeypatch,
+    committed_derivation,
+):  # fmt: skip
     monkeypatch.chdir(tmp_path)
     if example.startswith("nonsmooth plot"):
         pytest.importorskip("matplotlib")
@@ -203,7 +203,7 @@ def test_examples_work(
 # --- list, solve, verify
 
 
-def test_list() -> None:
+def test_list():
     systems = {system["name"]: system for system in told("list")["systems"]}
     assert list(systems) == ["rigid-stop", "elastic-stop", "dry-friction"]
     orbits = {orbit["name"]: orbit for s in systems.values() for orbit in s["orbits"]}
@@ -215,7 +215,7 @@ def test_list() -> None:
 
 
 @pytest.mark.parametrize("name", orbit_names())
-def test_every_orbit_is_solved_verified_and_shown(name: str) -> None:
+def test_every_orbit_is_solved_verified_and_shown(name):
     found, verified = told("solve", name), told("verify", name, "--digits", "15")
     proof = verified.pop("proof")
     assert verified.pop("arithmetic") == "flint"
@@ -240,7 +240,7 @@ def test_every_orbit_is_solved_verified_and_shown(name: str) -> None:
             assert number in out.split()
 
 
-def test_json_of_a_border_collision() -> None:
+def test_json_of_a_border_collision():
     found = told("solve", "dry-friction/solution-ii")
     assert found["one_sided"] == "ta > 0"
     (coincidence,) = found["coincidences"]
@@ -254,7 +254,7 @@ def test_json_of_a_border_collision() -> None:
     assert "ta > 0" in out
 
 
-def test_parameters_are_exact() -> None:
+def test_parameters_are_exact():
     found = told("solve", ORBIT, "chi=1/3", "us2=0.8", "ur2=1.3", "--digits", "40")
     with localcontext(prec=60):
         assert abs(Decimal(found["parameters"]["chi"]) * 3 - 1) < Decimal("1e-40")
@@ -265,7 +265,7 @@ def test_parameters_are_exact() -> None:
     }
 
 
-def test_a_guess_may_name_some_unknowns() -> None:
+def test_a_guess_may_name_some_unknowns():
     plain = told("solve", ORBIT)
     assert told("solve", ORBIT, "--guess", "tau=2,tau1=1.5")["unknowns"] == plain["unknowns"]
     assert told("solve", ORBIT, "--guess", "tau=2", "--guess", "tau1=1.5") == told(
@@ -273,7 +273,7 @@ def test_a_guess_may_name_some_unknowns() -> None:
     )
 
 
-def test_report_of_verify() -> None:
+def test_report_of_verify():
     code, out, err = run("verify", ORBIT)
     assert (code, err) == (0, "")
     found = told("verify", ORBIT)
@@ -287,7 +287,7 @@ def test_report_of_verify() -> None:
     assert max(map(len, out.splitlines())) <= 80
 
 
-def test_both_arithmetics_are_compared() -> None:
+def test_both_arithmetics_are_compared():
     code, out, err = run("verify", ORBIT, "--arithmetic", "both", "--digits", "40")
     assert (code, err) == (0, "")
     found = told("verify", ORBIT, "--arithmetic", "both", "--digits", "40")
@@ -299,7 +299,7 @@ def test_both_arithmetics_are_compared() -> None:
     assert "difference" not in told("verify", ORBIT, "--arithmetic", "mpmath")
 
 
-def test_traces_without_a_finite_enclosure_are_not_compared_and_it_is_said() -> None:
+def test_traces_without_a_finite_enclosure_are_not_compared_and_it_is_said():
     """At a grazing they have ten digits in common, where the unknowns have seventy."""
     found, by_mpmath = (
         told("verify", *GRAZING, "--arithmetic", arithmetic, code=1)
@@ -312,20 +312,20 @@ def test_traces_without_a_finite_enclosure_are_not_compared_and_it_is_said() -> 
     assert re.search(r"between balls and mpmath, of unknowns *\n", out)
 
 
-def test_what_is_proved_at_a_border_collision_is_about_one_side() -> None:
+def test_what_is_proved_at_a_border_collision_is_about_one_side():
     name = "dry-friction/solution-ii"
     assert "on one side of a border collision" in run("verify", name)[1]
     assert "on one side" not in run("verify", ORBIT)[1]
 
 
-def test_the_rank_of_an_orbit_by_tables_is_no_criterion() -> None:
+def test_the_rank_of_an_orbit_by_tables_is_no_criterion():
     _, out, _ = run("solve", f"{GALLERY / 'impact_oscillator.py'}:one-period", "r=0")
     assert "Stability" in out
     assert "|trace| < 1" not in out
     assert re.search("multiplier 2 +0 to these digits: the Poincare map has rank one", out)
 
 
-def test_orbits_by_tables_are_enclosed_and_refined_by_mpmath() -> None:
+def test_orbits_by_tables_are_enclosed_and_refined_by_mpmath():
     name = f"{GALLERY / 'impact_damper.py'}:struck-twice"
     found = told("verify", name)
     assert found["arithmetic"] == "mpmath"
@@ -337,7 +337,7 @@ def test_orbits_by_tables_are_enclosed_and_refined_by_mpmath() -> None:
     assert "has no kernels of its own" in err
 
 
-def test_report_of_solve() -> None:
+def test_report_of_solve():
     code, out, _ = run("solve", ORBIT, "V=1", "us2=0.8", "ur2=1.2831", "us1=1/3")
     assert code == 0
     assert out.index("Orbit") < out.index("Trace criterion")
@@ -349,7 +349,7 @@ def test_report_of_solve() -> None:
     assert rows["e2"] == [told("solve", ORBIT)["parameters"]["e2"], "follows"]
 
 
-def test_report_of_violations() -> None:
+def test_report_of_violations():
     code, out, _ = run("solve", ORBIT, "us2=0.7")
     assert code == 0
     assert "admissible: no" in out
@@ -358,7 +358,7 @@ def test_report_of_violations() -> None:
     assert re.search(r"1 +stick-stick +second-breaks-backward +0 +0\.0456", out)
 
 
-def test_long_numbers_are_grouped() -> None:
+def test_long_numbers_are_grouped():
     code, out, _ = run("verify", ORBIT, "--digits", "120")
     assert code == 0
     assert max(map(len, out.splitlines())) <= 80
@@ -367,7 +367,7 @@ def test_long_numbers_are_grouped() -> None:
 
 
 @pytest.mark.slow
-def test_piped_output_has_no_colours_and_whole_numbers() -> None:
+def test_piped_output_has_no_colours_and_whole_numbers():
     """Whatever the width and the encoding are said to be."""
     narrow = {"COLUMNS": "40", "PYTHONIOENCODING": "ascii"}
     done = nonsmooth_process("verify", ORBIT, "--digits", "50", **narrow)
@@ -380,7 +380,7 @@ def test_piped_output_has_no_colours_and_whole_numbers() -> None:
 
 
 @pytest.mark.parametrize("command", ["solve", "verify"])
-def test_save(command: str, tmp_path: Path) -> None:
+def test_save(command, tmp_path):
     target = tmp_path / "orbit.json"
     arguments = (command, ORBIT, "eta=0.98", "us2=0.8", "--digits", "30")
     plain, found = told(*arguments), told(*arguments, "--save", str(target))
@@ -394,7 +394,7 @@ def test_save(command: str, tmp_path: Path) -> None:
     assert out.endswith(f"\n{target} written\n")
 
 
-def test_an_orbit_that_misses_a_requirement_is_saved(tmp_path: Path) -> None:
+def test_an_orbit_that_misses_a_requirement_is_saved(tmp_path):
     target = tmp_path / "orbit.json"
     code, _, _ = run("solve", ORBIT, "us2=0.7", "--require", "admissible", "--save", str(target))
     assert code == 3
@@ -402,7 +402,7 @@ def test_an_orbit_that_misses_a_requirement_is_saved(tmp_path: Path) -> None:
 
 
 @pytest.fixture
-def saved(tmp_path: Path) -> Path:
+def saved(tmp_path):
     """A saved orbit, for pictures."""
     pytest.importorskip("matplotlib")
     path = tmp_path / "orbit.json"
@@ -411,13 +411,13 @@ def saved(tmp_path: Path) -> Path:
 
 
 @pytest.mark.slow
-def test_plot_names_its_file(saved: Path) -> None:
+def test_plot_names_its_file(saved):
     target = saved.with_suffix(".png")
     assert run("plot", str(saved)) == (0, f"{target} written\n", "")
     assert target.read_bytes().startswith(b"\x89PNG")
 
 
-def test_plot_of_wrong_files_is_2(saved: Path, tmp_path: Path) -> None:
+def test_plot_of_wrong_files_is_2(saved, tmp_path):
     picture = tmp_path / "orbit.png"
     picture.write_bytes(saved.read_bytes())
     for arguments, part in (
@@ -453,21 +453,21 @@ def test_plot_of_wrong_files_is_2(saved: Path, tmp_path: Path) -> None:
     ],
 )
 @pytest.mark.parametrize("command", ["solve", "verify"])
-def test_requirements(command: str, arguments: list[str], code: int) -> None:
+def test_requirements(command, arguments, code):
     found, _, err = run(command, ORBIT, *arguments)
     assert found == code
     assert err.startswith("nonsmooth: required: ") if code else not err
     assert told(command, ORBIT, *arguments, code=code)["orbit"] == ORBIT
 
 
-def test_neutral_is_not_stable() -> None:
+def test_neutral_is_not_stable():
     name = "rigid-stop/one-impact"
     assert run("solve", name, "--require", "admissible")[0] == 0
     code, _, err = run("solve", name, "--require", "stable")
     assert (code, err) == (3, "nonsmooth: required: stable; found: neutral\n")
 
 
-def test_undecided_is_1() -> None:
+def test_undecided_is_1():
     assert told("verify", *GRAZING, code=1)["stability"] == "undecided"
     code, out, _ = run("verify", *GRAZING, "--require", "stable")
     assert code == 1
@@ -484,7 +484,7 @@ def test_undecided_is_1() -> None:
         (f"{ORBIT} eta=1e300", "tried: "),
     ],
 )
-def test_parameters_without_an_orbit_are_1(command: str, arguments: str, part: str) -> None:
+def test_parameters_without_an_orbit_are_1(command, arguments, part):
     code, out, err = run(command, *arguments.split())
     assert (code, out) == (1, "")
     assert part in err
@@ -495,7 +495,7 @@ def test_parameters_without_an_orbit_are_1(command: str, arguments: str, part: s
 # --- wrong input
 
 
-def test_unknown_backend_is_2(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_unknown_backend_is_2(monkeypatch):
     monkeypatch.setenv("NONSMOOTH_BACKEND", "fortran")
     assert run("solve", ORBIT) == (
         2,
@@ -510,7 +510,7 @@ def test_unknown_backend_is_2(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize(
     ("form", "start"), [("latex", "\\documentclass"), ("markdown", "# "), ("html", "<!DOCTYPE")]
 )
-def test_equations_print_or_write(form: str, start: str, tmp_path: Path) -> None:
+def test_equations_print_or_write(form, start, tmp_path):
     if form == "html":
         pytest.importorskip("latex2mathml")
     options = ("rigid-stop", "--format", form)
@@ -524,7 +524,7 @@ def test_equations_print_or_write(form: str, start: str, tmp_path: Path) -> None
     assert target.read_text(encoding="utf-8") == printed["text"]
 
 
-def test_equations_print_one_section() -> None:
+def test_equations_print_one_section():
     text = told("equations", "rigid-stop/one-impact", "--section", "map", "--format", "markdown")
     headings = re.findall(r"^## (.*)", text["text"], re.MULTILINE)
     (heading,) = headings
@@ -538,7 +538,7 @@ def test_equations_print_one_section() -> None:
     )
 
 
-def test_equations_of_a_system_have_one_section() -> None:
+def test_equations_of_a_system_have_one_section():
     code, text, _ = run("equations", "rigid-stop", "--section", "flows", "--format", "markdown")
     assert code == 0
     assert re.findall(r"^## \d+\. (.*)", text, re.MULTILINE) == ["Modal analysis"]
@@ -555,9 +555,7 @@ def test_equations_of_a_system_have_one_section() -> None:
         (None, 2, "install texlive"),
     ],
 )
-def test_a_pdf_is_what_latex_makes(
-    latex: str | None, code: int, said: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_pdf_is_what_latex_makes(latex, code, said, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("PATH", str(tmp_path))
     if latex is not None:
@@ -570,7 +568,7 @@ def test_a_pdf_is_what_latex_makes(
     assert Path("rigid-stop.pdf").exists() == (code == 0)
 
 
-def test_html_without_its_extra_names_it(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_html_without_its_extra_names_it(monkeypatch):
     monkeypatch.setitem(sys.modules, "latex2mathml", None)
     monkeypatch.setitem(sys.modules, "latex2mathml.converter", None)
     code, out, err = run("equations", "rigid-stop", "--format", "html")
@@ -584,7 +582,7 @@ def test_html_without_its_extra_names_it(monkeypatch: pytest.MonkeyPatch) -> Non
 
 
 @pytest.mark.usefixtures("committed_derivation")
-def test_regenerate_and_check(tmp_path: Path) -> None:
+def test_regenerate_and_check(tmp_path):
     folder = tmp_path / "new" / "kernels"
     first = told("regenerate", "--out", str(folder))
     assert first["folder"] == str(folder)
@@ -609,9 +607,7 @@ def test_regenerate_and_check(tmp_path: Path) -> None:
 
 
 @pytest.mark.usefixtures("committed_derivation")
-def test_regenerate_says_when_it_is_about_another_checkout(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_regenerate_says_when_it_is_about_another_checkout(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert run("regenerate", "--check")[2] == ""
     (tmp_path / "pyproject.toml").write_text('[project]\nname = "nonsmooth"\n')
@@ -623,7 +619,7 @@ def test_regenerate_says_when_it_is_about_another_checkout(
 
 
 @pytest.mark.slow
-def test_regenerate_derives_one_system(tmp_path: Path) -> None:
+def test_regenerate_derives_one_system(tmp_path):
     folder = tmp_path / "kernels"
     found = told("regenerate", "rigid-stop", "--out", str(folder))
     names = {Path(path).name for path in found["changed"]}
@@ -632,7 +628,7 @@ def test_regenerate_derives_one_system(tmp_path: Path) -> None:
     assert not any(name.startswith(("elastic", "dry")) for name in names)
 
 
-def test_check_of_what_another_sympy_wrote_or_nobody_is_2(tmp_path: Path) -> None:
+def test_check_of_what_another_sympy_wrote_or_nobody_is_2(tmp_path):
     for told in ("PROVENANCE.json cannot be read", "SymPy 1.0"):
         code, out, err = run("regenerate", "--check", "--out", str(tmp_path))
         assert (code, out) == (2, "")
@@ -641,9 +637,7 @@ def test_check_of_what_another_sympy_wrote_or_nobody_is_2(tmp_path: Path) -> Non
         (tmp_path / "PROVENANCE.json").write_text('{"sympy": "1.0"}')
 
 
-def test_regenerate_outside_a_checkout_is_2(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_regenerate_outside_a_checkout_is_2(tmp_path, monkeypatch):
     monkeypatch.setattr(generation, "__file__", str(tmp_path / "a" / "b" / "c.py"))
     for options, reason in (([], "--out DIR"), (["--check"], "PROVENANCE.json cannot be read")):
         code, out, err = run("regenerate", *options)
@@ -658,7 +652,7 @@ def test_regenerate_outside_a_checkout_is_2(
     ("script", "command"),
     [("regenerate", "regenerate"), ("latex", "equations"), ("verify_trace", "verify")],
 )
-def test_scripts_are_the_commands(script: str, command: str) -> None:
+def test_scripts_are_the_commands(script, command):
     path = str(CHECKOUT / "scripts" / f"{script}.py")
     done = run_process(sys.executable, path, "--help")
     assert (done.returncode, done.stderr) == (0, "")

@@ -8,7 +8,6 @@ import sys
 from importlib import metadata, util
 from pathlib import Path
 from types import ModuleType
-from typing import Any
 
 import pytest
 
@@ -21,12 +20,12 @@ BASH = shutil.which("bash")
 COMPILED = ("nonsmooth.generated._kernels", "nonsmooth.runtime._engine")
 
 
-def diagnoses() -> dict[str, Any]:
+def diagnoses():
     """What the doctor says, by names."""
     return {entry["name"]: entry for entry in told("doctor")["diagnoses"]}
 
 
-def in_bash(script: str, home: Path, **environment: str) -> str:
+def in_bash(script, home, **environment):
     """What a script of a shell prints whose home folder is empty."""
     done = subprocess.run(
         [str(BASH), "--norc", "-c", script],
@@ -43,7 +42,7 @@ def in_bash(script: str, home: Path, **environment: str) -> str:
 
 
 @pytest.fixture(scope="module")
-def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def home(tmp_path_factory):
     """A home folder in which the completion is installed."""
     folder = tmp_path_factory.mktemp("home")
     in_bash("nonsmooth --install-completion; true", folder)
@@ -71,7 +70,7 @@ def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
         ("nonsmooth solve mine.py : lo", {"loop"}),  # as bash breaks it
     ],
 )
-def test_bash_completes_after_the_installation(words, completed, home) -> None:
+def test_bash_completes_after_the_installation(words, completed, home):
     assert "nonsmooth.sh" in (home / ".bashrc").read_text(encoding="utf-8")
     count = len(words.split()) - 1
     told = in_bash(
@@ -83,7 +82,7 @@ def test_bash_completes_after_the_installation(words, completed, home) -> None:
     assert set(told.split()) == completed
 
 
-def test_doctor_names_every_requirement_and_extra() -> None:
+def test_doctor_names_every_requirement_and_extra():
     found = diagnoses()
     assert found["nonsmooth"]["found"] == metadata.version("nonsmooth")
     for package in ("mpmath", "numpy", "python-flint", "rich", "scipy", "sympy", "typer"):
@@ -94,7 +93,7 @@ def test_doctor_names_every_requirement_and_extra() -> None:
     assert set(found["Python"]) == {"name", "good", "found", "remedy"}
 
 
-def test_doctor_says_what_to_do(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_doctor_says_what_to_do(monkeypatch, tmp_path):
     def absent(name: str) -> str:
         raise metadata.PackageNotFoundError(name)
 
@@ -119,7 +118,7 @@ def test_doctor_says_what_to_do(monkeypatch: pytest.MonkeyPatch, tmp_path: Path)
 
 
 @pytest.mark.compiled
-def test_doctor_notices_kernels_of_another_derivation(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_doctor_notices_kernels_of_another_derivation(monkeypatch):
     compiled = importlib.import_module(COMPILED[0])
     older = ModuleType(COMPILED[0])
     vars(older).update(vars(compiled) | {"derivation_dry_friction": "0" * 16})
@@ -133,12 +132,12 @@ def test_doctor_notices_kernels_of_another_derivation(monkeypatch: pytest.Monkey
 
 
 @pytest.mark.parametrize(("version", "good"), [("1.2.9", False), ("1.3", True), ("1.10.0", True)])
-def test_doctor_compares_versions_as_numbers(version, good, monkeypatch) -> None:
+def test_doctor_compares_versions_as_numbers(version, good, monkeypatch):
     monkeypatch.setattr(metadata, "version", lambda name: version)
     assert diagnoses()["mpmath"]["good"] is good
 
 
-def test_list_shows_the_whole_system() -> None:
+def test_list_shows_the_whole_system():
     _, shown, _ = run("list", str(GALLERY / "impact_oscillator.py"))
     for words in ("states: x v c1 s1", "0 < w", "0 <= r <= 1", "wall-reaches-stop", "exceeded"):
         assert words in shown

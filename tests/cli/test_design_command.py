@@ -1,7 +1,6 @@
 """The command that designs: what it answers, keeps, draws and refuses."""
 
 import json
-from pathlib import Path
 
 import pytest
 
@@ -14,7 +13,7 @@ STABLEST = ("design", ORBIT, "V=0.3:3", "--minimise", "spectral_radius")
 
 
 @pytest.mark.slow
-def test_numbers_are_those_of_python(tmp_path: Path) -> None:
+def test_numbers_are_those_of_python(tmp_path):
     file, picture = tmp_path / "design.json", tmp_path / "design.png"
     options = ("--json", "--save", str(file), "--plot", str(picture), "--require", "stable")
     code, out, _ = run(*STABLEST, *options)
@@ -31,7 +30,7 @@ def test_numbers_are_those_of_python(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_people_see_where_it_begins_and_ends() -> None:
+def test_people_see_where_it_begins_and_ends():
     code, out, _ = run(
         "design", ORBIT, "V=0.6:3", "eta=3:5", "--minimise", "spectral_radius",
         "--subject", "period<=4.6",
@@ -42,13 +41,13 @@ def test_people_see_where_it_begins_and_ends() -> None:
     assert "0.647139" in out
 
 
-def test_wanted_values_that_are_not_reached() -> None:
+def test_wanted_values_that_are_not_reached():
     code, _, error = run("design", ORBIT, "V=0.6:1.3", "--solve", "period=2")
     assert (code, error) == (1, "nonsmooth: period=2 not reached: within V<=1.3\n")
 
 
 @pytest.mark.slow
-def test_the_worst_along_a_branch(tmp_path: Path) -> None:
+def test_the_worst_along_a_branch(tmp_path):
     damper = f"{GALLERY / 'impact_damper.py'}:struck-twice"
     question = (
         "design", damper, "r=0.3", "zeta=0.05", "d=7:8.5", "--minimise", "peak:x",
@@ -68,7 +67,7 @@ def test_the_worst_along_a_branch(tmp_path: Path) -> None:
     assert "is not there for all w = 0.8 to 1.05" in error
 
 
-def test_what_is_required_and_not_met() -> None:
+def test_what_is_required_and_not_met():
     options = ("design", ORBIT, "V=0.6:0.7", "--minimise", "period")
     code, _, error = run(*options, "--require", "stable")
     assert (code, error) == (3, "nonsmooth: required: stable; found: unstable\n")

@@ -24,7 +24,7 @@ _SYSTEM = "from nonsmooth.derive import System\n"
 _LEAVING = "class S(System):\n    def __getattribute__(self, name): raise SystemExit(0)\n"
 
 
-def refused(*arguments: str, code: int = 2) -> str:
+def refused(*arguments, code=2):
     """The one line on stderr."""
     ended = run(*arguments)
     (line,) = ended.err.splitlines()
@@ -55,7 +55,7 @@ class Silent(Exception):
         (Silent(), 1, "internal error: Silent; run again"),
     ],
 )
-def test_whatever_goes_wrong_is_one_line(problem, code, said, monkeypatch) -> None:
+def test_whatever_goes_wrong_is_one_line(problem, code, said, monkeypatch):
     def fail(*arguments, **options):
         raise problem
 
@@ -71,7 +71,7 @@ def test_whatever_goes_wrong_is_one_line(problem, code, said, monkeypatch) -> No
 @pytest.mark.parametrize(
     "name", ["x" * 300, "x" * 5000 + ".py", "a\nb", "a\u2028b", "a\x1b[0m", "\udc80", "/"]
 )
-def test_hostile_names_are_refused_in_one_line(command, name, tmp_path, monkeypatch) -> None:
+def test_hostile_names_are_refused_in_one_line(command, name, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     refused(*command.split(), name)
     assert not list(tmp_path.iterdir())
@@ -103,7 +103,7 @@ def test_hostile_names_are_refused_in_one_line(command, name, tmp_path, monkeypa
         ("import os\nsystem = os", "of type module, not a System"),
     ],
 )
-def test_declarations_that_fail_are_named(text, said, tmp_path) -> None:
+def test_declarations_that_fail_are_named(text, said, tmp_path):
     file = tmp_path / "bad.py"
     file.write_text(text)
     line = refused("list", str(file))
@@ -111,7 +111,7 @@ def test_declarations_that_fail_are_named(text, said, tmp_path) -> None:
     assert said in line
 
 
-def test_a_full_disk_where_latex_works_names_the_document(tmp_path, monkeypatch) -> None:
+def test_a_full_disk_where_latex_works_names_the_document(tmp_path, monkeypatch):
     def full(text: str) -> bytes:
         raise OSError(28, "No space left on device")
 
@@ -121,21 +121,21 @@ def test_a_full_disk_where_latex_works_names_the_document(tmp_path, monkeypatch)
     assert line == f"nonsmooth: error: cannot write {out}: no space left on device"
 
 
-def test_what_a_declaration_prints_is_on_stderr(tmp_path) -> None:
+def test_what_a_declaration_prints_is_on_stderr(tmp_path):
     file = declare(tmp_path, f"print('hello')\n{KICKED}")
     code, out, err = run("list", str(file), "--json")
     assert (code, err) == (0, "hello\n")
     assert json.loads(out)["systems"][0]["name"]
 
 
-def test_a_name_that_is_none_is_wrong_input_of_a_check(tmp_path: Path) -> None:
+def test_a_name_that_is_none_is_wrong_input_of_a_check(tmp_path):
     ns.certify(ns.solve(ORBIT)).save(tmp_path / "c.json")
     assert "'zz'" in refused("certify", "check", str(tmp_path / "c.json"), "zz")
 
 
 @pytest.mark.slow
 @pytest.mark.compiled
-def test_hostile_commands_are_refused_or_answered(tmp_path: Path) -> None:
+def test_hostile_commands_are_refused_or_answered(tmp_path):
     pytest.importorskip("resource")
     done = subprocess.run(
         [sys.executable, str(CHECKOUT / "scripts" / "development" / "hostile.py"), "--count", "20"],
@@ -144,7 +144,7 @@ def test_hostile_commands_are_refused_or_answered(tmp_path: Path) -> None:
     assert done.returncode == 0, done.stdout + done.stderr
 
 
-def test_branches_that_were_forged_are_refused(tmp_path, monkeypatch) -> None:
+def test_branches_that_were_forged_are_refused(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     orbit = ns.solve(ORBIT)
     ns.continue_orbit(orbit, "V", (0.99, 1.01), points=3).save("branch.json")
@@ -165,7 +165,7 @@ def test_branches_that_were_forged_are_refused(tmp_path, monkeypatch) -> None:
 @pytest.mark.parametrize(
     "words", ["list", pytest.param("list --json", marks=pytest.mark.slow), "--help"]
 )
-def test_a_closed_pipe_is_quiet(words: str) -> None:
+def test_a_closed_pipe_is_quiet(words):
     """The reader is gone before the first line: the exit code is that of a closed pipe."""
     reading, writing = os.pipe()
     os.close(reading)
@@ -181,7 +181,7 @@ def test_a_closed_pipe_is_quiet(words: str) -> None:
 @pytest.mark.slow
 @pytest.mark.skipif(os.name != "posix", reason="closed by a shell")
 @pytest.mark.parametrize("closed", [">&-", "2>&-", "<&- >&- 2>&-"])
-def test_a_closed_stream_is_one_that_nobody_reads(closed: str, tmp_path: Path) -> None:
+def test_a_closed_stream_is_one_that_nobody_reads(closed, tmp_path):
     """Exit codes, files and the other streams are what they are."""
     file = tmp_path / "o.json"
     wrong = closed.startswith("<")
@@ -195,7 +195,7 @@ def test_a_closed_stream_is_one_that_nobody_reads(closed: str, tmp_path: Path) -
 
 
 @pytest.mark.slow
-def test_pictures_do_not_depend_on_the_users_windows(tmp_path: Path) -> None:
+def test_pictures_do_not_depend_on_the_users_windows(tmp_path):
     pytest.importorskip("matplotlib")
     ns.solve(ORBIT).save(tmp_path / "o.json")
     subprocess.run(

@@ -9,9 +9,7 @@ import shlex
 import stat
 import subprocess
 import sys
-from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -90,7 +88,7 @@ MANY, LONG = (
 )
 
 
-def marked(*proved: pytest.MarkDecorator) -> pytest.MarkDecorator:
+def marked(*proved):
     """Each writer, with marks of those that prove long where they are proved."""
     marks = {name: [pytest.mark.compiled, *(proved if name in LONG else ())] for name in MANY}
     writers = [pytest.param(w, marks=marks.get(w[0], [])) for w in WRITERS]
@@ -100,7 +98,7 @@ def marked(*proved: pytest.MarkDecorator) -> pytest.MarkDecorator:
 WATCHING: list[set[str]] = []  # of each test that watches: files that are opened to be written
 
 
-def watch(event: str, arguments: tuple[Any, ...]) -> None:
+def watch(event, arguments):
     """Note each file that this process opens to write it: Python tells of all."""
     if WATCHING and event == "open" and arguments[2] & (os.O_WRONLY | os.O_RDWR):
         path = arguments[0]
@@ -112,7 +110,7 @@ sys.addaudithook(watch)
 
 
 @pytest.fixture
-def opened() -> Iterator[set[str]]:
+def opened():
     """Files that are opened to be written while a test runs."""
     WATCHING.append(set())
     yield WATCHING[-1]
@@ -120,9 +118,7 @@ def opened() -> Iterator[set[str]]:
 
 
 @pytest.fixture
-def place(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, committed_derivation: dict[str, str]
-) -> Path:
+def place(tmp_path, monkeypatch, committed_derivation):
     """A folder with a declaration and an orbit."""
     pytest.importorskip("matplotlib")
     pytest.importorskip("zarr")
@@ -139,7 +135,7 @@ def place(
     return folder
 
 
-def test_every_option_that_writes_is_here() -> None:
+def test_every_option_that_writes_is_here():
     """The list is made of what the commands declare."""
     found = {
         (name, option.opts[0])
@@ -151,9 +147,7 @@ def test_every_option_that_writes_is_here() -> None:
 
 
 @marked(pytest.mark.slow)
-def test_folders_above_are_made_and_files_are_whole(
-    writer: tuple[str, str], place: Path, opened: set[str]
-) -> None:
+def test_folders_above_are_made_and_files_are_whole(writer, place, opened):
     """What stays was written under another name and moved: it is never there in part."""
     target = place / "new" / "folder" / "target"
     code, _, err = run(*shlex.split(WRITERS[writer].replace("TARGET", str(target))))
@@ -167,7 +161,7 @@ def test_folders_above_are_made_and_files_are_whole(
 
 
 @marked()
-def test_what_is_no_file_stays(writer: tuple[str, str], place: Path) -> None:
+def test_what_is_no_file_stays(writer, place):
     pipe = place / "pipe"
     suffix = WRITERS[writer].partition("TARGET")[2]
     os.mkfifo(f"{pipe}{suffix}")
@@ -186,7 +180,7 @@ def test_what_is_no_file_stays(writer: tuple[str, str], place: Path) -> None:
 
 
 @pytest.mark.parametrize("name", FOLDERS)
-def test_a_folder_needs_a_name(name: str, place: Path) -> None:
+def test_a_folder_needs_a_name(name, place):
     before = sorted(os.listdir(place))
     command = WRITERS[name, "--out"].replace("TARGET", "''")
     code, out, err = run(*shlex.split(command))
@@ -195,7 +189,7 @@ def test_a_folder_needs_a_name(name: str, place: Path) -> None:
     assert sorted(os.listdir(place)) == before
 
 
-def test_a_lost_scheduler_leaves_nothing(place: Path) -> None:
+def test_a_lost_scheduler_leaves_nothing(place):
     pytest.importorskip("distributed")
     before = sorted(os.listdir(place))
     code, out, err = run(
@@ -215,9 +209,7 @@ SAVING += tuple(f"certify {name}" for name in ("box", "orbit", "event", "all"))
     [*((name, "--save") for name in SAVING), *((n, "--out") for n in ("equations", "plot"))],
     ids="".join,
 )
-def test_a_full_disk_does_not_lose_the_answer(
-    writer: tuple[str, str], place: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_full_disk_does_not_lose_the_answer(writer, place, monkeypatch):
     """The answer is shown, where there is one beside the file."""
 
     def fill(_: int) -> None:
@@ -244,7 +236,7 @@ def test_a_full_disk_does_not_lose_the_answer(
 
 @pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="processes cannot fork here")
-def test_a_fault_while_a_file_is_written(place: Path) -> None:
+def test_a_fault_while_a_file_is_written(place):
     asked = []
     for name, option in FAULTED:
         command = WRITERS[name, option].replace("TARGET", f"target-{name}".replace(" ", "-"))

@@ -13,7 +13,6 @@ import pytest
 
 import nonsmooth as ns
 from tests.cli import test_cli
-from tests.cli.test_cli import Ended
 from tests.places import GALLERY
 
 KNOWN = "c=0.05 h=0.2 w=2.1"
@@ -22,19 +21,19 @@ TRUTH = {"c": 0.05, "h": 0.2, "w": 2.1, "k": 2.5, "r": 0.8}
 
 
 @pytest.fixture(autouse=True)
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def folder(tmp_path, monkeypatch):
     for name in ("identification.py", "impacts.csv"):
         shutil.copy(GALLERY / name, tmp_path)
     monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path / "cache"))
     monkeypatch.chdir(tmp_path)
 
 
-def run(command: str) -> Ended:
+def run(command):
     return test_cli.run(*shlex.split(command))
 
 
 @pytest.mark.slow
-def test_the_answer_holds_the_truth_and_is_kept() -> None:
+def test_the_answer_holds_the_truth_and_is_kept():
     pytest.importorskip("matplotlib")
     code, out, err = run(f"{FIT} --starts 3 --seed 1 --save fit.json --plot fit.png --json")
     assert (code, err) == (0, "")
@@ -55,7 +54,7 @@ def test_the_answer_holds_the_truth_and_is_kept() -> None:
     assert "standard errors away" in shown
 
 
-def test_a_fit_is_loaded_without_its_declaration() -> None:
+def test_a_fit_is_loaded_without_its_declaration():
     run(f"{FIT} --save fit.json")
     Path("identification.py").unlink()
     kept = ns.load("fit.json")
@@ -63,7 +62,7 @@ def test_a_fit_is_loaded_without_its_declaration() -> None:
     np.testing.assert_allclose(kept.motion().times[1:13], fitted, rtol=1e-12)
 
 
-def test_several_files_know_parameters_of_their_own() -> None:
+def test_several_files_know_parameters_of_their_own():
     for number, w in enumerate((2.1, 2.6)):
         times = np.linspace(0.1, 9, 50)
         motion = ns.simulate("identification.py", TRUTH | {"w": w}, {"x": -0.6, "v": 0.1}, until=9)
@@ -91,7 +90,7 @@ def test_several_files_know_parameters_of_their_own() -> None:
         ("wall-reaches-stop", "hits", "--events hits=wall-reaches-stop"),
     ],
 )
-def test_columns_of_events_by_other_names(change: tuple[str, str, str]) -> None:
+def test_columns_of_events_by_other_names(change):
     old, new, option = change
     text = Path("impacts.csv").read_text()
     expected = json.loads(run(f"{FIT} --json")[1])["estimates"]
@@ -102,7 +101,7 @@ def test_columns_of_events_by_other_names(change: tuple[str, str, str]) -> None:
 
 
 @pytest.mark.slow
-def test_steady_responses_from_a_file() -> None:
+def test_steady_responses_from_a_file():
     """Without an impact the amplitude is 1 / |k - w^2 + i c w|."""
     pytest.importorskip("matplotlib")
     amplitude = [1 / abs(2.5 - w**2 + 0.05j * w) for w in (3.0, 4.0)]

@@ -5,7 +5,6 @@ moves: ``python -m tests.golden.record --exact``.
 """
 
 import json
-from pathlib import Path
 
 import pytest
 
@@ -17,7 +16,7 @@ DIGITS = 1e-9
 
 
 @pytest.mark.usefixtures("committed_derivation")
-def test_commands_answer_as_recorded(tmp_path: Path) -> None:
+def test_commands_answer_as_recorded(tmp_path):
     recorded = json.loads(ANSWERS.read_text())
     assert [entry["command"] for entry in recorded] == commands()
     found = []
@@ -28,7 +27,7 @@ def test_commands_answer_as_recorded(tmp_path: Path) -> None:
     assert found == []
 
 
-def test_differences_are_told() -> None:
+def test_differences_are_told():
     old = {"a": ["1.0000000001", 2, True], "checksum": "x", "b": None}
     new = {"a": ["1.0", 2, True], "checksum": "y", "b": None}
     assert list(differences(old, new, 1e-9)) == []

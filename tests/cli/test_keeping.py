@@ -6,7 +6,6 @@ import json
 import os
 import signal
 import time
-from collections.abc import Callable, Iterator
 from itertools import count
 from pathlib import Path
 from typing import Any
@@ -23,19 +22,19 @@ CONTINUE = "continue dry-friction/global-stick V=0.95:1.05 --step 0.02 --save b.
 
 
 @pytest.fixture(autouse=True)
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     yield
     signal.signal(signal.SIGINT, before)
 
 
-def press() -> None:
+def press():
     signal.raise_signal(signal.SIGINT)
 
 
 @pytest.fixture
-def pressed(monkeypatch: pytest.MonkeyPatch) -> Callable[..., None]:
+def pressed(monkeypatch):
     """Let each call of a function press Ctrl-C first, from a number of calls on."""
 
     def at(owner: Any, name: str, first: int = 1) -> None:
@@ -51,7 +50,7 @@ def pressed(monkeypatch: pytest.MonkeyPatch) -> Callable[..., None]:
     return at
 
 
-def test_who_presses_again_and_again_loses_nothing(pressed: Callable[..., None]) -> None:
+def test_who_presses_again_and_again_loses_nothing(pressed):
     """The work is ended by the first one, and puts together what it has."""
     pressed(np.linalg, "svd", 30)
     pressed(np, "nanmedian")
@@ -62,9 +61,7 @@ def test_who_presses_again_and_again_loses_nothing(pressed: Callable[..., None])
         press()
 
 
-def test_later_on_it_ends_what_does_not_come_to_an_end(
-    pressed: Callable[..., None], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_later_on_it_ends_what_does_not_come_to_an_end(pressed, monkeypatch):
     hours = count(0, 3600)
     pressed(np.linalg, "svd", 30)
     pressed(np, "nanmedian")  # of what the events are told by
@@ -75,14 +72,14 @@ def test_later_on_it_ends_what_does_not_come_to_an_end(
     assert not Path("b.json").exists()
 
 
-def test_what_is_being_kept_is_kept(pressed: Callable[..., None]) -> None:
+def test_what_is_being_kept_is_kept(pressed):
     pressed(os, "fsync")
     code, out, err = run(*CONTINUE.split())
     assert (code, err) == (0, "")
     assert json.loads(out)["ends"] == list(ns.load("b.json").ends)
 
 
-def test_a_picture_that_is_interrupted_keeps_the_answer(pressed: Callable[..., None]) -> None:
+def test_a_picture_that_is_interrupted_keeps_the_answer(pressed):
     figure = pytest.importorskip("matplotlib.figure")
     pressed(figure.Figure, "savefig")
     shown = Terminal()
@@ -95,7 +92,7 @@ def test_a_picture_that_is_interrupted_keeps_the_answer(pressed: Callable[..., N
 
 
 @pytest.mark.parametrize("answer", ["y\n", "n\n", ""])
-def test_a_question_is_answered_with_no_by_an_interrupt(answer: str) -> None:
+def test_a_question_is_answered_with_no_by_an_interrupt(answer):
     file = declare(Path())
     before = file.read_text()
     answers, shown = Terminal(answer), Terminal()

@@ -6,7 +6,6 @@ import json
 import shlex
 import shutil
 import signal
-from collections.abc import Iterator
 from dataclasses import replace
 from importlib import util
 from pathlib import Path
@@ -17,7 +16,7 @@ from rich.progress import Progress
 
 import nonsmooth as ns
 from nonsmooth.runtime.core.result_files import checksum_of
-from tests.cli.terminal import Ended, on_terminal
+from tests.cli.terminal import on_terminal
 from tests.cli.test_cli import COMMANDS, run
 from tests.places import GALLERY
 
@@ -85,14 +84,14 @@ QUESTIONS = {
 PICTURED = ("continue", "box", "sweep")  # whose picture is drawn of what is done
 
 
-def command_of(words: str) -> str:
+def command_of(words):
     """The words that name a command."""
     first, second, *_ = words.split()
     return f"{first} {second}" if first == "certify" else first
 
 
 @pytest.fixture(autouse=True)
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+def folder(tmp_path, monkeypatch):
     """A folder in which a command heeds Ctrl-C as in a process of its own."""
     monkeypatch.chdir(tmp_path)
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -100,7 +99,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     signal.signal(signal.SIGINT, before)
 
 
-def begun(words: str, progress: str, told: int) -> Ended:
+def begun(words, progress, told):
     """A command on a terminal that gets Ctrl-C when its progress of that name is told so often."""
     add, update, left = Progress.add_task, Progress.update, told
 
@@ -125,7 +124,7 @@ def begun(words: str, progress: str, told: int) -> Ended:
         return on_terminal(*shlex.split(words))
 
 
-def answer(file: str) -> Any:
+def answer(file):
     """What a file answers, without what was asked for it and how it came about."""
     content = json.loads(Path(file).read_text())
     for name in ("request", "sha256", "history", "start"):
@@ -133,7 +132,7 @@ def answer(file: str) -> Any:
     return content
 
 
-def marked(*slow: str) -> list[Any]:
+def marked(*slow):
     """Each kind of question, with a mark of those that are slow."""
     return [pytest.param(k, marks=[pytest.mark.slow] * (k in slow)) for k in QUESTIONS]
 
@@ -143,8 +142,8 @@ SLOW = "basin", "branch", "doubling"
 
 @pytest.mark.parametrize("kind", marked("graph", *SLOW))
 def test_what_is_interrupted_goes_on_by_its_file_alone_to_the_whole(
-    kind: str,
-) -> None:
+    kind,
+):
     asked = QUESTIONS[kind]
     words, anew = shlex.split(asked.words), asked.anew.split()
     if asked.source:
@@ -191,9 +190,7 @@ OF_ORBITS = [k for k in marked("events", *SLOW) if k.values[0] not in ("graph", 
 
 
 @pytest.mark.parametrize("kind", OF_ORBITS)
-def test_an_orbit_of_another_file_is_held_wherever_it_goes_on(
-    kind: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_orbit_of_another_file_is_held_wherever_it_goes_on(kind, tmp_path, monkeypatch):
     asked = QUESTIONS[kind]
     command = command_of(asked.words).split()
     name = asked.words.split()[len(command)]
@@ -232,7 +229,7 @@ def test_an_orbit_of_another_file_is_held_wherever_it_goes_on(
 
 
 @pytest.mark.slow
-def test_events_go_on_though_none_is_enclosed_yet(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_events_go_on_though_none_is_enclosed_yet(monkeypatch):
     shutil.copy(GALLERY / "two_stops.py", "two_stops.py")
 
     def stopped(*_: object) -> None:
@@ -250,7 +247,7 @@ def test_events_go_on_though_none_is_enclosed_yet(monkeypatch: pytest.MonkeyPatc
     assert event.kind == "branch-point"
 
 
-def test_a_chart_goes_on_as_it_was_begun() -> None:
+def test_a_chart_goes_on_as_it_was_begun():
     question = f"chart {STICK} V=0.99:1:6 eta=0.99:1:6 --chunk 9 --workers 1"
     code, _, err = begun(f"{question} --out F.zarr --yes --json", "charting", 3)
     assert (code, "of 4 chunks are kept in F.zarr; go on with: nonsmooth" in err) == (130, True)
@@ -270,9 +267,7 @@ def test_a_chart_goes_on_as_it_was_begun() -> None:
         ("reproduce --out new/paper", "orbit rigid", ""),
     ],
 )
-def test_what_does_not_go_on_keeps_what_it_has_or_nothing(
-    words: str, progress: str, done: str
-) -> None:
+def test_what_does_not_go_on_keeps_what_it_has_or_nothing(words, progress, done):
     code, _, err = begun(words, progress, 1)
     kept = f"{done}, kept in part.json" if done else "interrupted: nothing is kept"
     assert code == 130
@@ -297,7 +292,7 @@ def test_what_does_not_go_on_keeps_what_it_has_or_nothing(
         f"find {FRICTION}",
     ],
 )
-def test_no_file_is_replaced_unasked(words: str) -> None:
+def test_no_file_is_replaced_unasked(words):
     file = Path("file.json")
     ns.solve(STICK).save(file)
     before = file.read_bytes()
@@ -313,7 +308,7 @@ def test_no_file_is_replaced_unasked(words: str) -> None:
         assert ns.load(file).proved
 
 
-def test_every_command_that_resumes_is_asked_here() -> None:
+def test_every_command_that_resumes_is_asked_here():
     resumes = {
         name
         for name, command in COMMANDS.items()
@@ -335,7 +330,7 @@ def test_every_command_that_resumes_is_asked_here() -> None:
         ("--tiles 2 --save more.json", ""),
     ],
 )
-def test_what_is_said_beside_the_file_has_to_be_the_same(beside: str, told: str) -> None:
+def test_what_is_said_beside_the_file_has_to_be_the_same(beside, told):
     run("certify", "box", SYMMETRIC, "V=1:1.1", "--tiles", "1", "--save", "part.json")
     before = Path("part.json").read_bytes()
     code, _, err = run("certify", "box", "--resume", "part.json", *beside.split())
@@ -351,7 +346,7 @@ def test_what_is_said_beside_the_file_has_to_be_the_same(beside: str, told: str)
         assert run("certify", "check", "more.json")[0] == 0
 
 
-def test_no_file_makes_a_command_run_a_declaration_or_do_something_else() -> None:
+def test_no_file_makes_a_command_run_a_declaration_or_do_something_else():
     Path("trap.py").write_text("raise SystemExit('run')")
     run("certify", "box", SYMMETRIC, "V=1:1.1", "--tiles", "1", "--save", "part.json")
     sound = json.loads(Path("part.json").read_text())

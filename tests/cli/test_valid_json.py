@@ -1,16 +1,11 @@
 """What `--json` prints is JSON for every reader: null where a number is not known."""
 
-from __future__ import annotations
-
 import ast
 import json
 import math
 import shlex
 import shutil
-from pathlib import Path
-from typing import NoReturn
 
-import pytest
 from typer.testing import CliRunner
 
 import nonsmooth as ns
@@ -19,11 +14,11 @@ from nonsmooth.runtime.cli.program import app
 from tests.places import CHECKOUT, GALLERY
 
 
-def refused(constant: str) -> NoReturn:
+def refused(constant):
     raise AssertionError(f"{constant} is no JSON")
 
 
-def test_one_function_prints_all_json() -> None:
+def test_one_function_prints_all_json():
     """No command goes past it."""
     writers = set()
     for path in sorted((CHECKOUT / "runtime" / "cli").glob("*.py")):
@@ -37,15 +32,13 @@ def test_one_function_prints_all_json() -> None:
     assert writers == {("application.py", "print_json")}
 
 
-def test_what_is_not_known_is_printed_as_null(capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_is_not_known_is_printed_as_null(capsys):
     print_json({"trace": "nan", "rates": [math.nan, math.inf, 0.5, {"name": "nan"}]})
     found = json.loads(capsys.readouterr().out, parse_constant=refused)
     assert found == {"trace": None, "rates": [None, "inf", 0.5, {"name": None}]}
 
 
-def test_an_error_that_is_not_known_is_null(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_error_that_is_not_known_is_null(tmp_path, monkeypatch):
     """A parameter that ends at its bound has no standard error."""
     for name in ("identification.py", "impacts.csv"):
         shutil.copy(GALLERY / name, tmp_path)

@@ -6,7 +6,6 @@ import inspect
 import json
 import re
 from collections import defaultdict
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -19,7 +18,7 @@ from tests.places import GALLERY
 ORBIT = "dry-friction/global-stick"
 
 
-def options() -> dict[str, dict[str, Any]]:
+def options():
     """Options by name, and the commands that have them."""
     found: dict[str, dict[str, Any]] = defaultdict(dict)
     for name, command in COMMANDS.items():
@@ -29,20 +28,20 @@ def options() -> dict[str, dict[str, Any]]:
     return found
 
 
-def test_no_option_has_another_name() -> None:
+def test_no_option_has_another_name():
     for name, commands in options().items():
         for command, option in commands.items():
             assert (option.opts, option.secondary_opts) == ([name], []), command
 
 
-def test_a_usage_line_puts_what_may_be_left_out_in_brackets_once() -> None:
+def test_a_usage_line_puts_what_may_be_left_out_in_brackets_once():
     for name, command in COMMANDS.items():
         usage = command.get_usage(typer.Context(command, info_name=name))
         assert "[[" not in usage, usage
 
 
 @pytest.mark.parametrize("name", options())
-def test_values_of_another_type_are_refused_in_the_words_of_this_program(name: str) -> None:
+def test_values_of_another_type_are_refused_in_the_words_of_this_program(name):
     for command, option in options()[name].items():
         kind = str(inspect.signature(COMMANDS[command].callback).parameters[option.name].annotation)
         if not re.search(r"\[(str|bool|pathlib\.Path|list\[str\])", kind):
@@ -50,7 +49,7 @@ def test_values_of_another_type_are_refused_in_the_words_of_this_program(name: s
             assert (code, f"{name} takes" in err) == (2, True), (command, kind, err)
 
 
-def test_pictures_of_answers_are_plotted_and_products_come_out() -> None:
+def test_pictures_of_answers_are_plotted_and_products_come_out():
     """Only `plot` has a picture as its product."""
     made = {name: option.help.lower() for name, option in options()["--out"].items()}
     assert [name for name, told in made.items() if "svg" in told] == ["plot"]
@@ -58,12 +57,12 @@ def test_pictures_of_answers_are_plotted_and_products_come_out() -> None:
 
 
 @pytest.mark.parametrize("name", ["--from", "--guess", "--given"])
-def test_numbers_are_given_by_name(name: str) -> None:
+def test_numbers_are_given_by_name(name):
     """Whatever begins somewhere, a motion or a branch, takes NAME=VALUE."""
     assert {option.metavar for option in options()[name].values()} == {"NAME=VALUE,..."}
 
 
-def test_a_branch_is_entered_where_it_is_told() -> None:
+def test_a_branch_is_entered_where_it_is_told():
     for value in ("0.85", "1.2"):
         code, out, err = run(
             *f"continue {ORBIT} V=0.8:1.3 --from V={value} --step 0.2 --points 1 --json".split()
@@ -72,7 +71,7 @@ def test_a_branch_is_entered_where_it_is_told() -> None:
         assert float(value) in json.loads(out)["values"]
 
 
-def test_a_branch_ends_where_it_is_no_motion_in_python_as_on_the_command_line() -> None:
+def test_a_branch_ends_where_it_is_no_motion_in_python_as_on_the_command_line():
     orbit = ns.solve("dry-friction/symmetric")
     whole = ns.continue_orbit(orbit, "V", (0.5, 0.8), step=0.1)
     part = ns.continue_orbit(orbit, "V", (0.5, 0.8), step=0.1, admissible=True)
@@ -82,7 +81,7 @@ def test_a_branch_ends_where_it_is_no_motion_in_python_as_on_the_command_line() 
     assert f'"{part.ends[0]}"' in out
 
 
-def test_values_of_a_file_are_no_defaults_and_unknowns_have_their_names(tmp_path: Path) -> None:
+def test_values_of_a_file_are_no_defaults_and_unknowns_have_their_names(tmp_path):
     file = tmp_path / "orbit.json"
     forced = f"{GALLERY / 'two_stops.py'}:symmetric"
     for name, words in ((ORBIT, ["eta=1.01"]), (forced, [])):

@@ -1,10 +1,7 @@
 """Wrong input is one line on stderr, and in JSON: nothing is answered, shown, or written."""
 
-from __future__ import annotations
-
 import shlex
 import shutil
-from pathlib import Path
 
 import pytest
 
@@ -194,7 +191,7 @@ USAGE = [
 
 
 @pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def folder(tmp_path, monkeypatch):
     """A folder with what the fits take."""
     for name in ("identification.py", "impacts.csv"):
         shutil.copy(GALLERY / name, tmp_path)
@@ -206,7 +203,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 @pytest.mark.parametrize(
     ("command", "part"), [*WRONG, *((words, " --help shows the usage") for words in USAGE)]
 )
-def test_wrong_input_is_2_with_one_line(command: str, part: str, folder: Path) -> None:
+def test_wrong_input_is_2_with_one_line(command, part, folder):
     before = sorted(folder.iterdir())
     words = shlex.split(command)
     code, out, err = run(*words)

@@ -56,7 +56,7 @@ def test_boxes_are_halved_only_as_long_as_doubles_hold_their_places():
         flags.append(np.array([True, False]))
 
 
-def divided(seed: int) -> DividedGrid:
+def divided(seed):
     """Boxes of several sizes, of a grid whose boxes were halved three times here and there."""
     random = np.random.default_rng(seed)
     found = DividedGrid.of(GRID)

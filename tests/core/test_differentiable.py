@@ -11,7 +11,7 @@ from nonsmooth import InputError
 
 @pytest.mark.parametrize("pulled", [True, False])
 @pytest.mark.parametrize("lead", [(), (4,), (2, 3)])
-def test_both_modes_are_those_of_the_jacobian(lead: tuple[int, ...], pulled: bool) -> None:
+def test_both_modes_are_those_of_the_jacobian(lead, pulled):
     function, rng = made(pulled=pulled), np.random.default_rng(3)
     x, dx, dy = (rng.normal(size=(*lead, k)) for k in (2, 2, 3))
     jacobian = function.jacobian(x)
@@ -25,12 +25,12 @@ def test_both_modes_are_those_of_the_jacobian(lead: tuple[int, ...], pulled: boo
 
 
 @pytest.mark.parametrize("x", [1.0, [1.0], np.ones((2, 3))])
-def test_points_of_the_wrong_length_are_refused_by_name(x: object) -> None:
+def test_points_of_the_wrong_length_are_refused_by_name(x):
     with pytest.raises(InputError, match="takes 2 numbers: a, b"):
         made(pulled=False)(x)
 
 
-def test_scipy_takes_all_values_or_one() -> None:
+def test_scipy_takes_all_values_or_one():
     function, x = made(pulled=False), np.array([0.3, 0.4])
     fun, jac = function.scipy_pair()
     assert_array_equal(fun(x), function(x))

@@ -12,7 +12,7 @@ from nonsmooth.derive import Parameter, oscillator
     ("kind", "usual"),
     [(ns.InputError, ValueError), (ns.MissingExtra, ImportError), (ns.NoConvergence, Exception)],
 )
-def test_one_root_and_the_usual_base(kind: type[Exception], usual: type[Exception]) -> None:
+def test_one_root_and_the_usual_base(kind, usual):
     assert issubclass(kind, ns.NonsmoothError)
     assert issubclass(kind, usual)
 
@@ -29,7 +29,7 @@ KNOWN = "known: chi, eta, V, e1, e2, us1, us2, ur1, ur2"
         ("a\nb", f"unknown parameter 'a\\nb'; {KNOWN}"),
     ],
 )
-def test_an_unknown_name_is_answered_with_the_nearest_and_all(name: str, message: str) -> None:
+def test_an_unknown_name_is_answered_with_the_nearest_and_all(name, message):
     with pytest.raises(ns.InputError) as caught:
         ns.solve("dry-friction/global-stick", {name: 1})
     assert str(caught.value) == message
@@ -39,7 +39,7 @@ def test_an_unknown_name_is_answered_with_the_nearest_and_all(name: str, message
     assert str(copy) == message
 
 
-def test_names_that_differ_in_case_are_kept_apart() -> None:
+def test_names_that_differ_in_case_are_kept_apart():
     parameters = [Parameter("k", "stiffness"), Parameter("K", "mass")]
     k, mass = (p.symbol for p in parameters)
     system = oscillator("cases", ["x"], [[mass]], [[k]], parameters=parameters)

@@ -17,12 +17,12 @@ from nonsmooth.runtime.core.json_codec import decode, encode
 from nonsmooth.runtime.core.taylor_models import space_of
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.expressions import Function, written
-from tests.exponentials import Factor, error, exact, forced, largest_root, periods, repeated
+from tests.exponentials import error, exact, forced, largest_root, periods, repeated
 
 BALLS = Balls()
 
 
-def time_of(factors: list[Factor], count: float) -> float:
+def time_of(factors, count):
     return count * 2 * math.pi / largest_root(factors)
 
 
@@ -32,9 +32,7 @@ def time_of(factors: list[Factor], count: float) -> float:
     periods,
     st.integers(0, 3),
 )
-def test_doubles_have_the_digits_of_the_exact_flow(
-    drawn: tuple[list[Factor], int], count: float, k: int
-) -> None:
+def test_doubles_have_the_digits_of_the_exact_flow(drawn, count, k):
     """Also of repeated and nearly equal factors, with a few roundings more."""
     factors, allowed = drawn
     t, k = time_of(factors, count), min(k, sum(map(len, factors)) - 1)
@@ -51,7 +49,7 @@ def test_doubles_have_the_digits_of_the_exact_flow(
         (0.0, 1.0, 0.0),
     ],
 )
-def test_higher_degrees_by_numeric_roots(factor: Factor) -> None:
+def test_higher_degrees_by_numeric_roots(factor):
     for t in (0.1, 2.0, 30.0):
         for k in range(len(factor)):
             found = float(FLOATS.exponential_difference(k, t, factor, (2.0, 0.0)))
@@ -59,7 +57,7 @@ def test_higher_degrees_by_numeric_roots(factor: Factor) -> None:
 
 
 @pytest.mark.parametrize("damping", [1e3, 1e6])
-def test_the_slow_root_keeps_its_digits(damping: float) -> None:
+def test_the_slow_root_keeps_its_digits(damping):
     factors = [(1.0, damping)]
     for t in (1e-6, 1.0, damping):
         found = float(FLOATS.exponential_difference(0, t, *factors))
@@ -67,7 +65,7 @@ def test_the_slow_root_keeps_its_digits(damping: float) -> None:
 
 
 @pytest.mark.parametrize("count", [2, 3, 4])
-def test_undamped_roots_have_no_damping(count: int) -> None:
+def test_undamped_roots_have_no_damping(count):
     """Not even after so many turns that a rounding of it would show."""
     frequencies = np.geomspace(1.0, 7.0, count)
     squares = np.polynomial.polynomial.polyfromroots(-(frequencies**2))[:-1]
@@ -79,7 +77,7 @@ def test_undamped_roots_have_no_damping(count: int) -> None:
     assert late.max() == pytest.approx(early.max(), rel=0.2)
 
 
-def test_arrays_broadcast() -> None:
+def test_arrays_broadcast():
     t, w = np.linspace(0, 4, 5), np.array([[1.0], [2.0]])
     found = FLOATS.exponential_difference(1, t, (w**2, 0))
     assert found.shape == (2, 5)
@@ -88,7 +86,7 @@ def test_arrays_broadcast() -> None:
 
 
 @pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf, 1e300, -1e300, 5e-324])
-def test_hostile_numbers_end(bad: float) -> None:
+def test_hostile_numbers_end(bad):
     for factors in ([(1.0, bad)], [(bad, 1.0), (2.0,)], [(bad, bad, bad), (0, 0)]):
         for t in (1.0, bad):
             FLOATS.exponential_difference(1, t, *factors)
@@ -98,7 +96,7 @@ def test_hostile_numbers_end(bad: float) -> None:
 
 @settings(max_examples=15)
 @given(repeated(), periods, st.integers(0, 3))
-def test_mpmath_has_its_digits(factors: list[Factor], count: float, k: int) -> None:
+def test_mpmath_has_its_digits(factors, count, k):
     t = time_of(factors, count)
     found = exact_ball(Mpmath(40).exponential_difference(k, t, *factors))
     with flint_precision(300):
@@ -108,9 +106,7 @@ def test_mpmath_has_its_digits(factors: list[Factor], count: float, k: int) -> N
 
 @settings(max_examples=40)
 @given(forced(), st.floats(0.0, 20.0), st.integers(0, 3), st.sampled_from([0.0, 1e-12, 1e-3, 3e-2]))
-def test_balls_contain_what_they_enclose(
-    factors: list[Factor], count: float, k: int, width: float
-) -> None:
+def test_balls_contain_what_they_enclose(factors, count, k, width):
     t, k = time_of(factors, count), min(k, sum(map(len, factors)) - 1)
     wide = [tuple(arb(c, abs(c) * width) for c in f) for f in factors]
     found = BALLS.exponential_difference(k, arb(t, t * width), *wide)
@@ -129,7 +125,7 @@ def test_balls_contain_what_they_enclose(
 
 
 @pytest.mark.parametrize("beside", [1e-1, 1e-7, 0.0])
-def test_balls_are_hardly_wider_than_the_range(beside: float) -> None:
+def test_balls_are_hardly_wider_than_the_range(beside):
     """To first order the range is the sum of the absolute derivatives times the radii."""
     t, width = 20.0, 1e-8
     factors = [(1.0, 0.1), (1.0 + beside, 0.0)]
@@ -144,7 +140,7 @@ def test_balls_are_hardly_wider_than_the_range(beside: float) -> None:
         assert 1 <= float(found.rad()) / (width * sum(map(abs, slopes))) < 1.01
 
 
-def test_models_contain_the_range_and_keep_what_variables_share() -> None:
+def test_models_contain_the_range_and_keep_what_variables_share():
     space = space_of(2, 5)
     t = space.variable(0, arb(3), arb("0.01"))
     w2 = space.variable(1, arb(4), arb("0.02"))
@@ -157,7 +153,7 @@ def test_models_contain_the_range_and_keep_what_variables_share() -> None:
         assert float(enclosed.rad()) < 1e-11
 
 
-def test_written_down_as_data_it_gives_the_same_digits() -> None:
+def test_written_down_as_data_it_gives_the_same_digits():
     def kernel(a: Any, *, lib: Any) -> Any:
         [t, c0, c1] = a
         return [lib.exponential_difference(1, t, (c0, 2 * c1), (0,), (4, 0)) + 1]

@@ -1,7 +1,5 @@
 """Writing files: whole or not at all, in place of files alone, folders as such."""
 
-from __future__ import annotations
-
 import errno
 import os
 import signal
@@ -26,16 +24,16 @@ from nonsmooth.runtime.core.files import (
 FILES = {"a": b"new a", "b": b"new b", "record": b"new record"}
 
 
-def full(*_: object) -> None:
+def full(*_):
     raise OSError(errno.ENOSPC, "No space left on device")
 
 
-def contents(folder: Path) -> dict[str, bytes]:
+def contents(folder):
     return {path.name: path.read_bytes() for path in folder.iterdir()}
 
 
 @pytest.mark.parametrize("name", ["file", "new/folder/file", "x" * 255, "x" * 200 + "/y"])
-def test_a_file_and_the_folders_above_it_are_made(name: str, tmp_path: Path) -> None:
+def test_a_file_and_the_folders_above_it_are_made(name, tmp_path):
     path = tmp_path / name
     check_target(path)
     write_file(path, b"one")
@@ -43,7 +41,7 @@ def test_a_file_and_the_folders_above_it_are_made(name: str, tmp_path: Path) -> 
     assert contents(path.parent) == {path.name: b"two"}
 
 
-def test_a_link_and_permissions_stay(tmp_path: Path) -> None:
+def test_a_link_and_permissions_stay(tmp_path):
     target, link, far = tmp_path / "target", tmp_path / "link", tmp_path / "far"
     target.write_bytes(b"one")
     target.chmod(0o640)
@@ -57,7 +55,7 @@ def test_a_link_and_permissions_stay(tmp_path: Path) -> None:
     assert (tmp_path / "not" / "there").read_bytes() == b"three"
 
 
-def test_a_folder_that_cannot_be_made(tmp_path: Path) -> None:
+def test_a_folder_that_cannot_be_made(tmp_path):
     (tmp_path / "nowhere").symlink_to(tmp_path / "absent")
     with (
         pytest.raises(InputError, match=r"cannot write .*file exists"),
@@ -69,7 +67,7 @@ def test_a_folder_that_cannot_be_made(tmp_path: Path) -> None:
     assert os.listdir(tmp_path) == ["nowhere"]
 
 
-def test_what_is_no_file_is_refused_and_stays(tmp_path: Path) -> None:
+def test_what_is_no_file_is_refused_and_stays(tmp_path):
     os.mkfifo(tmp_path / "pipe")
     (tmp_path / "device").symlink_to("/dev/full")
     (tmp_path / "loop").symlink_to(tmp_path / "loop")
@@ -98,7 +96,7 @@ def test_what_is_no_file_is_refused_and_stays(tmp_path: Path) -> None:
             read_file(tmp_path / name, 10, "thing")
 
 
-def test_the_file_that_the_output_goes_to_is_refused(tmp_path: Path) -> None:
+def test_the_file_that_the_output_goes_to_is_refused(tmp_path):
     code = (
         "import pathlib, sys\n"
         "from nonsmooth.runtime.core.files import write_file\n"
@@ -119,9 +117,7 @@ def test_the_file_that_the_output_goes_to_is_refused(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("call", ["fsync", "replace"])
-def test_a_full_disk_changes_nothing(
-    call: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_full_disk_changes_nothing(call, tmp_path, monkeypatch):
     old = {"a": b"old a", "record": b"old record", "other": b"mine"}
     write_files(tmp_path / "known", old)
     monkeypatch.setattr(os, call, full)
@@ -137,7 +133,7 @@ def test_a_full_disk_changes_nothing(
     assert os.listdir(tmp_path) == ["known"]
 
 
-def test_a_disk_that_is_full_halfway_changes_nothing(tmp_path: Path) -> None:
+def test_a_disk_that_is_full_halfway_changes_nothing(tmp_path):
     """By a limit of the system instead of a fault that is played."""
     code = (
         "import pathlib, resource, signal, sys\n"
@@ -165,7 +161,7 @@ def test_a_disk_that_is_full_halfway_changes_nothing(tmp_path: Path) -> None:
     assert contents(tmp_path / "known") == {"a": b"old a"}
 
 
-def test_files_of_a_folder_come_together(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_files_of_a_folder_come_together(tmp_path, monkeypatch):
     write_files(tmp_path / "new", FILES)
     assert contents(tmp_path / "new") == FILES
     (tmp_path / "new" / "other").write_bytes(b"mine")
@@ -181,7 +177,7 @@ def test_files_of_a_folder_come_together(tmp_path: Path, monkeypatch: pytest.Mon
     assert (tmp_path / "new" / "a").read_bytes() == b"newer"
 
 
-def test_two_writers_and_a_kill_leave_a_whole_file(tmp_path: Path) -> None:
+def test_two_writers_and_a_kill_leave_a_whole_file(tmp_path):
     """At any instant the file is one of those that were written."""
     code = (
         "import pathlib, sys\n"

@@ -1,7 +1,5 @@
 """Relations among irrational numbers: what they show to be zero is zero, and nothing else."""
 
-from typing import Any
-
 import pytest
 from flint import arb, ctx, fmpq
 
@@ -19,11 +17,11 @@ TEXTS = (
 
 
 @pytest.fixture(scope="module")
-def known() -> Any:
+def known():
     return irrationals(["p"], TEXTS, lambda text: parse(text).ball(BITS))
 
 
-def test_every_number_is_what_its_text_says(known: Any) -> None:
+def test_every_number_is_what_its_text_says(known):
     with ctx.workprec(BITS):
         values = [arb(1), *(parse(text).ball(BITS) for text in known.generators)]
         for text in TEXTS:
@@ -32,7 +30,7 @@ def test_every_number_is_what_its_text_says(known: Any) -> None:
             assert abs(found - parse(text).ball(BITS)) < arb(2) ** -200, text
 
 
-def test_what_is_related_is_zero_and_what_is_not_is_not(known: Any) -> None:
+def test_what_is_related_is_zero_and_what_is_not_is_not(known):
     number, p = known.numbers, known.variables[0]
     sine, cosine, twice = (number[text] for text in ("sin(pi/7)", "cos(pi/7)", "cos(2*pi/7)"))
     root, inner = number["root(0,1,0,0,0,-1,-1)"], 1 + number["sqrt(2)"]
@@ -60,7 +58,7 @@ def test_what_is_related_is_zero_and_what_is_not_is_not(known: Any) -> None:
     assert number["1/(1-sqrt(2))"] == -inner != inner
 
 
-def test_nothing_is_divided_by_what_may_be_zero(known: Any) -> None:
+def test_nothing_is_divided_by_what_may_be_zero(known):
     number = known.numbers
     nothing = number["sqrt(3+2*sqrt(2))"] - 1 - number["sqrt(2)"]  # zero, by no known relation
     assert nothing
@@ -71,6 +69,6 @@ def test_nothing_is_divided_by_what_may_be_zero(known: Any) -> None:
         irrationals((), ["pi*1e-9999"], lambda text: parse(text).ball(BITS))
 
 
-def test_a_relation_that_does_not_hold_is_noticed() -> None:
+def test_a_relation_that_does_not_hold_is_noticed():
     with pytest.raises(ArithmeticError, match="is not zero"):
         irrationals((), ["sqrt(2)"], lambda text: parse("sqrt(3)").ball(BITS))

@@ -1,7 +1,5 @@
 """Jets: derivatives of what is computed, against mpmath's and closed forms."""
 
-from typing import Any
-
 import mpmath
 import pytest
 from flint import arb, arb_mat
@@ -17,19 +15,19 @@ BITS = 200
 STEP = mpmath.mpf(10) ** -20
 
 
-def functions(x: Any) -> list[Any]:
+def functions(x):
     sine, cosine = x.sin_cos()
     flow = (matrix([[x, 1], [0, x * x]]) * arb(2)).exp()
     return [3 / (2 + sine * cosine), (1 - x) ** 3 / x, *flow.entries()]
 
 
-def expected(x: Any) -> list[Any]:
+def expected(x):
     flow = mp.expm(2 * mp.matrix([[x, 1], [0, x * x]]))
     return [3 / (2 + mp.sin(x) * mp.cos(x)), (1 - x) ** 3 / x, *flow]
 
 
 @pytest.mark.parametrize("place", range(6))
-def test_derivatives_are_enclosed_at_a_point_and_over_a_tile(place: int) -> None:
+def test_derivatives_are_enclosed_at_a_point_and_over_a_tile(place):
     space = space_of(1, 5)
     over = jet(space.variable(0, arb(AT), arb(0.01)), arb(1), None, None)
     with mp.workdps(40):
@@ -46,7 +44,7 @@ def test_derivatives_are_enclosed_at_a_point_and_over_a_tile(place: int) -> None
         assert range_of(part_of(tile, k)).rad() < 0.25 * abs(series[k]) + 0.5
 
 
-def test_what_is_no_jet_does_not_depend_on_the_parameter() -> None:
+def test_what_is_no_jet_does_not_depend_on_the_parameter():
     x = jet(arb(2), arb(1))
     space = space_of(1, 3)
     model = space.variable(0, arb(1), arb(0.5))
@@ -57,7 +55,7 @@ def test_what_is_no_jet_does_not_depend_on_the_parameter() -> None:
     assert part_of(arb(3), 1) == 0
 
 
-def test_every_coefficient_is_felt_to_all_digits() -> None:
+def test_every_coefficient_is_felt_to_all_digits():
     """Of an angle that is curved, in sine, cosine and a quotient: order 3, signs included."""
     with flint_precision(BITS), mpmath.workdps(70):
         angle = jet(arb("0.7"), arb(-2), arb(3), arb(5))
@@ -74,7 +72,7 @@ def test_every_coefficient_is_felt_to_all_digits() -> None:
             assert float(ball.rad()) < 1e-40
 
 
-def test_the_radius_of_a_value_reaches_its_derivative() -> None:
+def test_the_radius_of_a_value_reaches_its_derivative():
     # over all x in the ball the derivative of x^2 is 2 x: what a Taylor model does not enclose
     x = jet(arb(1, 0.25), arb(1))
     rate = part_of(x * x, 1)
@@ -82,7 +80,7 @@ def test_the_radius_of_a_value_reaches_its_derivative() -> None:
     assert rate.contains(arb(2.5))
 
 
-def test_matrices_of_balls_and_jets() -> None:
+def test_matrices_of_balls_and_jets():
     found = matrix([[jet(arb(2), arb(3)), 1], [arb(4), 0]])
     assert part_of(found, 0) == arb_mat([[2, 1], [4, 0]])
     assert part_of(found, 1) == arb_mat([[3, 0], [0, 0]])

@@ -8,7 +8,7 @@ from nonsmooth.runtime.core.exponentials.matrices import exponentials
 
 
 @pytest.mark.parametrize("spoiled", [np.nan, np.inf, 1e7])
-def test_a_matrix_that_has_none_spoils_no_other(spoiled: float) -> None:
+def test_a_matrix_that_has_none_spoils_no_other(spoiled):
     random = np.random.default_rng(3)
     matrices = random.standard_normal((5, 4, 4)) * np.array([1e-3, 1, 3, 1, 10])[:, None, None]
     matrices[3, 1, 2] = spoiled

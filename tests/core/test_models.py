@@ -27,26 +27,26 @@ from nonsmooth.runtime.core.values import flint_precision
 SPACES = [(1, 1), (1, 4), (2, 1), (2, 3), (3, 2)]
 
 
-def random_number(rng: np.random.Generator, variables: int, order: int, size: float) -> TaylorModel:
+def random_number(rng, variables, order, size):
     space = space_of(variables, order)
     parts = [arb(float(rng.normal())) * size ** sum(e) for e in space.exponents]
     return TaylorModel(space, tuple(parts))
 
 
-def random_matrix(rng: np.random.Generator, variables: int, order: int, size: int) -> TaylorModel:
+def random_matrix(rng, variables, order, size):
     entries = [
         [random_number(rng, variables, order, 0.05) for _ in range(size)] for _ in range(size)
     ]
     return matrix(entries)
 
 
-def points(rng: np.random.Generator, variables: int) -> list[list[arb]]:
+def points(rng, variables):
     inside = rng.uniform(-1, 1, (6, variables))
     corners = rng.choice([-1.0, 1.0], (3, variables))
     return [[arb(float(x)) for x in point] for point in (*inside, *corners)]
 
 
-def overlap(left: Any, right: Any) -> bool:
+def overlap(left, right):
     """Whether balls that are to contain the same numbers do not exclude it."""
     if isinstance(left, arb):
         return bool(left.overlaps(right))
@@ -54,7 +54,7 @@ def overlap(left: Any, right: Any) -> bool:
 
 
 @pytest.mark.parametrize(("variables", "order"), SPACES)
-def test_models_of_functions_contain_them_everywhere(variables: int, order: int) -> None:
+def test_models_of_functions_contain_them_everywhere(variables, order):
     rng = np.random.default_rng(10 * variables + order)
     with flint_precision(64):
         for _ in range(5):
@@ -76,7 +76,7 @@ def test_models_of_functions_contain_them_everywhere(variables: int, order: int)
                 assert overlap(matrix([[x, 1], [y, x]]).at(p), arb_mat([[xp, 1], [yp, xp]]))
 
 
-def test_what_is_cut_off_stays_in_the_radius() -> None:
+def test_what_is_cut_off_stays_in_the_radius():
     # no quadratic polynomial is nearer to 2/(2 - e) than 2 (2 - sqrt 3)^2/3 (Chebyshev)
     with flint_precision(64):
         space = space_of(1, 2)
@@ -91,7 +91,7 @@ def test_what_is_cut_off_stays_in_the_radius() -> None:
         assert float(square.lower()) > -1e-8  # even powers are not negative
 
 
-def test_higher_orders_are_sharper() -> None:
+def test_higher_orders_are_sharper():
     rng = np.random.default_rng(1)
     base = rng.normal(size=(3, 3))
     slope = rng.normal(size=(3, 3))
@@ -105,7 +105,7 @@ def test_higher_orders_are_sharper() -> None:
     assert all(sharp < rough / 5 for rough, sharp in pairwise(radii))
 
 
-def test_an_interval_that_holds_zero_has_no_reciprocal() -> None:
+def test_an_interval_that_holds_zero_has_no_reciprocal():
     with flint_precision(64):
         e = space_of(1, 2).variable(0, arb("0.5"), arb(1))
         assert not range_of(1 / e).is_finite()
@@ -118,7 +118,7 @@ def test_an_interval_that_holds_zero_has_no_reciprocal() -> None:
 V, ETA = symbols(["V", "eta"])
 
 
-def test_facts_over_rational_functions() -> None:
+def test_facts_over_rational_functions():
     # x = V y and x + y = eta are known; what follows holds for all V and eta
     zero, one = V - V, V / V
     facts = Elimination().echelon([(one, -V, zero), (one, one, -ETA)])
@@ -131,7 +131,7 @@ def test_facts_over_rational_functions() -> None:
     assert not any(product(kernel[0], [(V, ETA), (V * V, V * ETA), (one, zero)]))
 
 
-def test_exponentials_of_tiny_matrices_to_many_digits() -> None:
+def test_exponentials_of_tiny_matrices_to_many_digits():
     with flint_precision(4000):
         space = space_of(1, 1)
         tiny = space.constant(arb_mat([[arb(0, arb(2) ** -3000)]]))
@@ -139,7 +139,7 @@ def test_exponentials_of_tiny_matrices_to_many_digits() -> None:
 
 
 @pytest.mark.parametrize("exponent", [-17, -24, -40])
-def test_an_exponential_holds_what_its_polynomial_leaves_out(exponent: int) -> None:
+def test_an_exponential_holds_what_its_polynomial_leaves_out(exponent):
     """The polynomial of a power of two is a double, nearly: no rounding hides what is left out."""
     small = arb((1, exponent))
     with flint_precision(64):
@@ -152,9 +152,7 @@ def test_an_exponential_holds_what_its_polynomial_leaves_out(exponent: int) -> N
     ("weight", "shares"),
     [(AT_BOTH_ENDS, (1, 1, 1)), (MEAN, (1, 1 / 2, 1 / 3)), (BENT_MEAN, (1 / 3, 1 / 8, 1 / 15))],
 )
-def test_averages_are_those_of_polynomials_and_hold_what_is_cut_off(
-    weight: tuple[int, ...], shares: tuple[float, ...]
-) -> None:
+def test_averages_are_those_of_polynomials_and_hold_what_is_cut_off(weight, shares):
     """Of e^2 f^2 + 3 f^3 + a ball times f over f = s e: odd powers leave their radius alone."""
     space = space_of(2, 5)
     parts: list[Any] = [None] * len(space.exponents)

@@ -7,10 +7,9 @@ import json
 import math
 import random
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -29,38 +28,38 @@ TWO_MASSES = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 0.8}
 FRICTION = {"chi": 0.4, "eta": 4, "V": 0.6773, "us1": 0.0127, "ur1": 0.0255, "us2": 0.5, "ur2": 1}
 
 
-def composed() -> Any:
+def composed():
     phases = [("free", "first-reaches-stop")]
     return ns.solve(
         "rigid-stop", TWO_MASSES | {"r": 1}, [6.28], itinerary=phases, given={"period": "2*pi"}
     )
 
 
-def found() -> Any:
+def found():
     from nonsmooth import find_orbits
 
     return find_orbits("dry-friction", FRICTION, 8, transitions=300)
 
 
-def branch() -> Any:
+def branch():
     return ns.continue_orbit(ns.solve(STICK), "V", (0.95, 1.05), step=0.1)
 
 
 @cache
-def looped() -> Any:
+def looped():
     return ns.continue_orbit(loop(), "a", (1.5, 3.5))
 
 
-def locus() -> Any:
+def locus():
     of = looped()
     return ns.continue_orbit(of, "r", (0.45, 0.55), event=of.events[-1], step=0.1)
 
 
-def designed() -> Any:
+def designed():
     return ns.design(ns.solve(STICK), minimise="period", over={"V": (0.95, 1.05)})
 
 
-def fitted() -> Any:
+def fitted():
     motion = ns.simulate("rigid-stop", TWO_MASSES, [0, 0, 1.5, 0], until=12)
     known = {name: value for name, value in TWO_MASSES.items() if name != "r"}
     return ns.fit(
@@ -69,28 +68,28 @@ def fitted() -> Any:
     )  # fmt: skip
 
 
-def event() -> Any:
+def event():
     of = looped()
     return ns.certify.event(of, of.events[-1])
 
 
-def swept() -> Any:
+def swept():
     given = {name: value for name, value in FRICTION.items() if name != "V"}
     start = dict.fromkeys(("x1", "x2", "v1", "v2"), 0)
     more = {"state": "x1", "configuration": "slip-stick", "transient": 50, "samples": 4}
     return ns.sweep("dry-friction", given, "V", [0.6, 0.65, 0.7], start, **more)
 
 
-def census() -> Any:
+def census():
     bounds = {"tau1": "2.5", "tau2": "2"}
     return ns.certify.all(kicked(), {"k": 9, "r": "1/3", "a": 10}, bounds, itinerary=LOOP)
 
 
-def certified() -> Any:
+def certified():
     return ns.certify.branch(looped())
 
 
-def proven_map() -> Any:
+def proven_map():
     return ns.certify.box(loop(), {"r": ("2/5", "3/5")})
 
 
@@ -119,17 +118,17 @@ FREE = ("parameters", "given", "reasons", "enclosures", "unique", "bounds")  # o
 OPEN = r".*(declaration|closing|margins|admissible)\b.*"
 
 
-def file_of(kind: str) -> Path:
+def file_of(kind):
     """A file of a kind, not to be changed."""
     return shared_file(kind, FILES[kind])
 
 
 @cache
-def text_of(kind: str) -> str:
+def text_of(kind):
     return file_of(kind).read_text()
 
 
-def signed(content: Any) -> Any:
+def signed(content):
     """With the right checksums."""
     if isinstance(content, dict):
         content = {name: signed(entry) for name, entry in content.items()}
@@ -138,7 +137,7 @@ def signed(content: Any) -> Any:
 
 
 @pytest.mark.parametrize("seed", range(5))
-def test_numbers_come_back_as_they_were(seed: int, tmp_path: Path) -> None:
+def test_numbers_come_back_as_they_were(seed, tmp_path):
     """Numbers of all sizes and both zeros, and what is none where that is let through."""
     rng, sweep = random.Random(seed), ns.load(file_of("nonsmooth sweep"))
 
@@ -185,9 +184,7 @@ SWEEP, PROOF, BRANCH = "nonsmooth sweep", "nonsmooth certificate", "nonsmooth br
         (BRANCH, "orbit/tables", 1, "'orbit/tables' is of the wrong type"),
     ],
 )
-def test_what_is_refused_is_named_by_its_path(
-    kind: str, path: str, entry: Any, told: str, tmp_path: Path
-) -> None:
+def test_what_is_refused_is_named_by_its_path(kind, path, entry, told, tmp_path):
     *above, last = (int(step) if step.isdigit() else step for step in path.split("/"))
     content = parent = json.loads(text_of(kind))
     for step in above:
@@ -199,7 +196,7 @@ def test_what_is_refused_is_named_by_its_path(
         ns.load(file)
 
 
-def paths_in(content: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
+def paths_in(content, path=()):
     """Paths of all entries."""
     if path:
         yield path
@@ -209,7 +206,7 @@ def paths_in(content: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ..
         yield from paths_in(entry, (*path, step))
 
 
-def changes(content: Any, path: tuple[Any, ...]) -> Iterator[Any]:
+def changes(content, path):
     """Content without an entry, with it of another type, not finite, or beside an unknown one."""
     *above, last = path
 
@@ -231,12 +228,12 @@ def changes(content: Any, path: tuple[Any, ...]) -> Iterator[Any]:
         yield changed(lambda parent: parent.__delitem__(last))
 
 
-def is_proof(kind: str) -> bool:
+def is_proof(kind):
     """Whether files of a kind are proved again."""
     return "certif" in kind or "census" in kind
 
 
-def refused_by_check(path: Path) -> bool:
+def refused_by_check(path):
     """Whether nothing of a file is proved again."""
     try:
         return ns.certify.check(path).difference is not None
@@ -245,7 +242,7 @@ def refused_by_check(path: Path) -> bool:
 
 
 @pytest.mark.parametrize("kind", FILES)
-def test_no_entry_is_missing_unknown_or_of_another_type(kind: str, tmp_path: Path) -> None:
+def test_no_entry_is_missing_unknown_or_of_another_type(kind, tmp_path):
     path, content = tmp_path / "file.json", json.loads(text_of(kind))
     rng = random.Random(kind)
     every = [
@@ -276,7 +273,7 @@ def test_no_entry_is_missing_unknown_or_of_another_type(kind: str, tmp_path: Pat
 
 
 @pytest.mark.parametrize("kind", FILES)
-def test_no_cut_or_changed_byte_is_read(kind: str, tmp_path: Path) -> None:
+def test_no_cut_or_changed_byte_is_read(kind, tmp_path):
     path, text = tmp_path / "file.json", text_of(kind)
     rng = random.Random(13)
     for _ in range(40):
@@ -296,8 +293,8 @@ def test_no_cut_or_changed_byte_is_read(kind: str, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("cell", ["[]", "{}", "[[]]", '{"a":0}', "[[[[[0]]]]]"])
 def test_text_of_little_but_brackets_is_refused_before_it_becomes_lists(
-    cell: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+    cell, tmp_path, monkeypatch
+):
     """A list takes some seventy bytes of memory, and two of text."""
     monkeypatch.setattr(json, "loads", lambda *_, **__: pytest.fail("it becomes lists"))
     path = tmp_path / "nested.json"

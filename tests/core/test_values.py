@@ -137,7 +137,7 @@ REFUSED = {
 
 
 @pytest.mark.parametrize(("text", "expected"), EXACT.items())
-def test_rational_text_is_exact(text: str, expected: Fraction) -> None:
+def test_rational_text_is_exact(text, expected):
     value = parse(text)
     assert value.exact == expected
     assert float(value) == float(expected)
@@ -146,7 +146,7 @@ def test_rational_text_is_exact(text: str, expected: Fraction) -> None:
 
 @pytest.mark.parametrize(("text", "oracle"), EXPRESSIONS.items())
 @pytest.mark.parametrize("digits", [15, 60, 400])
-def test_expressions_agree_with_mpmath(text: str, oracle, digits: int) -> None:
+def test_expressions_agree_with_mpmath(text, oracle, digits):
     value = parse(text)
     with mpmath.workdps(digits + 60):
         expected = oracle()
@@ -159,7 +159,7 @@ def test_expressions_agree_with_mpmath(text: str, oracle, digits: int) -> None:
 
 
 @pytest.mark.parametrize("text", [*EXPRESSIONS, *EXACT])
-def test_balls_of_every_precision_enclose_the_value(text: str) -> None:
+def test_balls_of_every_precision_enclose_the_value(text):
     value = parse(text)
     with ctx.workprec(2000):
         for bits in (2, 53, 200, 1000):
@@ -168,7 +168,7 @@ def test_balls_of_every_precision_enclose_the_value(text: str) -> None:
 
 
 @pytest.mark.parametrize(("text", "fragment"), REFUSED.items())
-def test_bad_text_is_refused_in_one_line(text: str, fragment: str) -> None:
+def test_bad_text_is_refused_in_one_line(text, fragment):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         with pytest.raises(InputError) as caught:
@@ -184,7 +184,7 @@ def test_bad_text_is_refused_in_one_line(text: str, fragment: str) -> None:
 
 
 @given(st.text(max_size=40) | st.text("0123456789.eE+-*/() pisnqrt", max_size=40))
-def test_any_text_gives_a_value_or_an_input_error(text: str) -> None:
+def test_any_text_gives_a_value_or_an_input_error(text):
     try:
         value = parse(text)
     except InputError:
@@ -193,7 +193,7 @@ def test_any_text_gives_a_value_or_an_input_error(text: str) -> None:
 
 
 @given(finite)
-def test_floats_mean_their_shortest_decimal(number: float) -> None:
+def test_floats_mean_their_shortest_decimal(number):
     value = as_value(number)
     assert value.exact == Fraction(repr(number))
     assert float(value) == number
@@ -202,7 +202,7 @@ def test_floats_mean_their_shortest_decimal(number: float) -> None:
 
 
 @given(st.floats(width=32, allow_nan=False, allow_infinity=False))
-def test_single_precision_means_its_own_shortest_decimal(number: float) -> None:
+def test_single_precision_means_its_own_shortest_decimal(number):
     assert as_value(np.float32(number)).exact == Fraction(str(np.float32(number)))
 
 
@@ -211,7 +211,7 @@ def test_single_precision_means_its_own_shortest_decimal(number: float) -> None:
     | st.integers(-(10**300), 10**300)
     | st.decimals(allow_nan=False, allow_infinity=False, min_value=-(10**9), max_value=10**9)
 )
-def test_exact_numbers_stay_so_and_print_as_they_read(number: Fraction | Decimal | int) -> None:
+def test_exact_numbers_stay_so_and_print_as_they_read(number):
     value, exact = as_value(number), Fraction(number)
     assert value.exact == parse(value.text).exact == exact
     with ctx.workprec(300):
@@ -219,7 +219,7 @@ def test_exact_numbers_stay_so_and_print_as_they_read(number: Fraction | Decimal
 
 
 @given(finite.filter(lambda number: number == 0 or abs(number) > 1e-300))
-def test_mpmath_numbers_are_exact(number: float) -> None:
+def test_mpmath_numbers_are_exact(number):
     with mpmath.workdps(80):
         third = mpmath.mpf(number) / 3
         exact = as_value(third).exact
@@ -227,7 +227,7 @@ def test_mpmath_numbers_are_exact(number: float) -> None:
     assert as_value(mpmath.mpf(number)).exact == Fraction(number)
 
 
-def test_numpy_integers_and_values_pass() -> None:
+def test_numpy_integers_and_values_pass():
     assert as_value(np.int64(-3)).exact == -3
     value = parse("pi/2")
     assert as_value(value) is value
@@ -268,27 +268,27 @@ def test_numpy_integers_and_values_pass() -> None:
     ],
     ids=lambda number: type(number).__name__,
 )
-def test_what_is_no_finite_real_number_is_refused(number: object) -> None:
+def test_what_is_no_finite_real_number_is_refused(number):
     with pytest.raises(InputError) as caught:
         as_value(number)
     assert "\n" not in str(caught.value)
     assert len(str(caught.value)) < 250
 
 
-def test_a_value_that_is_exactly_zero_in_disguise() -> None:
+def test_a_value_that_is_exactly_zero_in_disguise():
     assert float(parse("sin(pi)")) == 0.0
     assert abs(parse("sqrt(2)**2 - 2").mpf(50)) < mpmath.mpf(10) ** -2000
 
 
 @given(finite, finite)
-def test_arrays_of_objects_hold_the_doubles_that_arrays_of_doubles_hold(x: float, y: float) -> None:
+def test_arrays_of_objects_hold_the_doubles_that_arrays_of_doubles_hold(x, y):
     for numbers in ([x, y], [x, math.nan], [math.inf, -math.inf]):
         array = np.array(numbers)
         np.testing.assert_array_equal(real_array("", array.astype(object)), array)
 
 
 @given(st.floats(-1e9, 1e9))
-def test_a_number_of_sympy_with_a_double_in_it_has_the_digits_of_a_double(number: float) -> None:
+def test_a_number_of_sympy_with_a_double_in_it_has_the_digits_of_a_double(number):
     symbolic = sp.Float(number) * sp.sqrt(2)
     assert float(as_value(symbolic)) == float(symbolic)
 
@@ -308,12 +308,12 @@ def test_a_number_of_sympy_with_a_double_in_it_has_the_digits_of_a_double(number
         (mpmath.mpf("-0.75"), 3, "-0.750000"),
     ],
 )
-def test_decimal_strings(number: object, digits: int, expected: str) -> None:
+def test_decimal_strings(number, digits, expected):
     assert decimal_string(number, digits) == expected
 
 
 @given(st.fractions(min_value=-(10**24), max_value=10**24), st.integers(1, 120))
-def test_printed_digits_keep_their_promise(number: Fraction, digits: int) -> None:
+def test_printed_digits_keep_their_promise(number, digits):
     limit = Fraction(1, 10**digits) * max(1, abs(number))
     value = as_value(number)
     bits = 4 * digits + 90
@@ -324,7 +324,7 @@ def test_printed_digits_keep_their_promise(number: Fraction, digits: int) -> Non
         assert not number or len(mantissa) >= digits + 3
 
 
-def test_printing_survives_numbers_far_out_of_range() -> None:
+def test_printing_survives_numbers_far_out_of_range():
     with ctx.workprec(100):
         printed = decimal_string(arb(-1_000_000).exp(), 5)
     with mpmath.workdps(40):
@@ -343,6 +343,6 @@ def test_printing_survives_numbers_far_out_of_range() -> None:
         (mpmath.mpf("nan"), "not a finite number"),
     ],
 )
-def test_what_has_no_digits_is_not_printed(number: object, fragment: str) -> None:
+def test_what_has_no_digits_is_not_printed(number, fragment):
     with pytest.raises(InputError, match=fragment):
         decimal_string(number, 10)

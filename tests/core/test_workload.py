@@ -1,7 +1,5 @@
 """How large a work is: what is refused before it begins, and what is not."""
 
-from __future__ import annotations
-
 import re
 
 import pytest
@@ -37,7 +35,7 @@ SWEEP = f"sweep dry-friction {DATA} {FROM} --quantity x1 --at slip-stick"
     ],
 )
 @pytest.mark.compiled
-def test_endless_work_is_refused_before_it_begins(command, tmp_path, monkeypatch) -> None:
+def test_endless_work_is_refused_before_it_begins(command, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     code, _, err = run(*command.split())
     assert code == 2, err
@@ -47,7 +45,7 @@ def test_endless_work_is_refused_before_it_begins(command, tmp_path, monkeypatch
     assert not list(tmp_path.iterdir())
 
 
-def test_threads_without_number_are_refused(tmp_path, monkeypatch) -> None:
+def test_threads_without_number_are_refused(tmp_path, monkeypatch):
     pytest.importorskip("zarr")
     monkeypatch.chdir(tmp_path)
     command = "chart dry-friction/global-stick V=0.9:1.1:3 --out c.zarr --workers"
@@ -57,7 +55,7 @@ def test_threads_without_number_are_refused(tmp_path, monkeypatch) -> None:
     assert not list(tmp_path.iterdir())
 
 
-def test_yes_begins_what_takes_long(monkeypatch) -> None:
+def test_yes_begins_what_takes_long(monkeypatch):
     command = f"simulate dry-friction V=1 {DATA} {FROM} --transitions 10 --json".split()
     assert run(*command)[0] == 0
     monkeypatch.setitem(workload.SECONDS, "transition", 1e9)
@@ -66,7 +64,7 @@ def test_yes_begins_what_takes_long(monkeypatch) -> None:
 
 
 @pytest.mark.slow
-def test_a_long_graph_says_how_long_before_it_begins(monkeypatch) -> None:
+def test_a_long_graph_says_how_long_before_it_begins(monkeypatch):
     start = "--from x1=5,x2=4,v1=0.5,v2=0.25 x2=2:14"
     command = f"certify region dry-friction V=1 {DATA} {start} --boxes 16".split()
     told = r"images of (\d+) boxes take at least"
@@ -81,7 +79,7 @@ def test_a_long_graph_says_how_long_before_it_begins(monkeypatch) -> None:
 
 
 @pytest.mark.compiled
-def test_python_is_told_what_memory_does_not_hold() -> None:
+def test_python_is_told_what_memory_does_not_hold():
     where = {"state": "x1", "configuration": "slip-stick"}
     with pytest.raises(ns.InputError, match="GB of memory"):
         ns.sweep("dry-friction", FRICTION, "V", [1.0], REST, samples=10**15, **where)
@@ -93,7 +91,7 @@ def test_python_is_told_what_memory_does_not_hold() -> None:
         ns.simulate("dry-friction", {**FRICTION, "V": 1}, [REST_ROW], transitions=1, keep=10**12)
 
 
-def test_limits(monkeypatch) -> None:
+def test_limits(monkeypatch):
     monkeypatch.setattr(workload, "memory_here", lambda: 1e9)
     workload.check_memory("1 thing", 1e9)
     for size in (1.1e9, float("inf"), float("nan")):

@@ -1,9 +1,5 @@
 """Oscillators from elements: the built-in systems again, impact and contact laws, bad input."""
 
-from __future__ import annotations
-
-from typing import Any
-
 import numpy as np
 import pytest
 import sympy as sp
@@ -18,8 +14,6 @@ from nonsmooth.derive import (
     SecondOrder,
     Slider,
     SoftStop,
-    System,
-    Transition,
     chain_matrices,
     dry_friction,
     oscillator,
@@ -34,7 +28,7 @@ FULL = np.array([[2.0, 0.5, 0.1], [0.5, 1.0, -0.2], [0.1, -0.2, 1.5]])
 SPRINGS = np.array([[2.0, -1, 0], [-1, 2, -1], [0, -1, 1]])
 
 
-def belt() -> System:
+def belt():
     return oscillator(
         "dry-friction",
         ["x1", "x2"],
@@ -48,7 +42,7 @@ def belt() -> System:
     )  # fmt: skip
 
 
-def chain_with(*elements: Any) -> System:
+def chain_with(*elements):
     mass, stiffness, _ = chain_matrices([m1, m2], [k1, k2], fixed="right")
     return oscillator("chain", ["x1", "x2"], mass, stiffness, elements=elements)
 
@@ -60,7 +54,7 @@ BUILT_IN = {
 }
 
 
-def rules(transition: Transition) -> tuple[Any, ...]:
+def rules(transition):
     conditions = tuple((sp.expand(c.function), c.along, c.holds) for c in transition.conditions)
     return (
         transition.source, transition.boundaries, transition.target, conditions, transition.reset
@@ -68,7 +62,7 @@ def rules(transition: Transition) -> tuple[Any, ...]:
 
 
 @pytest.mark.parametrize("name", BUILT_IN)
-def test_the_built_in_systems_are_built_again(name: str) -> None:
+def test_the_built_in_systems_are_built_again(name):
     build, given = BUILT_IN[name]
     built = build()
     assert {c.name for c in built.configurations} == {c.name for c in given.configurations}
@@ -96,14 +90,14 @@ def test_the_built_in_systems_are_built_again(name: str) -> None:
     }
 
 
-def after(system: System, transition: Transition, velocities: np.ndarray) -> np.ndarray:
+def after(system, transition, velocities):
     size = len(velocities)
     state = sp.Matrix([0] * size + [sp.Rational(str(v)) for v in velocities])
     found = transition.reset_of(state, system.states)
     return np.array([float(value) for value in found[size:]])
 
 
-def struck(velocities: np.ndarray, row: np.ndarray, restitution: float) -> np.ndarray:
+def struck(velocities, row, restitution):
     """Velocities behind an impact along a row, whose impulse acts along it too."""
     inverse = np.linalg.inv(FULL[: len(row), : len(row)])
     impulse = (1 + restitution) * (row @ velocities) / (row @ inverse @ row)
@@ -112,7 +106,7 @@ def struck(velocities: np.ndarray, row: np.ndarray, restitution: float) -> np.nd
 
 @pytest.mark.parametrize("direction", ["x2", {"x1": -1, "x3": 1}])
 @pytest.mark.parametrize("side", ["upper", "lower"])
-def test_an_impact_obeys_newton_along_the_inverse_mass(direction: Any, side: str) -> None:
+def test_an_impact_obeys_newton_along_the_inverse_mass(direction, side):
     stop = RigidStop(direction, at=1, restitution=0.6, side=side)
     system = oscillator("full", ["x1", "x2", "x3"], FULL, SPRINGS, elements=[stop])
     row = np.array([0, 1.0, 0] if direction == "x2" else [-1.0, 0, 1])
@@ -123,7 +117,7 @@ def test_an_impact_obeys_newton_along_the_inverse_mass(direction: Any, side: str
     assert np.allclose(after(system, impact, velocities), wanted, atol=1e-14)
 
 
-def test_two_stops_at_one_instant_act_one_after_another() -> None:
+def test_two_stops_at_one_instant_act_one_after_another():
     stops = [RigidStop("x1", 1, 0.5), RigidStop("x2", 1, 0.5)]
     system = oscillator("two", ["x1", "x2"], FULL[:2, :2], SPRINGS[:2, :2], elements=stops)
     both = {"x1-upper-reaches-stop", "x2-upper-reaches-stop"}
@@ -133,7 +127,7 @@ def test_two_stops_at_one_instant_act_one_after_another() -> None:
     assert np.allclose(after(system, impact, velocities), wanted, atol=1e-14)
 
 
-def test_stops_that_a_closed_one_couples_are_struck_in_both_orders() -> None:
+def test_stops_that_a_closed_one_couples_are_struck_in_both_orders():
     names = ["x1", "x2", "x3"]
     mass = sp.Matrix([[2, 1, 0], [1, 2, 1], [0, 1, 2]]).inv()
     stops = [RigidStop(name, 1, 0.5) for name in names]
@@ -144,7 +138,7 @@ def test_stops_that_a_closed_one_couples_are_struck_in_both_orders() -> None:
         assert {t.order for t in found} - {0} == orders
 
 
-def decided(system: System, source: str, boundaries: set[str], state: np.ndarray) -> str:
+def decided(system, source, boundaries, state):
     """The configuration that follows by the contact law of a system without parameters."""
     point = piecewise(system, {})
     structure = point.structure
@@ -156,7 +150,7 @@ def decided(system: System, source: str, boundaries: set[str], state: np.ndarray
 
 
 @pytest.mark.slow
-def test_a_contact_and_a_stop_that_are_coupled_are_decided_together() -> None:
+def test_a_contact_and_a_stop_that_are_coupled_are_decided_together():
     elements = [Friction("x1", 0.4), RigidStop("x2", at=0.25, restitution=0.5)]
     names = ["x1", "x2", "x3"]
     system = oscillator("three", names, FULL, SPRINGS, elements=elements)
@@ -177,7 +171,7 @@ def test_a_contact_and_a_stop_that_are_coupled_are_decided_together() -> None:
     assert len(seen) == 6
 
 
-def field_of(system: System, name: str, values: dict[str, Any]) -> dict[str, sp.Expr]:
+def field_of(system, name, values):
     configuration = system.configuration(name)
     matrix, offset = configuration.dynamics.field(system.states)
     rates = matrix * sp.Matrix(system.states) + offset
@@ -186,7 +180,7 @@ def field_of(system: System, name: str, values: dict[str, Any]) -> dict[str, sp.
     return {str(s): sp.expand(e.subs(numbers)) for s, e in zip(system.states, rates, strict=True)}
 
 
-def test_friction_may_fall_and_its_load_may_follow_the_state() -> None:
+def test_friction_may_fall_and_its_load_may_follow_the_state():
     y, mu, slope = sp.symbols("y mu slope")
     system = oscillator(
         "brake", ["x1", "y"], sp.eye(2), sp.eye(2),
@@ -205,7 +199,7 @@ def test_friction_may_fall_and_its_load_may_follow_the_state() -> None:
     )
 
 
-def test_forcing_adds_two_states_each_and_sliders_one() -> None:
+def test_forcing_adds_two_states_each_and_sliders_one():
     w = sp.Symbol("w")
     system = oscillator(
         "forced", ["x1", "x2"], sp.diag(1, 2), sp.eye(2), sp.eye(2) / 10,
@@ -226,7 +220,7 @@ def test_forcing_adds_two_states_each_and_sliders_one() -> None:
 
 
 @pytest.mark.parametrize(("fixed", "links"), [("left", 3), ("right", 3), ("both", 4), ("none", 2)])
-def test_a_chain_stores_the_energy_of_its_springs(fixed: str, links: int) -> None:
+def test_a_chain_stores_the_energy_of_its_springs(fixed, links):
     rng = np.random.default_rng(links)
     springs, positions = rng.integers(1, 9, links), rng.integers(-4, 5, 3)
     ends = [*([0] * (fixed in ("left", "both"))), *positions, *([0] * (fixed in ("right", "both")))]
@@ -238,7 +232,7 @@ def test_a_chain_stores_the_energy_of_its_springs(fixed: str, links: int) -> Non
 
 
 @pytest.mark.parametrize("damping", [0, sp.Rational(1, 5)])
-def test_the_force_of_a_stop_without_a_damper_vanishes_as_the_gap_opens(damping: Any) -> None:
+def test_the_force_of_a_stop_without_a_damper_vanishes_as_the_gap_opens(damping):
     """A phase between the two would take no time."""
     stop = SoftStop("x", 1, 10, damping, released="force")
     system = oscillator("clearance", ["x"], [[1]], [[1]], elements=[stop])
@@ -246,7 +240,7 @@ def test_the_force_of_a_stop_without_a_damper_vanishes_as_the_gap_opens(damping:
     assert {configuration.name for configuration in system.configurations} == regimes
 
 
-def test_domains_are_inferred() -> None:
+def test_domains_are_inferred():
     load, drag = sp.Symbol("load", real=True), sp.Symbol("drag", nonnegative=True)
     system = oscillator(
         "domains", ["x"], [[m1]], [[k1]], [[drag]], [load],

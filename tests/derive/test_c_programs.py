@@ -6,10 +6,8 @@ import re
 import shutil
 import subprocess
 import sysconfig
-from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib import import_module
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -34,18 +32,18 @@ each_compiler = pytest.mark.parametrize("compiler", COMPILERS)
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def folder(tmp_path_factory):
     return tmp_path_factory.mktemp("c")
 
 
-def assert_silent(command: Sequence[Any], **options: Any) -> None:
+def assert_silent(command, **options):
     """Run what may not say anything, nor fail."""
     done = subprocess.run(command, capture_output=True, text=True, check=False, **options)
     assert (done.returncode, done.stderr) == (0, "")
 
 
 @cache
-def compiled(compiler: str, source: Path, folder: Path, *flags: str) -> Path:
+def compiled(compiler, source, folder, *flags):
     """The object of a source, compiled without one warning."""
     target = folder / f"{source.stem}-{compiler}{len(flags)}.o"
     command = [compiler, *STRICT, *flags, f"-I{GENERATED}", "-c", source, "-o", target]
@@ -53,12 +51,12 @@ def compiled(compiler: str, source: Path, folder: Path, *flags: str) -> Path:
     return target
 
 
-def quick(stem: str) -> tuple[str, ...]:
+def quick(stem):
     """GCC takes seconds to optimise what is long; of the shortest it warns as it optimises."""
     return () if stem == "rigid_stop" else ("-O0",)
 
 
-def ran(compiler: str, text: str, other: Path, folder: Path, include: Path = GENERATED) -> str:
+def ran(compiler, text, other, folder, include=GENERATED):
     """What a program writes that is linked with another object."""
     source, program = folder / f"main-{compiler}.c", folder / f"main-{compiler}"
     source.write_text(f"{text}\n")
@@ -66,14 +64,14 @@ def ran(compiler: str, text: str, other: Path, folder: Path, include: Path = GEN
     return subprocess.run([program], capture_output=True, text=True, check=True).stdout
 
 
-def example_of(header: str) -> str:
+def example_of(header):
     """The program in the head comment of a header."""
     _, _, after = header.partition("\n * Example:\n *\n")
     return re.sub(r"^ \*(?: {5})?", "", after.partition("\n */\n")[0], flags=re.MULTILINE)
 
 
 @pytest.mark.skipif(shutil.which("nm") is None, reason="there is no nm")
-def test_public_c_symbols_have_the_name_of_their_system(folder: Path) -> None:
+def test_public_c_symbols_have_the_name_of_their_system(folder):
     stem = "dry_friction"
     kernels = compiled(COMPILERS[0], GENERATED / f"{stem}.c", folder, *quick(stem))
     command = ["nm", "-g", "--defined-only", kernels]
@@ -89,7 +87,7 @@ def test_public_c_symbols_have_the_name_of_their_system(folder: Path) -> None:
 
 
 @pytest.mark.skipif(shutil.which("g++") is None, reason="there is no g++")
-def test_the_headers_are_cplusplus_too_and_go_together() -> None:
+def test_the_headers_are_cplusplus_too_and_go_together():
     names = 2 * [f"{stem}.h" for stem in SYSTEMS.values()]
     text = "".join(f'#include "{name}"\n' for name in names) + "int main() { return 0; }\n"
     flags = [*STRICT[1:], "-std=c++11", "-fsyntax-only", f"-I{GENERATED}"]
@@ -99,7 +97,7 @@ def test_the_headers_are_cplusplus_too_and_go_together() -> None:
 @pytest.mark.slow
 @each_compiler
 @pytest.mark.parametrize("name", SYSTEMS)
-def test_the_example_of_a_header_solves_an_orbit(compiler: str, name: str, folder: Path) -> None:
+def test_the_example_of_a_header_solves_an_orbit(compiler, name, folder):
     stem = SYSTEMS[name]
     program = example_of((GENERATED / f"{stem}.h").read_text(encoding="utf-8"))
     solver = re.findall(rf"\b{stem}_(\w+)_solve\(", program)[0].replace("_", "-")
@@ -114,7 +112,7 @@ def test_the_example_of_a_header_solves_an_orbit(compiler: str, name: str, folde
 
 @pytest.mark.slow
 @each_compiler
-def test_loops_with_vectors_and_the_extension_give_no_warning(compiler: str, folder: Path) -> None:
+def test_loops_with_vectors_and_the_extension_give_no_warning(compiler, folder):
     compiled(compiler, GENERATED / "rigid_stop.c", folder, *VECTORS)
     python = [sysconfig.get_path("include"), np.get_include()]
     flags = [word for path in python for word in ("-isystem", path)]
@@ -122,7 +120,7 @@ def test_loops_with_vectors_and_the_extension_give_no_warning(compiler: str, fol
 
 
 @pytest.mark.slow
-def test_every_loop_over_lanes_has_its_directive() -> None:
+def test_every_loop_over_lanes_has_its_directive():
     """The preprocessor gives as many directives as the source asks for, and none unasked."""
     source = GENERATED / "dry_friction.c"
     texts, left = {source.name: source.read_text(encoding="utf-8")}, [source.name]
@@ -143,7 +141,7 @@ def test_every_loop_over_lanes_has_its_directive() -> None:
 CELLS = dict(re.findall(r"^%%writefile (\S+)\n(.*?)^```", PAGE, re.MULTILINE | re.DOTALL))
 
 
-def test_the_page_builds_with_the_flags_of_the_package() -> None:
+def test_the_page_builds_with_the_flags_of_the_package():
     setup = (CHECKOUT / "setup.py").read_text(encoding="utf-8")
     flags = {*re.findall(r'"(-[OfD][^"]*)"', setup)} - {"-fvisibility=hidden"}  # of shared ones
     given = CELLS["CMakeLists.txt"].replace(")", " ").split()
@@ -154,7 +152,7 @@ def test_the_page_builds_with_the_flags_of_the_package() -> None:
 
 
 @pytest.mark.slow
-def test_the_program_of_the_page_has_the_numbers_of_the_orbit(tmp_path: Path) -> None:
+def test_the_program_of_the_page_has_the_numbers_of_the_orbit(tmp_path):
     tool = "cmake" if shutil.which("cmake") else "cc"  # the site runs the page's cells, with cc
     for name in ("main.c", "CMakeLists.txt"):
         (tmp_path / name).write_text(CELLS[name])
@@ -186,7 +184,7 @@ AWKWARD = {
 }  # fmt: skip
 
 
-def library(names: Mapping[str, str], text: str = KICKED) -> dict[str, str]:
+def library(names, text=KICKED):
     declared: dict[str, Any] = {}
     for old, new in names.items():
         text = text.replace(old, new)
@@ -195,8 +193,8 @@ def library(names: Mapping[str, str], text: str = KICKED) -> dict[str, str]:
 
 
 def test_what_calls_an_absent_kernel_is_absent_for_the_same_reason(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+    monkeypatch,
+):
     def define(kernel: Any, system: str, orbit: str | None) -> str:
         if kernel.name == "trace":
             raise DerivationError("it is too long")
@@ -211,7 +209,7 @@ def test_what_calls_an_absent_kernel_is_absent_for_the_same_reason(
 
 
 @each_compiler
-def test_names_and_texts_that_would_break_a_header_do_not(compiler: str, tmp_path: Path) -> None:
+def test_names_and_texts_that_would_break_a_header_do_not(compiler, tmp_path):
     files = library(AWKWARD)
     for name, text in files.items():
         (tmp_path / name).write_text(text)
@@ -226,13 +224,13 @@ def test_names_and_texts_that_would_break_a_header_do_not(compiler: str, tmp_pat
 
 
 @each_compiler
-def test_a_system_may_have_the_name_of_a_support_header(compiler: str, tmp_path: Path) -> None:
+def test_a_system_may_have_the_name_of_a_support_header(compiler, tmp_path):
     for name, text in library({'"kicked",': '"sums",'}).items():
         (tmp_path / name).write_text(text)
     compiled(compiler, tmp_path / "sums.c", tmp_path)
 
 
-def test_only_the_support_that_is_used_is_written() -> None:
+def test_only_the_support_that_is_used_is_written():
     """An undamped orbit is solved and searched in sines, damped flows alone are exponentials."""
     solved = (
         *("admissible", "admissible_sums", "compiler", "elimination", "lanes", "newton", "search"),

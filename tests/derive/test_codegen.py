@@ -8,10 +8,9 @@ import random
 import re
 import subprocess
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from fractions import Fraction
 from importlib import import_module
-from pathlib import Path
 from typing import Any
 
 import flint
@@ -42,7 +41,7 @@ F = Fraction
 
 @pytest.mark.slow
 @pytest.mark.skipif(RECORD["sympy"] != sp.__version__, reason="generated/ is of another SymPy")
-def test_committed_files_are_what_the_derivation_gives(tmp_path: Path) -> None:
+def test_committed_files_are_what_the_derivation_gives(tmp_path):
     """Derived in a process of its own, with its own order of hashes."""
     command = [sys.executable, CHECKOUT / "scripts" / "regenerate.py", "--out", tmp_path]
     subprocess.run(command, check=True, env=os.environ | {"PYTHONHASHSEED": "4242"})
@@ -56,9 +55,7 @@ def test_committed_files_are_what_the_derivation_gives(tmp_path: Path) -> None:
     assert not strange, "nothing else is generated"
 
 
-def test_only_files_that_differ_are_written_again(
-    tmp_path: Path, committed_derivation: dict[str, str]
-) -> None:
+def test_only_files_that_differ_are_written_again(tmp_path, committed_derivation):
     """The committed files are what the derivation gives."""
     for name, text in committed_derivation.items():
         (tmp_path / name).write_bytes(text.encode())
@@ -68,7 +65,7 @@ def test_only_files_that_differ_are_written_again(
     assert set(regenerate.outdated(tmp_path)) == {"nonsmooth_sums.h", "rigid_stop.md"}
 
 
-def test_tables_are_read_as_they_were_told() -> None:
+def test_tables_are_read_as_they_were_told():
     words = 'what "pushes", \\n {back}: [x, "", \'\'\']; ' * 5
     stiffness = Parameter("k", words)
     system = oscillator(
@@ -89,13 +86,13 @@ D = sp.Symbol("d", real=True)
 POINT = dict(zip((*INPUTS, D), map(F, ("0.7", "1.3", "0.4", "-3")), strict=True))
 
 
-def kernel_of(*results: sp.Expr, stages: Iterable[Stage] = (), name: str = "probe") -> Kernel:
+def kernel_of(*results, stages=(), name="probe"):
     arguments = Argument.vector("parameters", (A, B)), Argument.vector("reduced", (C, D))
     outputs = Output.of("first", results[:-1]), Output.of("second", sp.Matrix(results[-1:]))
     return Kernel(name, "A probe.", arguments, outputs, tuple(stages))
 
 
-def program(seed: int) -> Kernel:
+def program(seed):
     """A straight-line program over positive inputs, with shared and negated terms."""
     draw = random.Random(seed)
     known: list[sp.Expr] = [*INPUTS, sp.Integer(2)]
@@ -135,7 +132,7 @@ PROBES = {
 
 
 @pytest.fixture(scope="module")
-def compiled(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], list[float]] | None:
+def compiled(tmp_path_factory):
     """The results of each probe in C, at the point; None without a compiler."""
     if COMPILER is None:
         return None
@@ -156,7 +153,7 @@ def compiled(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], list[f
 
 
 @pytest.mark.parametrize("name", PROBES)
-def test_what_is_emitted_has_its_value_in_every_arithmetic(name: str, compiled: Any) -> None:
+def test_what_is_emitted_has_its_value_in_every_arithmetic(name, compiled):
     kernel, lib, balls = PROBES[name], Mpmath(45), Balls()
     exact = {s: sp.Rational(v.numerator, v.denominator) for s, v in POINT.items()}
     results = [e for output in kernel.outputs for e in output.expressions]
@@ -179,7 +176,7 @@ def test_what_is_emitted_has_its_value_in_every_arithmetic(name: str, compiled: 
         assert [*map(float, numbers)] == rounded
 
 
-def test_numpy_is_given_no_function_of_nothing() -> None:
+def test_numpy_is_given_no_function_of_nothing():
     """A generalized ufunc has no core dimension of size 0, such as that of no parameters."""
     for stiffness in (1, sp.Symbol("k")):
         stops = [RigidStop("x", at=1, restitution=1, name="wall")]
@@ -199,7 +196,7 @@ def test_numpy_is_given_no_function_of_nothing() -> None:
 # --- printing ---------------------------------------------------------------------------
 
 
-def test_irrational_numbers_have_an_order_that_no_hash_decides() -> None:
+def test_irrational_numbers_have_an_order_that_no_hash_decides():
     numbers = [Constant(sp.sqrt(2) / 4 + sp.Rational(1, 2)), Constant(sp.sqrt(2)), Constant(sp.pi)]
     assert len({*map(sp.default_sort_key, numbers)}) == 3
 
@@ -215,7 +212,7 @@ def test_irrational_numbers_have_an_order_that_no_hash_decides() -> None:
     ],
     ids=str,
 )
-def test_what_no_kernel_can_hold_is_refused_by_name(expression: sp.Expr, message: str) -> None:
+def test_what_no_kernel_can_hold_is_refused_by_name(expression, message):
     with pytest.raises(DerivationError, match=message):
         executed(kernel_of(expression))
 
@@ -223,7 +220,7 @@ def test_what_no_kernel_can_hold_is_refused_by_name(expression: sp.Expr, message
 # --- files that are not what is derived
 
 
-def test_formulas_that_differ_come_first_and_stamps_last(tmp_path: Path) -> None:
+def test_formulas_that_differ_come_first_and_stamps_last(tmp_path):
     long = " + ".join(f"x{place}" for place in range(100))
     written = {
         "a.c": f"/* derivation {'0' * 16} */\n#define N 1\nb = {long} - y;\nc = 1;\n",
@@ -254,7 +251,7 @@ def test_formulas_that_differ_come_first_and_stamps_last(tmp_path: Path) -> None
         assert wanted.endswith(f"x99 + y{end}")
 
 
-def test_stamps_are_known_by_what_stands_before_them(tmp_path: Path) -> None:
+def test_stamps_are_known_by_what_stands_before_them(tmp_path):
     for stamp, digits in (
         ('DERIVATION = "{}"', 16),
         ("derivation {}", 16),
@@ -271,7 +268,7 @@ def test_stamps_are_known_by_what_stands_before_them(tmp_path: Path) -> None:
 
 
 @pytest.mark.compiled
-def test_compiled_kernels_of_another_derivation_are_named(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_compiled_kernels_of_another_derivation_are_named(monkeypatch):
     pytest.importorskip("nonsmooth.generated._kernels", reason="no compiled kernels are built")
     monkeypatch.setenv("NONSMOOTH_BACKEND", "c")
     module = import_module("nonsmooth.generated.dry_friction")

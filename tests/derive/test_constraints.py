@@ -40,7 +40,7 @@ orbits = [
 """
 
 
-def test_constraints_hold_where_their_expressions_are_not_negative() -> None:
+def test_constraints_hold_where_their_expressions_are_not_negative():
     a, b, n = sp.symbols("a b n")
     system = oscillator(
         "loaded", ["x"], [[1]], [[1]],
@@ -77,7 +77,7 @@ NEEDED: dict[str, tuple[Any, Any]] = {
 
 
 @pytest.mark.parametrize("name", NEEDED)
-def test_elements_need_what_their_laws_need(name: str) -> None:
+def test_elements_need_what_their_laws_need(name):
     element, needed = NEEDED[name]
     system = oscillator("needing", ["x"], [[1]], [[1]], elements=[element])
     own = {p.name: p.symbol for p in system.parameters}
@@ -87,7 +87,7 @@ def test_elements_need_what_their_laws_need(name: str) -> None:
     }
 
 
-def test_orbits_with_kernels_keep_them_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_orbits_with_kernels_keep_them_too(tmp_path, monkeypatch):
     monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path / "cache"))
     monkeypatch.chdir(tmp_path)
     Path("belt.py").write_text(BELT)

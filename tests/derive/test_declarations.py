@@ -1,10 +1,7 @@
 """Declarations: checked when made, right about signs, and the same from another origin."""
 
-from __future__ import annotations
-
 import random
 from fractions import Fraction
-from typing import Any
 
 import pytest
 import sympy as sp
@@ -34,7 +31,7 @@ KS, GS = K.symbol, G.symbol
 PROPERTY = settings(max_examples=40)
 
 
-def test_rotations_of_an_itinerary_are_cyclic_and_have_no_source() -> None:
+def test_rotations_of_an_itinerary_are_cyclic_and_have_no_source():
     orbit = dry_friction.global_stick
     count = len(orbit.phases)
     assert orbit.rotated(count) == orbit == orbit.rotated(-count)
@@ -44,7 +41,7 @@ def test_rotations_of_an_itinerary_are_cyclic_and_have_no_source() -> None:
     assert orbit.rotated(1).source is None
 
 
-def test_declarations_are_frozen_and_floats_are_decimals() -> None:
+def test_declarations_are_frozen_and_floats_are_decimals():
     motion = SecondOrder([[1]], [[0.2]], (1e-3,))
     tenth, fifth, thousandth = sp.Rational(1, 10), sp.Rational(1, 5), sp.Rational(1, 1000)
     boundary = Boundary("far", 0.1 * X - 0.3)
@@ -56,7 +53,7 @@ def test_declarations_are_frozen_and_floats_are_decimals() -> None:
         boundary.name = "other"
 
 
-def test_affine_functions_have_a_gradient_and_a_constant() -> None:
+def test_affine_functions_have_a_gradient_and_a_constant():
     only = Configuration("only", SecondOrder([[1]], [[KS]]), ())
     system = System("one", "", (X, V), (K,), (only,), ())
     for function in (
@@ -81,7 +78,7 @@ DOMAINS = (
 A, B, C, D, M, F, R = (p.symbol for p in DOMAINS)
 
 
-def is_positive(expression: sp.Expr) -> bool:
+def is_positive(expression):
     """Whether an expression is shown to be positive: a stop may have it as a damping then."""
     try:
         stop = SoftStop("x", at=1, stiffness=1, damping=expression, released="force")
@@ -100,7 +97,7 @@ def is_positive(expression: sp.Expr) -> bool:
     ],
     ids=str,
 )  # fmt: skip
-def test_positive_on_the_whole_domain_is_shown(expression: sp.Expr) -> None:
+def test_positive_on_the_whole_domain_is_shown(expression):
     assert is_positive(expression)
 
 
@@ -112,11 +109,11 @@ def test_positive_on_the_whole_domain_is_shown(expression: sp.Expr) -> None:
     ],
     ids=str,
 )  # fmt: skip
-def test_what_is_not_positive_everywhere_is_not_shown(expression: sp.Expr) -> None:
+def test_what_is_not_positive_everywhere_is_not_shown(expression):
     assert not is_positive(expression)
 
 
-def inside(parameter: Parameter, unit: Fraction) -> sp.Expr:
+def inside(parameter, unit):
     """A rational point of a domain, from a number in (0, 1); ends that belong come up too."""
     lower, upper = parameter.lower, parameter.upper
     u = sp.Rational(unit.numerator, unit.denominator)
@@ -141,7 +138,7 @@ units = st.fractions(Fraction(1, 1000), Fraction(999, 1000), max_denominator=100
 @pytest.mark.slow
 @settings(PROPERTY, max_examples=15)
 @given(polynomials, polynomials, st.lists(st.tuples(*[units] * 7), min_size=4, max_size=4))
-def test_true_is_a_proof(numerator: sp.Expr, denominator: sp.Expr, points: list[Any]) -> None:
+def test_true_is_a_proof(numerator, denominator, points):
     assume(denominator != 0)
     expression = numerator / denominator
     if is_positive(expression):
@@ -154,7 +151,7 @@ def test_true_is_a_proof(numerator: sp.Expr, denominator: sp.Expr, points: list[
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_resets_first_order_motions_and_new_parameters_are_shifted_too(seed: int) -> None:
+def test_resets_first_order_motions_and_new_parameters_are_shifted_too(seed):
     """Vector fields, boundaries, conditions and resets agree at corresponding states."""
     double = Parameter("double", "twice the load", closed=True)
     swing = Configuration(

@@ -6,7 +6,6 @@ import subprocess
 from dataclasses import replace
 from functools import cache
 from itertools import pairwise
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -27,11 +26,11 @@ needs_latex = pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdfla
 
 
 @pytest.fixture(params=marked(declarations(), "den_hartog/without-rest"))
-def document(request: pytest.FixtureRequest) -> Document:
+def document(request):
     return document_of(str(request.param))
 
 
-def test_every_format_shows_the_same_formulas(document: Document) -> None:
+def test_every_format_shows_the_same_formulas(document):
     own, *formats = on_pages(document).items()
     assert own[1].total() > 10
     for format, shown in formats:
@@ -40,7 +39,7 @@ def test_every_format_shows_the_same_formulas(document: Document) -> None:
         assert not less, (format, list(less)[:2])
 
 
-def test_what_a_user_writes_is_one_paragraph() -> None:
+def test_what_a_user_writes_is_one_paragraph():
     words = "one\n\n  two\n\t\n\nthree"
     declared = drop().system
     parameters = (replace(declared.parameters[0], description=words), *declared.parameters[1:])
@@ -53,7 +52,7 @@ def test_what_a_user_writes_is_one_paragraph() -> None:
 
 
 @cache
-def raw_names() -> set[str]:
+def raw_names():
     """Names in the code that LaTeX writes otherwise."""
     symbols: set[Any] = set()
     for written in map(written_of, ORBITS):
@@ -63,7 +62,7 @@ def raw_names() -> set[str]:
     return {name for name in map(str, symbols) if re.search(r"\d|_", name)}
 
 
-def test_no_raw_names_remain(document: Document) -> None:
+def test_no_raw_names_remain(document):
     raw = raw_names()
     assert {"z10", "half_tau", "coefficient11"} <= raw
     for text in (to_markdown(document), to_latex(document)):
@@ -73,7 +72,7 @@ def test_no_raw_names_remain(document: Document) -> None:
         assert "None" not in text
 
 
-def test_sentences_end(document: Document) -> None:
+def test_sentences_end(document):
     for block, following in pairwise((*document.blocks, Paragraph(""))):
         if not isinstance(block, Paragraph):
             continue
@@ -86,7 +85,7 @@ def test_sentences_end(document: Document) -> None:
         assert dollars.count("*") % 2 == 0
 
 
-def test_equations_are_numbered_by_sections(document: Document) -> None:
+def test_equations_are_numbered_by_sections(document):
     section, labels = 0, []
     for block in document.blocks:
         if isinstance(block, Heading) and block.level == 1:
@@ -101,7 +100,7 @@ def test_equations_are_numbered_by_sections(document: Document) -> None:
     assert cited - {"2011"} <= set(labels)
 
 
-def test_a_page_begins_in_front_of_headings_and_not_between_them(document: Document) -> None:
+def test_a_page_begins_in_front_of_headings_and_not_between_them(document):
     blocks = pairwise((None, *document.blocks))
     begun = [isinstance(b, Heading) and not isinstance(a, Heading) for a, b in blocks]
     _, _, text = to_latex(document).partition(r"\begin{document}")
@@ -109,7 +108,7 @@ def test_a_page_begins_in_front_of_headings_and_not_between_them(document: Docum
     assert not re.search(r"section\{.*\}\s*\\needroom", text)
 
 
-def test_html_is_one_offline_page(document: Document) -> None:
+def test_html_is_one_offline_page(document):
     page = page_of(document)
     assert not {e.tag for e in page.iter()} & {"script", "link", "img", "iframe"}
     assert not any({"href", "src"} & {*e.attrib} for e in page.iter())
@@ -125,7 +124,7 @@ def test_html_is_one_offline_page(document: Document) -> None:
     assert numbers == [f"({f.label})" for f in document.formulas if f.label]
 
 
-def test_mathml_is_set_as_tex_sets_it() -> None:
+def test_mathml_is_set_as_tex_sets_it():
     def operators(latex: str) -> list[Any]:
         return list(page_of(Document("", (Paragraph(f"${latex}$"),))).iter("mo"))
 
@@ -145,7 +144,7 @@ def test_mathml_is_set_as_tex_sets_it() -> None:
 @pytest.mark.parametrize(
     "name", marked(declarations(), *(n for n in names(Itinerary) if n not in ORBITS))
 )
-def test_no_formula_passes_the_margin(name: str, tmp_path: Path) -> None:
+def test_no_formula_passes_the_margin(name, tmp_path):
     """Nor of an orbit with equations as it is composed."""
     declared, documents = declarations()[name], [document_of(name)]
     if isinstance(declared, Itinerary):
@@ -161,7 +160,7 @@ def test_no_formula_passes_the_margin(name: str, tmp_path: Path) -> None:
 
 
 @needs_latex
-def test_pdf_is_compiled(tmp_path: Path) -> None:
+def test_pdf_is_compiled(tmp_path):
     out = tmp_path / "document.pdf"
     told("equations", "rigid-stop", "--format", "pdf", "--out", str(out))
     assert out.read_bytes().startswith(b"%PDF")

@@ -27,32 +27,32 @@ from tests.declared_documents import forced_stop, impacts, one_mass, rattle, swi
 from tests.documents import declarations, document_of
 
 
-def text_of(described: System | Itinerary) -> str:
+def text_of(described):
     describe: Any = describe_system if isinstance(described, System) else describe_orbit
     return to_markdown(describe(described))
 
 
-def test_the_regimes_of_damping_are_named_where_they_are_open() -> None:
+def test_the_regimes_of_damping_are_named_where_they_are_open():
     text = to_markdown(document_of("any-mass"))
     for regime in ("underdamped", "critically damped", "overdamped"):
         assert text.count(rf"\text{{ ({regime})}}") == 1
     assert r"\text{if }" not in text_of(switched())
 
 
-def test_a_word_of_a_description_is_no_dwell_time() -> None:
+def test_a_word_of_a_description_is_no_dwell_time():
     itinerary = declarations()["piecewise_stiffness/one-contact"]
     assert {p.dwell_time for p in itinerary.phases} == {"on", "off"}
     assert "| stiffness on the stop, against 1 before it |" in text_of(itinerary)
 
 
-def test_a_multiplier_is_trivial_where_a_forcing_is_found() -> None:
+def test_a_multiplier_is_trivial_where_a_forcing_is_found():
     struck = Itinerary("struck", one_mass(0), (Phase("free", "stop-reaches-stop", "tau"),))
     described = map(describe_orbit, (impacts(1), switching(), rattle(0), struck))
     assert [len(document.shown.harmonics) for document in described] == [1, 0, 0, 0]
     assert "1 and trivial" in text_of(impacts(1))
 
 
-def test_equal_transitions_are_described_once() -> None:
+def test_equal_transitions_are_described_once():
     document, short = (describe_orbit(switching(turns)) for turns in (6, 1))
     text = to_markdown(document)
     assert len(re.findall(r"^Transition \d", text, re.MULTILINE)) == 2
@@ -64,7 +64,7 @@ def test_equal_transitions_are_described_once() -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", SYSTEMS)
-def test_any_itinerary_can_be_described(name: str) -> None:
+def test_any_itinerary_can_be_described(name):
     """Held coordinates, presentations, a given period and a border collision too."""
     for itinerary in declaration(name).orbits:
         given = re.findall(r"Given are the parameters (.*?)\.", text_of(itinerary))
@@ -72,7 +72,7 @@ def test_any_itinerary_can_be_described(name: str) -> None:
             assert f"{swapped[0]}_{{{swapped[1:]}}}" not in given[0]
 
 
-def test_letters_are_those_that_nothing_else_has() -> None:
+def test_letters_are_those_that_nothing_else_has():
     symbols = sp.symbols("A R n c f m mu J p_1 s", positive=True)
     system = one_mass(0, sp.Add(*symbols))
     itinerary = Itinerary("one", system, (Phase("free", "stop-reaches-stop", "tau"),))
@@ -81,13 +81,13 @@ def test_letters_are_those_that_nothing_else_has() -> None:
     assert not {"A", "R", "n", "c", "f", "m", r"\mu", "J", "p", "s"} & {*chosen}
 
 
-def test_contacts_and_constraints_are_told() -> None:
+def test_contacts_and_constraints_are_told():
     document = describe_system(forced_stop())
     assert "Throughout, $x - 1 = 0$ and $v = 0$ in *contact*." in to_markdown(document)
     assert any(isinstance(block, Table) for block in document.section("Contacts"))
 
 
-def test_wide_motions_are_written_row_by_row() -> None:
+def test_wide_motions_are_written_row_by_row():
     size = 7
     stiffness = sp.Matrix(size, size, lambda i, j: sp.Rational(1000 + i + j, 10**9 + 7))
     names = [f"x{i}" for i in range(1, size + 1)]
@@ -96,7 +96,7 @@ def test_wide_motions_are_written_row_by_row() -> None:
     assert lefts == [f"x_{{{i}}}''" for i in range(1, size + 1)]
 
 
-def test_closed_and_open_flows_stand_side_by_side() -> None:
+def test_closed_and_open_flows_stand_side_by_side():
     size = 7
     states = sp.symbols(f"y1:{size + 1}", real=True)
     ring = sp.Matrix(size, size, lambda i, j: sp.Integer(j == (i + 1) % size) - (i == j))
@@ -112,7 +112,7 @@ def test_closed_and_open_flows_stand_side_by_side() -> None:
     assert "The flow of *open* is not written out" in text
 
 
-def test_a_start_that_nothing_satisfies_is_refused() -> None:
+def test_a_start_that_nothing_satisfies_is_refused():
     """The held velocity is 1 throughout, the boundary asks for 2."""
     x, v = sp.symbols("x v", real=True)
     held = Configuration("held", SecondOrder([[1]], [[1]], held={x: 1}), (Boundary("fast", v - 2),))
@@ -123,7 +123,7 @@ def test_a_start_that_nothing_satisfies_is_refused() -> None:
         describe_orbit(Itinerary("never", system, (Phase("held", "fast", "tau"),)))
 
 
-def test_letters_of_the_derivation_give_way_to_those_of_the_user() -> None:
+def test_letters_of_the_derivation_give_way_to_those_of_the_user():
     omega, entry, mass = sp.symbols("omega_1 p_1 M", positive=True)
     stiffness = [[omega, -omega], [-omega, omega + entry]]
     stop = RigidStop("x", at=1, restitution=1, name="stop")

@@ -22,7 +22,7 @@ from nonsmooth.derive import (
     chain_matrices,
     oscillator,
 )
-from nonsmooth.derive.document.blocks import Document, Table
+from nonsmooth.derive.document.blocks import Table
 from nonsmooth.derive.document.describe import describe_orbit, describe_system
 from tests.declared_documents import one_mass
 from tests.documents import GALLERY, document_of, marked, names
@@ -34,7 +34,7 @@ SECTIONS = ("The system", "Configurations", "Modal analysis", "Transitions", "Co
 SYSTEMS = list(names(System))
 
 
-def random_system(seed: int) -> System:
+def random_system(seed):
     """Coordinates, elements of every kind, and expressions with every sign."""
     draw = random.Random(seed)
     letters = sp.symbols("A b k2 mu_c e m nu", positive=True)
@@ -71,7 +71,7 @@ def random_system(seed: int) -> System:
     )  # fmt: skip
 
 
-def check(document: Document, system: System, seed: int) -> int:
+def check(document, system, seed):
     found = SystemLaw(Facts(system, document, drawn(system, seed))).check(SECTIONS)
     tables = {block.header[:2]: block for block in document.blocks if isinstance(block, Table)}
     named = {row[0].strip("*") for row in tables["Configuration", "Boundary"].rows} - {""}
@@ -84,7 +84,7 @@ def check(document: Document, system: System, seed: int) -> int:
 
 
 @pytest.mark.parametrize("name", marked(SYSTEMS))
-def test_what_the_document_of_a_system_says_is_true(name: str) -> None:
+def test_what_the_document_of_a_system_says_is_true(name):
     system = all_declarations()[name]
     assert check(document_of(name), system, 3) >= 9
 
@@ -93,18 +93,18 @@ def test_what_the_document_of_a_system_says_is_true(name: str) -> None:
     "seed",  # stops and sliders, which systems of the gallery have too, take long
     [2, 3, 4, 11, *(pytest.param(s, marks=pytest.mark.slow) for s in (0, 1, 5))],
 )
-def test_what_the_document_of_a_random_system_says_is_true(seed: int) -> None:
+def test_what_the_document_of_a_random_system_says_is_true(seed):
     system = random_system(seed)
     assert check(describe_system(system), system, seed) >= 8
 
 
 @pytest.mark.parametrize(("zeta", "square"), [("3/10", 1), (1, 1), (2, 1), ("-1/10", 4), (1, -1)])
-def test_what_the_document_of_one_damped_mass_says_is_true(zeta: Any, square: int) -> None:
+def test_what_the_document_of_one_damped_mass_says_is_true(zeta, square):
     system = one_mass(zeta, square)
     assert check(describe_system(system), system, 3) >= 9
 
 
-def unanchored_system(seed: int) -> System:
+def unanchored_system(seed):
     """One or two masses that nothing holds, with ratios, roots and forcings of every kind."""
     draw = random.Random(seed)
     gamma, k, w = sp.symbols("gamma k w", positive=True)
@@ -128,12 +128,12 @@ def unanchored_system(seed: int) -> System:
 
 
 @pytest.mark.parametrize("seed", [1, 3, 18, 180])
-def test_what_the_document_of_masses_that_nothing_holds_says_is_true(seed: int) -> None:
+def test_what_the_document_of_masses_that_nothing_holds_says_is_true(seed):
     system = unanchored_system(seed)
     assert check(describe_system(system), system, seed) >= 4
 
 
-def law_of(name: str) -> CycleLaw:
+def law_of(name):
     """The document of an itinerary of the gallery, and its orbit at the reference."""
     solved = ns.solve(f"{GALLERY}/{name.replace('/', '.py:')}")
     document = describe_orbit(all_declarations()[name])
@@ -149,5 +149,5 @@ ITINERARIES = [n for n in names(Itinerary) if (GALLERY / f"{n.partition('/')[0]}
 
 
 @pytest.mark.parametrize("name", marked(ITINERARIES))
-def test_what_the_document_of_an_itinerary_says_is_true_on_an_orbit(name: str) -> None:
+def test_what_the_document_of_an_itinerary_says_is_true_on_an_orbit(name):
     assert law_of(name).whole() > 40

@@ -39,7 +39,7 @@ FORCED = (
 
 
 @cache
-def described(name: str) -> Written:
+def described(name):
     if name in VARIANTS:
         return Written(derive_equations(VARIANTS[name]()))
     found = written_of(name) if name in ORBITS else derived(name)
@@ -51,16 +51,16 @@ SLOW = [pytest.param(name, marks=pytest.mark.slow) for name in (*VARIANTS, *GALL
 
 
 @pytest.fixture(params=[*ORBITS, *marked(FORCED), *SLOW])
-def written(request: pytest.FixtureRequest) -> Written:
+def written(request):
     return described(request.param)
 
 
 @pytest.fixture(params=ORBITS)
-def solved(request: pytest.FixtureRequest) -> Written:
+def solved(request):
     return described(request.param)
 
 
-def test_each_symbol_is_defined_before_it_is_used(written: Written) -> None:
+def test_each_symbol_is_defined_before_it_is_used(written):
     """Of parameters, states, unknowns and what lines define; resets and derivatives have words."""
     equations, notation = written.equations, written.notation
     known = {TIME, *notation.constants, *notation.start, *notation.functions}
@@ -75,7 +75,7 @@ def test_each_symbol_is_defined_before_it_is_used(written: Written) -> None:
             known.add(line.subject)
 
 
-def test_formulas_show_what_the_kernels_compute(written: Written) -> None:
+def test_formulas_show_what_the_kernels_compute(written):
     numbers = written.drawn(7)
     read, checked = written.reader(numbers), 0
     for line in written.lines:
@@ -94,7 +94,7 @@ def test_formulas_show_what_the_kernels_compute(written: Written) -> None:
     assert checked > 25 or len(written.equations.system.states) < 4
 
 
-def test_every_stage_of_the_derivation_is_shown(written: Written) -> None:
+def test_every_stage_of_the_derivation_is_shown(written):
     equations = written.equations
     shown = {(line.subject, line.shows) for line in written.lines}
     subjects = {subject for subject, _ in shown}
@@ -116,7 +116,7 @@ def test_every_stage_of_the_derivation_is_shown(written: Written) -> None:
     }
 
 
-def test_the_equations_are_all_there(written: Written) -> None:
+def test_the_equations_are_all_there(written):
     equations, document = written.equations, written.document
     formulas = [b for b in document.section("The equations") if isinstance(b, Formula)]
     assert [f.lines[0].shows for f in formulas] == equations.residual
@@ -128,7 +128,7 @@ def test_the_equations_are_all_there(written: Written) -> None:
 # --- derivatives, stability and energy
 
 
-def test_the_trace_as_written_is_that_of_the_kernel(solved: Written) -> None:
+def test_the_trace_as_written_is_that_of_the_kernel(solved):
     orbit, equations = ns.solve(solved.name), solved.equations
     trace, numbers = float(orbit.evaluate("trace")), solved.at(orbit)
     if equations.conservative:
@@ -142,7 +142,7 @@ def test_the_trace_as_written_is_that_of_the_kernel(solved: Written) -> None:
         assert solved.reader(numbers).latex(text_of(line)) == pytest.approx(trace, abs=1e-9)
 
 
-def test_the_entries_of_the_map_as_written_are_those_of_the_kernel(solved: Written) -> None:
+def test_the_entries_of_the_map_as_written_are_those_of_the_kernel(solved):
     """Their values are in the last section, and the lines from which they are computed as well."""
     orbit, size = ns.solve(solved.name), range(1, len(solved.equations.chain.coordinates) + 1)
     kernel = np.array(orbit.evaluate("poincare_jacobian"), dtype=float)
@@ -156,7 +156,7 @@ def test_the_entries_of_the_map_as_written_are_those_of_the_kernel(solved: Writt
     assert np.atleast_2d(read.latex(text_of(matrix))) == pytest.approx(kernel, abs=1e-9)
 
 
-def test_the_reference_orbit_is_the_one_that_is_solved(solved: Written) -> None:
+def test_the_reference_orbit_is_the_one_that_is_solved(solved):
     orbit = ns.solve(solved.name)
     section = solved.document.section("The reference orbit")
     formulas = [b for b in section if isinstance(b, Formula)]

@@ -53,7 +53,7 @@ READING = Reading(
 )
 
 
-def _unevaluated(parts: tuple[sp.Expr, sp.Expr]) -> sp.Expr:
+def _unevaluated(parts):
     """A number in front of a sum, as the factoring of terms leaves it."""
     return sp.Mul(*parts, evaluate=False)
 
@@ -66,7 +66,7 @@ NUMBERS = st.one_of(
 ATOMS = st.one_of(st.sampled_from(LETTERS), st.sampled_from(LETTERS), NUMBERS)
 
 
-def _larger(inner: st.SearchStrategy[sp.Expr]) -> st.SearchStrategy[sp.Expr]:
+def _larger(inner):
     several = st.lists(inner, min_size=2, max_size=4)
     return st.one_of(
         several.map(lambda parts: sp.Add(*parts)),
@@ -89,23 +89,23 @@ def _larger(inner: st.SearchStrategy[sp.Expr]) -> st.SearchStrategy[sp.Expr]:
 EXPRESSIONS = st.recursive(ATOMS, _larger, max_leaves=9)
 
 
-def value_of(expression: sp.Expr) -> complex:
+def value_of(expression):
     return complex(sp.sympify(expression).xreplace(VALUES).xreplace(VALUES))
 
 
-def is_tame(expression: sp.Expr) -> bool:
+def is_tame(expression):
     """Whether rounding leaves its value alone: no pole, no sine of something large."""
     return all(abs(value_of(e)) < 50 for e in sp.preorder_traversal(expression))
 
 
-def check(latex: str, *expressions: sp.Expr) -> None:
+def check(latex, *expressions):
     """LaTeX and MathML stand for the same, and that are the expressions."""
     row, expected = read_latex(latex), [*map(value_of, expressions)]
     assert read_page(latex) == row, latex
     assert np.ravel(READING(row)) == pytest.approx(expected, rel=1e-9, abs=1e-9), latex
 
 
-def test_every_symbol_has_a_name_of_its_own() -> None:
+def test_every_symbol_has_a_name_of_its_own():
     assert len({NOTATION.symbol(letter) for letter in LETTERS}) == len(LETTERS)
 
 
@@ -113,7 +113,7 @@ def test_every_symbol_has_a_name_of_its_own() -> None:
 @settings(max_examples=80)
 @example(sp.sin(STATES[0] * sp.cos(1)))
 @given(EXPRESSIONS)
-def test_what_is_printed_is_the_expression(expression: sp.Expr) -> None:
+def test_what_is_printed_is_the_expression(expression):
     """Alone, cut into pieces, as a term and as a factor."""
     if not is_tame(expression):
         return
@@ -130,8 +130,8 @@ def test_what_is_printed_is_the_expression(expression: sp.Expr) -> None:
 @settings(max_examples=40)
 @given(st.lists(st.tuples(NUMBERS, st.lists(st.sampled_from(LETTERS), max_size=4)), max_size=5))
 def test_a_polynomial_that_is_put_in_order_is_the_polynomial(
-    terms: list[tuple[sp.Expr, list[sp.Expr]]],
-) -> None:
+    terms,
+):
     expression = sp.Add(*(number * sp.Mul(*factors) for number, factors in terms))
     if len(expression.free_symbols & set(STATES)) < 2:
         check(NOTATION.latex(NOTATION.tidy(expression)), expression)
@@ -142,7 +142,7 @@ def test_a_polynomial_that_is_put_in_order_is_the_polynomial(
 @pytest.mark.slow
 @settings(max_examples=20)
 @given(st.lists(EXPRESSIONS, min_size=4, max_size=4))
-def test_a_matrix_is_its_entries(entries: list[sp.Expr]) -> None:
+def test_a_matrix_is_its_entries(entries):
     if all(map(is_tame, entries)):
         check(NOTATION.latex(sp.Matrix(2, 2, entries)), *entries)
 
@@ -161,11 +161,11 @@ def test_a_matrix_is_its_entries(entries: list[sp.Expr]) -> None:
         "a +",
     ],
 )
-def test_what_can_be_read_in_two_ways_is_refused(latex: str) -> None:
+def test_what_can_be_read_in_two_ways_is_refused(latex):
     with pytest.raises(Unreadable):
         READING.latex(latex)
 
 
-def test_braces_hold_nothing_together() -> None:
+def test_braces_hold_nothing_together():
     values: Any = READING.names
     assert READING.latex("{a + x_{1}} k_{1}") == values["a"] + values["x_{1}"] * values["k_{1}"]

@@ -16,7 +16,7 @@ from tests.latex_reader import ORBITS, reading
 PAPER = (*(f"({number})" for number in range(1, 19)), "(A.1)", "(A.2)", "(A.3)")
 
 
-def test_every_equation_of_the_paper_is_cited() -> None:
+def test_every_equation_of_the_paper_is_cited():
     told = [
         text for name in ORBITS for block in document_of(name).blocks for text in texts_of(block)
     ]
@@ -25,7 +25,7 @@ def test_every_equation_of_the_paper_is_cited() -> None:
 
 
 @pytest.mark.parametrize("name", ["dry-friction", *(n for n in ORBITS if "friction" in n)])
-def test_the_model_scales_to_the_equations_that_are_declared(name: str) -> None:
+def test_the_model_scales_to_the_equations_that_are_declared(name):
     document = document_of(name)
     formulas = [b.latex for b in document.section("The model") if isinstance(b, Formula)]
     relations = re.split(r",\s*\\qquad|[.,;]?\s*(?:\\\\\s|\\end\{aligned\})", " ".join(formulas))

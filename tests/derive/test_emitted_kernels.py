@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import random
 import re
-from collections.abc import Callable
 from fractions import Fraction
 from importlib import import_module
 from itertools import product
 from math import prod
-from types import ModuleType
 from typing import Any
 
 import flint
@@ -28,7 +26,7 @@ every_kernel = pytest.mark.parametrize(
 )
 
 
-def spectral(system: str, kernel: str) -> list[int]:
+def spectral(system, kernel):
     """Places of the spectrum's parameters among those of a kernel, of the system or an orbit."""
     table, orbits = MODULES[system].SYSTEM, MODULES[system].ORBITS
     owner = [t for o, t in orbits.items() if kernel.startswith(f"{o.replace('-', '_')}_")]
@@ -36,9 +34,7 @@ def spectral(system: str, kernel: str) -> list[int]:
     return [names.index(name) for name in table["spectrum_parameters"]]
 
 
-def arguments_of(
-    system: str, kernel: str, seed: int, number: Callable[[Fraction], Any], lib: Any
-) -> list[Any]:
+def arguments_of(system, kernel, seed, number, lib):
     """Random arguments of a kernel in one arithmetic, which computes the spectrum itself."""
     module, (taken, _) = MODULES[system], MODULES[system].KERNELS[kernel]
     draw = random.Random(f"{kernel}{seed}")
@@ -54,25 +50,23 @@ def arguments_of(
     return [n if shape else n[0] for n, (shape, _) in zip(numbers, taken, strict=True)]
 
 
-def run(
-    system: str, kernel: str, seed: int, number: Callable[[Fraction], Any], lib: Any, **wanted: int
-) -> list[Any]:
+def run(system, kernel, seed, number, lib, **wanted):
     """The first results of an emitted kernel in one arithmetic, flat."""
     given = arguments_of(system, kernel, seed, number, lib)
     found = getattr(MODULES[system], kernel)(*given, lib=lib, **wanted)
     return [e for value in outputs(found) for e in np.array(value, dtype=object).ravel()]
 
 
-def outputs(found: Any) -> tuple[Any, ...]:
+def outputs(found):
     return found if isinstance(found, tuple) else (found,)
 
 
-def in_mpmath(lib: Mpmath) -> Callable[[Fraction], Any]:
+def in_mpmath(lib):
     return lambda v: lib.mp.mpf(v.numerator) / v.denominator
 
 
 @every_kernel
-def test_floats_mpmath_and_balls_agree(system: str, kernel: str) -> None:
+def test_floats_mpmath_and_balls_agree(system, kernel):
     lib, precise, balls = Mpmath(50), Mpmath(80), Balls()
     for seed in range(2):
         exact = run(system, kernel, seed, in_mpmath(precise), precise)
@@ -98,25 +92,25 @@ def test_floats_mpmath_and_balls_agree(system: str, kernel: str) -> None:
 # --- C ----------------------------------------------------------------------------------
 
 
-def extension() -> ModuleType:
+def extension():
     return pytest.importorskip(
         "nonsmooth.generated._kernels", reason="the compiled kernels are not built"
     )
 
 
-def built(system: str, kernel: str, count: int | None = None) -> Callable[..., Any]:
+def built(system, kernel, count=None):
     """The compiled kernel that gives the first results, or all."""
     count = count or len(MODULES[system].KERNELS[kernel][1])
     return getattr(extension(), f"{SYSTEMS[system]}_{kernel}_{count}")
 
 
-def arrays_for(system: str, kernel: str, count: int) -> list[np.ndarray]:
+def arrays_for(system, kernel, count):
     """Arguments of a kernel for several points, stacked along the first axis."""
     points = (arguments_of(system, kernel, seed, float, FLOATS) for seed in range(count))
     return [np.array(column, dtype=float) for column in zip(*points, strict=True)]
 
 
-def cores(function: np.ufunc) -> list[list[tuple[int, ...]]]:
+def cores(function):
     """Shapes of one point's arguments and results."""
     return [
         [tuple(int(size) for size in core.split(",") if size) for core in found]
@@ -126,7 +120,7 @@ def cores(function: np.ufunc) -> list[list[tuple[int, ...]]]:
 
 @pytest.mark.compiled
 @every_kernel
-def test_compiled_kernels_are_the_numpy_ones(system: str, kernel: str) -> None:
+def test_compiled_kernels_are_the_numpy_ones(system, kernel):
     """Within 300 ulps of the largest entry: sine and cosine differ in the last bit."""
     arrays = arrays_for(system, kernel, 7)
     module = MODULES[system]
@@ -146,7 +140,7 @@ def test_compiled_kernels_are_the_numpy_ones(system: str, kernel: str) -> None:
 
 @pytest.mark.compiled
 @every_kernel
-def test_compiled_kernels_broadcast_over_any_strides(system: str, kernel: str) -> None:
+def test_compiled_kernels_broadcast_over_any_strides(system, kernel):
     function = built(system, kernel)
     taken, given = cores(function)
     arrays = arrays_for(system, kernel, 6)
@@ -183,7 +177,7 @@ def test_compiled_kernels_broadcast_over_any_strides(system: str, kernel: str) -
         assert array.shape == (0, *core)
 
 
-def views(array: np.ndarray) -> dict[str, tuple[np.ndarray, np.ndarray]]:
+def views(array):
     """Copies of an array, and arrays of its shape for results in the memory of each."""
     size = len(array)
     wide = np.zeros((4, 2 * size, *array.shape[1:]))
@@ -200,7 +194,7 @@ def views(array: np.ndarray) -> dict[str, tuple[np.ndarray, np.ndarray]]:
 
 @pytest.mark.compiled
 @pytest.mark.parametrize("system", SYSTEMS)
-def test_results_may_lie_in_the_memory_of_arguments(system: str) -> None:
+def test_results_may_lie_in_the_memory_of_arguments(system):
     drawn, seen = np.random.default_rng(1), set()
     for name, function in vars(extension()).items():
         if not name.startswith(f"{SYSTEMS[system]}_"):

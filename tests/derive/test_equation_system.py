@@ -5,7 +5,7 @@ import pytest
 import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth.derive import DerivationError, EquationSystem
+from nonsmooth.derive import DerivationError
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from tests.latex_reader import written_of
 
@@ -14,12 +14,12 @@ QUICK = "rigid-stop/one-impact", "dry-friction/global-stick"
 EACH = [name if name in QUICK else pytest.param(name, marks=pytest.mark.slow) for name in ORBITS]
 
 
-def equations_of(name: str) -> EquationSystem:
+def equations_of(name):
     return written_of(name).equations
 
 
 @pytest.mark.parametrize("name", EACH)
-def test_expanded_expressions_have_the_values_of_the_kernels(name: str) -> None:
+def test_expanded_expressions_have_the_values_of_the_kernels(name):
     equations, orbit = equations_of(name), ns.refine(ns.solve(name), 40)
     symbols = (*equations.parameters, *equations.unknowns)
     for quantity, expected in (
@@ -38,7 +38,7 @@ def test_expanded_expressions_have_the_values_of_the_kernels(name: str) -> None:
                 assert abs(value - number) < 1e-38
 
 
-def test_stages_are_inserted_one_by_one() -> None:
+def test_stages_are_inserted_one_by_one():
     equations = equations_of("dry-friction/global-stick")
     assert repr(equations) == (
         "EquationSystem dry-friction/global-stick: 6 equations in z10, z20, ta, tau, tau1, tau2"
@@ -59,7 +59,7 @@ def test_stages_are_inserted_one_by_one() -> None:
 
 
 @pytest.mark.parametrize("name", ORBITS)
-def test_latex_has_the_names_of_the_document(name: str) -> None:
+def test_latex_has_the_names_of_the_document(name):
     equations, naming = equations_of(name), written_of(name).notation
     for expression in (equations.trace, equations.residual[0], equations.unknowns[0]):
         assert equations.latex(expression) == naming.latex(expression)

@@ -12,7 +12,6 @@ import random
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -46,9 +45,7 @@ X, Y, V, W = sp.symbols("x y v w", real=True)
 # --- systems that only the tests declare ------------------------------------------------
 
 
-def regime(
-    name: str, exit_by: str, function: sp.Expr, stiffness: Any, load: Any = (), **held: Any
-) -> Configuration:
+def regime(name, exit_by, function, stiffness, load=(), **held):
     """Unit masses on springs, left through one boundary; `x=1` holds x at the velocity 1."""
     mass = sp.eye(len(sp.Matrix(stiffness).col(0)))
     kept = {sp.Symbol(n, real=True): v for n, v in held.items()}
@@ -59,11 +56,11 @@ def regime(
 
 
 def looped(
-    declared: Sequence[Parameter],
-    one: Configuration,
-    other: Configuration,
-    *resets: dict[sp.Symbol, sp.Expr],
-) -> Itinerary:
+    declared,
+    one,
+    other,
+    *resets,
+):
     """Two regimes one after the other, with a reset behind each."""
     ends = [(c.name, c.boundaries[0].name) for c in (one, other)]
     transitions = tuple(
@@ -76,20 +73,20 @@ def looped(
     return Itinerary("loop", system, phases)
 
 
-def parameters(names: str) -> tuple[list[Parameter], list[sp.Symbol]]:
+def parameters(names):
     """Positive parameters and their symbols; a restitution r is below one."""
     declared = [Parameter(n, n, upper=1 if n == "r" else sp.oo) for n in names.split()]
     return declared, [p.symbol for p in declared]
 
 
-def belt() -> Itinerary:
+def belt():
     """One mass on a belt: sticks until its spring breaks it loose, slips until it is caught."""
     declared, (s, u, e) = parameters("speed slipping excess")
     stick = regime("stick", "breaks", X - u - e, [[1]], x=s)
     return looped(declared, stick, regime("slip", "caught", V - s, [[1]], (u,)), {}, {V: s})
 
 
-def bounce() -> Itinerary:
+def bounce():
     """A mass on a spring, pushed by a constant force where x < 0, against a wall at x = 1."""
     declared, (r, k, p) = parameters("r kick push")
     spring, pushed = (
@@ -99,7 +96,7 @@ def bounce() -> Itinerary:
     return looped(declared, spring, pushed, {}, {V: -r * V - k})
 
 
-def clock() -> Itinerary:
+def clock():
     """A spring that a clock (the second coordinate, thrown up each time) switches off."""
     declared, (r, k) = parameters("r kick")
     spring = regime("spring", "rings", -Y, [[1, 0], [0, 0]], (0, -2))
@@ -107,7 +104,7 @@ def clock() -> Itinerary:
     return looped(declared, spring, pushed, {}, {V: -r * V - k, Y: 0, W: 1})
 
 
-def pair() -> Itinerary:
+def pair():
     """The mass on the belt, coupled to a second one that swings freely; no map in one variable."""
     declared, (s, u, e, k) = parameters("speed slipping excess k")
     stiffness = [[1 + k, -k], [-k, 2 + k]]
@@ -116,7 +113,7 @@ def pair() -> Itinerary:
     return looped(declared, stick, slip, {}, {V: s})
 
 
-def bilinear() -> Itinerary:
+def bilinear():
     """Two springs, one on each side; the mass loses speed and is kicked on the way down."""
     declared, (k, r, c) = parameters("k r kick")
     right, left = regime("right", "down", -X, [[1]]), regime("left", "up", X, [[k]])
@@ -132,13 +129,13 @@ class Example:
     guess: dict[str, str]
 
 
-def known(itinerary: Itinerary) -> Example:
+def known(itinerary):
     """A declared itinerary at its own reference point."""
     point = {n: str(number(sp.sympify(t), {})) for n, t in itinerary.reference.parameters.items()}
     return Example(lambda: itinerary, point, dict(itinerary.reference.guess))
 
 
-def number(expression: sp.Expr, known: dict[sp.Symbol, Any]) -> Any:
+def number(expression, known):
     """An expression of the declaration as a number."""
     expression = sp.sympify(expression)
     symbols = sorted(expression.free_symbols, key=str)
@@ -146,7 +143,7 @@ def number(expression: sp.Expr, known: dict[sp.Symbol, Any]) -> Any:
     return MP.mpf(value(*(known[s] for s in symbols)))
 
 
-def table(matrix: sp.Matrix, known: dict[sp.Symbol, Any]) -> Any:
+def table(matrix, known):
     """A matrix of the declaration in numbers."""
     return MP.matrix([[number(e, known) for e in row] for row in sp.Matrix(matrix).tolist()])
 
@@ -293,7 +290,7 @@ class Solved:
 
 
 @cache
-def solved(name: str, rotation: int = 0) -> Solved:
+def solved(name, rotation=0):
     return Solved(name, rotation)
 
 
@@ -301,7 +298,7 @@ def solved(name: str, rotation: int = 0) -> Solved:
 SLOW = ("symmetric", "solution-ii", "one-contact")
 
 
-def started(*first: str) -> Any:
+def started(*first):
     """Give each example with each start, of some with the first alone."""
     cases = [
         pytest.param(name, k, marks=[pytest.mark.slow] if name in slow else [])
@@ -317,14 +314,14 @@ every_start = started()
 most_starts = started(*SLOW, "one-impact")
 
 
-def close(found: Any, expected: Any, digits: int) -> bool:
+def close(found, expected, digits):
     pairs = (
         [*zip(found, expected, strict=True)] if hasattr(found, "__len__") else [(found, expected)]
     )
     return all(abs(a - b) <= MP.mpf(10) ** -digits * max(1, abs(b)) for a, b in pairs)
 
 
-def has_slopes(found: Any, function: Callable[[list[Any]], Any], at: Sequence[Any]) -> bool:
+def has_slopes(found, function, at):
     """Whether a matrix has the central differences of a function, whose error is some 1e-30."""
     h = MP.mpf(10) ** -15
     rates = []
@@ -339,7 +336,7 @@ def has_slopes(found: Any, function: Callable[[list[Any]], Any], at: Sequence[An
 
 
 @every_start
-def test_every_start_gives_the_same_orbit_and_multipliers(name: str, rotation: int) -> None:
+def test_every_start_gives_the_same_orbit_and_multipliers(name, rotation):
     base, turned = solved(name), solved(name, rotation)
     assert len(turned.orbit.equations) == len(turned.orbit.unknowns)
     for dwell_time, value in base.dwell_times.items():
@@ -356,7 +353,7 @@ def test_every_start_gives_the_same_orbit_and_multipliers(name: str, rotation: i
 
 
 @pytest.mark.parametrize("name", ["bounce", "clock", "bilinear"])
-def test_the_monodromy_matrix_keeps_the_field_and_has_all_multipliers(name: str) -> None:
+def test_the_monodromy_matrix_keeps_the_field_and_has_all_multipliers(name):
     example = solved(name)
     states = example.orbit.system.states
     matrix, offset = example.orbit.chain.links[0].configuration.dynamics.field(states)
@@ -372,7 +369,7 @@ def test_the_monodromy_matrix_keeps_the_field_and_has_all_multipliers(name: str)
 # --- the solver in C --------------------------------------------------------------------
 
 
-def in_c(orbit: EquationSystem, folder: Path) -> Callable[..., tuple[int, list[float]]]:
+def in_c(orbit, folder):
     """The emitted solver, compiled: status and unknowns from parameters and a guess."""
     system, name = orbit.system.name.replace("-", "_"), orbit.itinerary.name.replace("-", "_")
     for file, text in emit_library(orbit.itinerary.system, [orbit.itinerary], "tests").items():
@@ -394,7 +391,7 @@ def in_c(orbit: EquationSystem, folder: Path) -> Callable[..., tuple[int, list[f
 @pytest.mark.parametrize(
     "name", ["pair", "belt", pytest.param("one-contact", marks=pytest.mark.slow)]
 )
-def test_the_solver_in_c_finds_the_orbit(name: str, tmp_path: Path) -> None:
+def test_the_solver_in_c_finds_the_orbit(name, tmp_path):
     """And tells of a dwell time that is negative, though it is no unknown: the period's rest."""
     example = solved(name)
     solve = in_c(example.orbit, tmp_path)
@@ -412,7 +409,7 @@ def test_the_solver_in_c_finds_the_orbit(name: str, tmp_path: Path) -> None:
 
 
 @most_starts
-def test_derivatives_against_differences(name: str, rotation: int) -> None:
+def test_derivatives_against_differences(name, rotation):
     """Total ones by the parameters, and those of the spectrum, on which they rest."""
     example = solved(name, rotation)
     run, values, source = example.derived.run, example.values, random.Random(rotation)
@@ -430,7 +427,7 @@ def test_derivatives_against_differences(name: str, rotation: int) -> None:
 # --- the Poincare map, a second time ----------------------------------------------------
 
 
-def affine(functions: Sequence[sp.Expr], states: Sequence[sp.Symbol], last: int = 1) -> sp.Matrix:
+def affine(functions, states, last=1):
     """Matrix of affine functions of the state and 1, below which stands that of 1."""
     column = sp.Matrix(functions)
     rows = column.jacobian(states).row_join(column.subs(dict.fromkeys(states, 0)))
@@ -475,7 +472,7 @@ class Independent:
 
 
 @most_starts
-def test_orbit_and_poincare_jacobian_against_an_independent_map(name: str, rotation: int) -> None:
+def test_orbit_and_poincare_jacobian_against_an_independent_map(name, rotation):
     example = solved(name, rotation)
     second, section = Independent(example), example.orbit.chain.section
     start = example.states[0]
@@ -495,7 +492,7 @@ def test_orbit_and_poincare_jacobian_against_an_independent_map(name: str, rotat
 
 
 @every_start
-def test_the_reduced_equations_have_the_same_orbit(name: str, rotation: int) -> None:
+def test_the_reduced_equations_have_the_same_orbit(name, rotation):
     example = solved(name, rotation)
     run, values, reduction = example.derived.run, example.values, example.orbit.reduction
     assert len(reduction.equations) == len(reduction.unknowns)
@@ -513,7 +510,7 @@ def test_the_reduced_equations_have_the_same_orbit(name: str, rotation: int) -> 
 
 
 @pytest.mark.parametrize("reset", [{}, {X: 2 * X}], ids=["no reset", "a reset"])
-def test_a_start_that_no_state_satisfies_is_refused(reset: dict[sp.Symbol, sp.Expr]) -> None:
+def test_a_start_that_no_state_satisfies_is_refused(reset):
     slip, stick = regime("slip", "far", X - 1, [[1]]), regime("stick", "fast", V - 2, [[1]], x=1)
     with pytest.raises(DerivationError, match="'loop': its start satisfies no state"):
         derive_equations(looped([], slip, stick, {}, reset))

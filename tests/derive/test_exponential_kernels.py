@@ -17,7 +17,7 @@ from nonsmooth.derive.equations.program import Argument, Kernel, Output
 from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.runtime.core.arithmetic import FLOATS
 from tests.compiled_c import executed, library_of, needs_compiler
-from tests.exponentials import UNIT, Factor, error, exact, forced, largest_root, periods, repeated
+from tests.exponentials import UNIT, error, exact, forced, largest_root, periods, repeated
 
 Call = Callable[[str, float, Sequence[float]], list[float]]
 
@@ -30,7 +30,7 @@ SHAPES = ["2", "20", "200", "2w", "w2", "1", "10", "000", "21", "22", "22w", "2w
           "2002", "212", "211", "3", "4w", "6222", "66w2"]  # fmt: skip
 
 
-def numbers_of(shape: str) -> tuple[list[sp.Symbol], list[sp.Tuple]]:
+def numbers_of(shape):
     symbols: list[sp.Symbol] = []
     factors = []
     for place, kind in enumerate(shape):
@@ -42,7 +42,7 @@ def numbers_of(shape: str) -> tuple[list[sp.Symbol], list[sp.Tuple]]:
 
 
 @cache
-def kernel_of(shape: str) -> Kernel:
+def kernel_of(shape):
     symbols, factors = numbers_of(shape)
     t = sp.Symbol("T", real=True)
     degree = sum(len(f) for f in factors)
@@ -51,7 +51,7 @@ def kernel_of(shape: str) -> Kernel:
     return Kernel(f"shape_{shape}", "Derivatives.", (given,), (found,), ())
 
 
-def shape_of(factors: Sequence[Factor]) -> tuple[str, list[float]]:
+def shape_of(factors):
     kinds = ["0" if f == (0.0,) else "w" if f[1:] == (0.0,) else str(len(f)) for f in factors]
     given = [
         c for f, kind in zip(factors, kinds, strict=True) for c in f[: len(f) - (kind in "0w")]
@@ -60,7 +60,7 @@ def shape_of(factors: Sequence[Factor]) -> tuple[str, list[float]]:
 
 
 @pytest.fixture(scope="module")
-def compiled(tmp_path_factory: pytest.TempPathFactory) -> Call:
+def compiled(tmp_path_factory):
     folder: Path = tmp_path_factory.mktemp("exponentials")
     sources = [c_kernel(kernel_of(shape), "probe", None) for shape in SHAPES]
     (folder / "probe.c").write_text("\n".join(['#include "nonsmooth_differences.h"', *sources]))
@@ -76,7 +76,7 @@ def compiled(tmp_path_factory: pytest.TempPathFactory) -> Call:
     return call
 
 
-def worst(compiled: Call, factors: Sequence[Factor], t: float, k: int) -> float:
+def worst(compiled, factors, t, k):
     shape, coefficients = shape_of(factors)
     if shape not in SHAPES:
         return 0.0
@@ -92,14 +92,14 @@ def worst(compiled: Call, factors: Sequence[Factor], t: float, k: int) -> float:
     periods,
     st.integers(0, 3),
 )
-def test_any_set(compiled: Call, drawn: tuple[list[Factor], int], count: float, k: int) -> None:
+def test_any_set(compiled, drawn, count, k):
     """Within the bound of common sets, or three times that where factors nearly repeat."""
     factors, bound = drawn
     assert worst(compiled, factors, count * 6.283 / largest_root(factors), k) <= bound
 
 
 @needs_compiler
-def test_resonance_has_no_pole_and_the_slow_root_keeps_its_digits(compiled: Call) -> None:
+def test_resonance_has_no_pole_and_the_slow_root_keeps_its_digits(compiled):
     for beside in (0.0, 1e-12, 1e-9, 1e-6, 1e-3, 0.05, -0.3):
         for damping in (0.0, 1e-6, 0.05):
             factors = [(1.0, 2 * damping), ((1 + beside) ** 2, 0.0)]
@@ -115,7 +115,7 @@ def test_resonance_has_no_pole_and_the_slow_root_keeps_its_digits(compiled: Call
 
 @needs_compiler
 @pytest.mark.parametrize("shape", [*SHAPES[:-1], pytest.param("66w2", marks=pytest.mark.slow)])
-def test_every_shape_is_numpy(compiled: Call, shape: str) -> None:
+def test_every_shape_is_numpy(compiled, shape):
     symbols, factors = numbers_of(shape)
     values = {symbol: 0.7 + 0.9 * place % 1.3 for place, symbol in enumerate(symbols)}
     chosen = [tuple(float(c.xreplace(values)) for c in f) for f in factors]
@@ -131,7 +131,7 @@ def test_every_shape_is_numpy(compiled: Call, shape: str) -> None:
 
 
 @needs_compiler
-def test_hostile_numbers_end(compiled: Call) -> None:
+def test_hostile_numbers_end(compiled):
     for bad in (float("nan"), float("inf"), 1e300, -1e300, 5e-324, -1.0):
         for shape in SHAPES:
             count = len(numbers_of(shape)[0])
@@ -139,13 +139,13 @@ def test_hostile_numbers_end(compiled: Call) -> None:
             compiled(shape, bad, [1.0] * count)
 
 
-def test_a_block_computes_each_set_once() -> None:
+def test_a_block_computes_each_set_once():
     source = c_kernel(kernel_of("2w"), "probe", None)
     assert source.count("nonsmooth_pair_wave(") == 1
     assert [f"derivatives_0.d{k}" in source for k in range(4)] == [True] * 4
     assert c_kernel(kernel_of("6222"), "probe", None).count("nonsmooth_any(") == 3  # k <= 3, 4, 5
 
 
-def test_python_keeps_plain_integers() -> None:
+def test_python_keeps_plain_integers():
     found = executed(kernel_of("20w"))([1.2, 2.0, 0.3, 5.0], lib=FLOATS)
     assert found[1] == FLOATS.exponential_difference(1, 1.2, (2.0, 0.3), (0,), (5.0, 0))

@@ -54,7 +54,7 @@ PERIODS = st.floats(0.0, 1.0) | st.floats(1.0, 100.0) | st.just(100.0)
 STATES = st.lists(st.floats(0.1, 1) | st.floats(-1, -0.1), min_size=8, max_size=8)
 
 
-def real(names: str) -> list[Any]:
+def real(names):
     return [Parameter(name, "", -sp.oo).symbol for name in names.split()]
 
 
@@ -64,7 +64,7 @@ k1, k2 = real("k1 k2")
 entries = real("a11 a12 a13 a21 a22 a23 a31 a32 a33")
 
 
-def masses(stiffness: Any, damping: Any, forced: bool = False, **more: Any) -> System:
+def masses(stiffness, damping, forced=False, **more):
     """Unit masses, a constant load, and a harmonic force on the first one."""
     size = sp.Matrix(stiffness).rows
     free = sp.Matrix(stiffness).free_symbols | sp.Matrix(damping).free_symbols
@@ -82,7 +82,7 @@ def masses(stiffness: Any, damping: Any, forced: bool = False, **more: Any) -> S
     )
 
 
-def field() -> System:
+def field():
     dynamics = FirstOrder(sp.Matrix(3, 3, entries).tolist(), [0, 1, 2])
     parameters = tuple(Parameter(str(s), "", -sp.oo) for s in entries)
     only = Configuration("only", dynamics, ())
@@ -119,7 +119,7 @@ class Case:
 
 
 @cache
-def case(name: str) -> Case:
+def case(name):
     system = SYSTEMS[name]()
     spectrum, flows = derive_flows(system)
     first, flow = next(iter(flows.items()))
@@ -135,7 +135,7 @@ def case(name: str) -> Case:
 
 
 @pytest.fixture(scope="module")
-def library(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], ctypes.CDLL | None]:
+def library(tmp_path_factory):
     """The kernels of a system, compiled; None without a compiler."""
 
     @cache
@@ -150,9 +150,7 @@ def library(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], ctypes.
     return compiled_kernels
 
 
-def compiled(
-    library: ctypes.CDLL, name: str, values: Mapping[str, float], t: float, state: Sequence[float]
-) -> list[float]:
+def compiled(library, name, values, t, state):
     def function(kernel: Kernel) -> Any:
         return library[f"{name} {kernel.name}".replace(" ", "_").replace("-", "_")]
 
@@ -169,7 +167,7 @@ def compiled(
     return list(found)
 
 
-def exact(augmented: Any, t: float, state: Sequence[float]) -> tuple[Any, Any]:
+def exact(augmented, t, state):
     """State after t, and the largest up to then."""
     steps = 8
     step = mpmath.expm(augmented * (mpmath.mpf(t) / steps))
@@ -181,7 +179,7 @@ def exact(augmented: Any, t: float, state: Sequence[float]) -> tuple[Any, Any]:
     return y[: len(state)], size
 
 
-def condition(known: Case, values: Mapping[str, float], t: float, state: Sequence[float]) -> Any:
+def condition(known, values, t, state):
     """How far the state moves when all numbers of the kernel are wrong by one relative unit."""
     lib = Mpmath(DIGITS)
     step = lib.mp.mpf(10) ** -20
@@ -201,12 +199,12 @@ def condition(known: Case, values: Mapping[str, float], t: float, state: Sequenc
 
 
 def worst(
-    library: ctypes.CDLL | None,
-    name: str,
-    values: dict[str, float],
-    periods: float,
-    state: Sequence[float],
-) -> float:
+    library,
+    name,
+    values,
+    periods,
+    state,
+):
     """Larger error of both flows, in its unit."""
     known = case(name)
     with mpmath.workdps(DIGITS + 10):
@@ -261,8 +259,6 @@ DRAWN = {
 @pytest.mark.parametrize(
     "name", [n if n == "field" else pytest.param(n, marks=pytest.mark.slow) for n in SYSTEMS]
 )
-def test_the_error_of_a_flow_is_bounded(
-    library: Any, name: str, data: Any, periods: float, state: list[float]
-) -> None:
+def test_the_error_of_a_flow_is_bounded(library, name, data, periods, state):
     numbers, most = DRAWN[name]
     assert worst(library(name), name, data.draw(numbers), periods, state) <= most

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
-from typing import Any
 
 import flint
 import mpmath
@@ -45,19 +43,19 @@ class Case:
     values: tuple[Fraction, ...] = ()
 
 
-def moving(dynamics: Any, states: str, *parameters: Parameter) -> System:
+def moving(dynamics, states, *parameters):
     only = Configuration("only", dynamics, ())
     return System("case", "", sp.symbols(states, real=True), parameters, (only,))
 
 
-def anywhere(names: str) -> list[Parameter]:
+def anywhere(names):
     return [Parameter(name, "", -sp.oo) for name in names.split()]
 
 
 def masses(
-    stiffness: Any, load: Any = (), mass: Any = None, held: Any = None, damping: Any = None,
-    numbers: dict[Parameter, Any] | None = None
-) -> Case:  # fmt: skip
+    stiffness, load = (), mass = None, held = None, damping = None,
+    numbers = None
+):  # fmt: skip
     """Masses on springs, some of which are `held` at velocities."""
     size = len(stiffness)
     numbers = numbers or {}
@@ -73,11 +71,11 @@ s, q, g = POSITIVE.symbol, PULL.symbol, G.symbol
 SMALL = F(1, 10**9)
 
 
-def of_any_sign(stiffness: Any) -> Case:
+def of_any_sign(stiffness):
     return masses([[K.symbol]], [g], numbers={K: stiffness, G: 2})
 
 
-def free(*values: Any) -> Case:
+def free(*values):
     """Two coordinates, every entry of the stiffness a parameter of any sign."""
     entries = [[A.symbol, B.symbol], [C.symbol, D.symbol]]
     return masses(
@@ -177,7 +175,7 @@ MANY_DIGITS = CASES | {
 
 
 @cache
-def derived(name: str) -> tuple[list[int], Callable[..., Any], Callable[..., Any]]:
+def derived(name):
     """Places of the spectrum's parameters; the emitted spectrum and first flow."""
     system = MANY_DIGITS[name].system
     spectrum, flows = derive_flows(system)
@@ -187,7 +185,7 @@ def derived(name: str) -> tuple[list[int], Callable[..., Any], Callable[..., Any
 
 
 @cache
-def reference(name: str, time: Fraction) -> Any:
+def reference(name, time):
     """The flow as the exponential of the augmented matrix (A b; 0 0), at many digits."""
     case = MANY_DIGITS[name]
     system = case.system
@@ -202,14 +200,14 @@ def reference(name: str, time: Fraction) -> Any:
         return mpmath.expm(mpmath.matrix(numbers) * time.numerator / time.denominator)
 
 
-def numbers_of(name: str, number: Callable[[Fraction], Any], lib: Any) -> tuple[Any, Any]:
+def numbers_of(name, number, lib):
     """Parameters of a case, and its spectrum."""
     own, spectrum, _ = derived(name)
     parameters = [number(v) for v in MANY_DIGITS[name].values]
     return parameters, spectrum([parameters[i] for i in own], lib=lib)[0]
 
 
-def columns(name: str, number: Callable[[Fraction], Any], t: Fraction, lib: Any) -> list[Any]:
+def columns(name, number, t, lib):
     """Columns of Phi(t) and the offset, by the emitted source at unit states and at zero."""
     flow, point = derived(name)[-1], numbers_of(name, number, lib)
     size = len(MANY_DIGITS[name].system.states)
@@ -221,7 +219,7 @@ def columns(name: str, number: Callable[[Fraction], Any], t: Fraction, lib: Any)
 
 
 @pytest.mark.parametrize("name", MANY_DIGITS)
-def test_the_flow_is_a_matrix_exponential_in_fifty_digits(name: str) -> None:
+def test_the_flow_is_a_matrix_exponential_in_fifty_digits(name):
     lib = Mpmath(DIGITS + 20)
     for t in TIMES:
         found = columns(name, lambda v: lib.mp.mpf(v.numerator) / v.denominator, t, lib)
@@ -233,7 +231,7 @@ def test_the_flow_is_a_matrix_exponential_in_fifty_digits(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_the_flow_is_a_matrix_exponential_in_doubles(name: str) -> None:
+def test_the_flow_is_a_matrix_exponential_in_doubles(name):
     for t in TIMES:
         found = np.array(columns(name, float, t, FLOATS), dtype=float).T
         expected = np.array(reference(name, t).tolist(), dtype=float)[:-1]
@@ -241,7 +239,7 @@ def test_the_flow_is_a_matrix_exponential_in_doubles(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_balls_enclose_the_matrix_exponential(name: str) -> None:
+def test_balls_enclose_the_matrix_exponential(name):
     lib = Balls()
     with lib.working(200):
         for t in (F(0), TIMES[0]):
@@ -256,7 +254,7 @@ def test_balls_enclose_the_matrix_exponential(name: str) -> None:
 @pytest.mark.parametrize(
     "name", ["spring", "no spring", "all held", "coupled masses", "first held", "nothing but load"]
 )
-def test_the_runtime_has_the_same_flow(name: str) -> None:
+def test_the_runtime_has_the_same_flow(name):
     system, values = CASES[name].system, map(float, CASES[name].values)
     point = piecewise(system, {p.name: v for p, v in zip(system.parameters, values, strict=True)})
     start = np.random.default_rng(2).normal(size=len(system.states))
@@ -265,7 +263,7 @@ def test_the_runtime_has_the_same_flow(name: str) -> None:
     np.testing.assert_allclose(found, wanted, rtol=0, atol=2e-13 * np.abs(wanted).max())
 
 
-def test_too_long_a_closed_form_is_refused_by_name() -> None:
+def test_too_long_a_closed_form_is_refused_by_name():
     stiffness = sp.Matrix(4, 4, lambda i, j: 1 / sp.Integer(i + j + 1)) + sp.eye(4)
     case = masses(stiffness.tolist(), damping=sp.diag(1, 2, 3, 4).tolist())
     with pytest.raises(

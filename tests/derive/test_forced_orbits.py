@@ -1,7 +1,5 @@
 """Forced orbits: their period, their reduction and what is refused, against another route."""
 
-from __future__ import annotations
-
 import mpmath
 import pytest
 import sympy as sp

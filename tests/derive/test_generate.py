@@ -1,13 +1,9 @@
 """`nonsmooth generate`: the folder of a user's kernels, compiled or not."""
 
-from __future__ import annotations
-
 import json
 import math
 import shutil
 import sysconfig
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -28,24 +24,24 @@ FILES += [f"nonsmooth_{header}.h" for header in HEADERS.split()]
 
 
 @pytest.fixture(autouse=True)
-def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def place(tmp_path, monkeypatch):
     """A folder of the test's own, which is where the commands run."""
     monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path / "cache"))
     monkeypatch.chdir(tmp_path)
     return tmp_path
 
 
-def generated(*arguments: str) -> dict[str, Any]:
+def generated(*arguments):
     code, out, err = run("generate", *arguments, "--json")
     assert code == 0, err
     return json.loads(out)
 
 
-def names(folder: Path) -> list[str]:
+def names(folder):
     return sorted(path.name for path in folder.iterdir())
 
 
-def test_a_folder_holds_all_files_and_serves_every_command(place: Path) -> None:
+def test_a_folder_holds_all_files_and_serves_every_command(place):
     declare(place)
     told = generated("mine.py", "--out", "kernels")
     assert told["system"] == "kicked"
@@ -66,7 +62,7 @@ def test_a_folder_holds_all_files_and_serves_every_command(place: Path) -> None:
 
 
 @pytest.mark.slow
-def test_a_second_run_changes_nothing_and_check_agrees(place: Path) -> None:
+def test_a_second_run_changes_nothing_and_check_agrees(place):
     declare(place)
     assert len(generated("mine.py", "--out", "kernels")["written"]) == len(FILES)
     assert generated("mine.py", "--out", "kernels")["written"] == []
@@ -80,7 +76,7 @@ def test_a_second_run_changes_nothing_and_check_agrees(place: Path) -> None:
     assert load_system("kernels").evaluate("fields", [1, 0.5])[3, 0] == -9
 
 
-def test_what_a_renamed_system_leaves_behind_goes(place: Path) -> None:
+def test_what_a_renamed_system_leaves_behind_goes(place):
     declare(place)
     generated("mine.py", "--out", "kernels")
     declare(place, KICKED.replace('"kicked",\n', '"pushed",\n'))
@@ -89,7 +85,7 @@ def test_what_a_renamed_system_leaves_behind_goes(place: Path) -> None:
     assert names(place / "kernels") == renamed
 
 
-def test_a_damped_system_is_emitted_and_its_orbit_told(place: Path) -> None:
+def test_a_damped_system_is_emitted_and_its_orbit_told(place):
     declare(place, DAMPED)
     code, out, err = run("generate", "mine.py", "--out", "kernels")
     assert code == 0
@@ -99,7 +95,7 @@ def test_a_damped_system_is_emitted_and_its_orbit_told(place: Path) -> None:
     assert generated("mine.py", "--out", "kernels")["orbits"][0]["derived"] is False
 
 
-def test_a_foreign_folder_is_left_alone(place: Path) -> None:
+def test_a_foreign_folder_is_left_alone(place):
     declare(place)
     other = place / "other"
     other.mkdir()
@@ -130,7 +126,7 @@ def test_a_foreign_folder_is_left_alone(place: Path) -> None:
         (("mine.py", "--out", "kernels", "--check", "--compile"), "leave out --compile"),
     ],
 )
-def test_wrong_input_is_one_line(place: Path, arguments: tuple[str, ...], message: str) -> None:
+def test_wrong_input_is_one_line(place, arguments, message):
     declare(place)
     declare(place, "system = oscillator()\n", "broken.py")
     code, out, err = run("generate", *arguments)
@@ -140,7 +136,7 @@ def test_wrong_input_is_one_line(place: Path, arguments: tuple[str, ...], messag
     assert not (place / "kernels").exists()
 
 
-def test_the_equations_of_a_file(place: Path) -> None:
+def test_the_equations_of_a_file(place):
     declare(place)
     code, out, _ = run("equations", "mine.py:loop", "--format", "markdown")
     assert code == 0
@@ -161,7 +157,7 @@ compiler = pytest.mark.skipif(
 
 @pytest.mark.slow
 @compiler
-def test_compiled_kernels_are_used_and_agree(place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_compiled_kernels_are_used_and_agree(place, monkeypatch):
     monkeypatch.delenv("NONSMOOTH_BACKEND", raising=False)
     declare(place)
     told = generated("mine.py", "--out", "kernels", "--compile")
@@ -191,7 +187,7 @@ def test_compiled_kernels_are_used_and_agree(place: Path, monkeypatch: pytest.Mo
     assert load_orbit("kernels:loop").system.compiled is None
 
 
-def test_without_a_compiler_one_line_says_so(place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_without_a_compiler_one_line_says_so(place, monkeypatch):
     pytest.importorskip("setuptools")
     monkeypatch.setenv("CC", str(place / "no-compiler"))
     declare(place, DAMPED)

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import pytest
 import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth.derive import DerivationError, EquationSystem, derive_equations, dry_friction
+from nonsmooth.derive import DerivationError, derive_equations, dry_friction
 from nonsmooth.derive.codegen.kernels import period_map_kernel
 from nonsmooth.derive.equations.program import evaluate
-from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.compiled_c import executed
 from tests.latex_reader import written_of
 
@@ -20,17 +18,17 @@ NAME = "dry-friction/global-stick"
 DATA = [{}, {"V": "0.9", "eta": "1.05", "chi": "0.48"}]
 
 
-def refined(name: str = NAME, parameters: dict[str, str] | None = None) -> Orbit:
+def refined(name=NAME, parameters=None):
     return ns.refine(ns.solve(name, parameters or {}), 50)
 
 
-def equations_of(name: str = NAME) -> EquationSystem:
+def equations_of(name=NAME):
     return written_of(name).equations
 
 
 @pytest.mark.parametrize("parameters", DATA)
 @pytest.mark.parametrize("name", [NAME, "dry-friction/solution-ii"])
-def test_both_routes_give_one_orbit_to_50_digits(name: str, parameters: dict[str, str]) -> None:
+def test_both_routes_give_one_orbit_to_50_digits(name, parameters):
     orbit = refined(name, parameters)
     turn, start, residual = orbit.evaluate("period_map", "linear_start", "compatibility")
     assert len(residual) == len(orbit.unknowns) - len(start)
@@ -41,9 +39,7 @@ def test_both_routes_give_one_orbit_to_50_digits(name: str, parameters: dict[str
         assert abs(sum(a * b for a, b in zip(row, [*state, 1], strict=True)) - expected) < 1e-50
 
 
-def solved(
-    orbit: Orbit, equations: EquationSystem, kernel: Callable[..., Any], guess: list[Any]
-) -> tuple[list[Any], list[Any]]:
+def solved(orbit, equations, kernel, guess):
     """Dwell times and start by Newton's method on the conditions in the dwell times alone."""
     lib, size = orbit.arithmetic, len(equations.unknowns) - len(guess)
     parameters = [orbit.values[str(s)] for s in equations.parameters]
@@ -58,7 +54,7 @@ def solved(
 
 
 @pytest.mark.parametrize("by", range(4))
-def test_other_starts_have_maps_of_their_own(by: int) -> None:
+def test_other_starts_have_maps_of_their_own(by):
     """Behind phase 1 the section ties the positions; behind phase 2 a velocity is sought."""
     orbit = refined()
     equations = derive_equations(dry_friction.global_stick.rotated(by))
@@ -74,9 +70,7 @@ def test_other_starts_have_maps_of_their_own(by: int) -> None:
 
 
 @pytest.mark.parametrize(("velocity", "least", "most"), [("0.9", 1e-2, 10), ("1", 0, 1e-48)])
-def test_the_printed_stick_block_is_right_at_unit_velocity_alone(
-    velocity: str, least: float, most: float
-) -> None:
+def test_the_printed_stick_block_is_right_at_unit_velocity_alone(velocity, least, most):
     """Eq. (10) has V t in place of t in the flow of the first phase, where alone t_a occurs."""
     orbit, equations = refined(NAME, {"V": velocity}), equations_of()
     symbols = (*equations.parameters, *equations.unknowns)
@@ -88,6 +82,6 @@ def test_the_printed_stick_block_is_right_at_unit_velocity_alone(
     assert least <= max(map(abs, turn * start - start)) < most
 
 
-def test_half_phases_are_no_turn() -> None:
+def test_half_phases_are_no_turn():
     with pytest.raises(DerivationError, match="not those of a free turn"):
         _ = equations_of("rigid-stop/one-impact").period_map

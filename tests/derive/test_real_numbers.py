@@ -1,7 +1,5 @@
 """Irrational numbers of a declaration: what they are exactly, or why they are refused."""
 
-from typing import Any
-
 import mpmath
 import pytest
 import sympy as sp
@@ -15,7 +13,7 @@ IMAGINARY, PI, HALF = sp.I, sp.pi, sp.Rational(1, 2)
 CUBIC = sp.solve(X**3 - 3 * X + 1, X)[2]  # real, and written with the imaginary unit
 
 
-def declared(expression: Any) -> Any:
+def declared(expression):
     """The expression as a declaration has it."""
     return Boundary("somewhere", expression).function
 
@@ -31,7 +29,7 @@ def declared(expression: Any) -> Any:
         sp.exp(IMAGINARY * PI / 5) + sp.exp(-IMAGINARY * PI / 5),
     ],
 )  # fmt: skip
-def test_the_text_of_a_number_has_its_digits(number: Any) -> None:
+def test_the_text_of_a_number_has_its_digits(number):
     wanted, _ = sp.N(number, 60).as_real_imag()
     value = parse(number_text(declared(number)))
     shown = sp.Rational(mpmath.nstr(value.mpf(60), 58))
@@ -47,7 +45,7 @@ def test_the_text_of_a_number_has_its_digits(number: Any) -> None:
         (4 * sp.cos(PI / 5) ** 2 - 2 * sp.cos(PI / 5), 1),
     ],
 )  # fmt: skip
-def test_a_rational_number_is_written_as_one(number: Any, value: Any) -> None:
+def test_a_rational_number_is_written_as_one(number, value):
     assert declared(number) == value
     assert declared(number * X + Y) == value * X + Y
 
@@ -60,7 +58,7 @@ def test_a_rational_number_is_written_as_one(number: Any, value: Any) -> None:
         sp.sin(sp.sqrt(2)) ** 2 / 2 + sp.cos(2 * sp.sqrt(2)) / 4 - sp.Rational(1, 4) + IMAGINARY,
     ],
 )  # fmt: skip
-def test_what_is_no_real_number_is_refused_in_one_line(number: Any) -> None:
+def test_what_is_no_real_number_is_refused_in_one_line(number):
     for expression in (number, number * X):
         with pytest.raises(DeclarationError) as refused:
             declared(expression)

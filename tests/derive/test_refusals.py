@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -52,38 +52,36 @@ REST = Configuration("rest", SecondOrder([[1]], [[KS]], held={X: 0}), (Boundary(
 STOP = replace(REST, boundaries=(Boundary("goes", X - 2 * GS),), constraints=(X - GS,))
 
 
-def system(
-    configurations: Sequence[Configuration], transitions: Sequence[Transition], **parts: Any
-) -> System:
+def system(configurations, transitions, **parts):
     """One mass on a spring in front of a stop at x = g."""
     known: dict[str, Any] = {"name": "one", "description": "", "states": STATES}
     known |= {"parameters": (K, G)} | parts
     return System(configurations=configurations, transitions=transitions, **known)
 
 
-def alone(*transitions: Transition, **parts: Any) -> Make:
+def alone(*transitions, **parts):
     return lambda: system((FREE,), transitions, **parts)
 
 
-def leading(*arguments: Any) -> Make:
+def leading(*arguments):
     """A transition between the free mass and the one at rest."""
     return lambda: system((FREE, REST), (Transition(*arguments),))
 
 
-def moving(dynamics: Any, states: Any = STATES, boundaries: Any = (), **parts: Any) -> Make:
+def moving(dynamics, states=STATES, boundaries=(), **parts):
     """A system of one configuration."""
     return lambda: system(
         (Configuration("free", dynamics(), boundaries),), (), states=states, **parts
     )
 
 
-def sprung(boundaries: Any = (), **changes: Any) -> Make:
+def sprung(boundaries=(), **changes):
     """One mass on a spring; keywords replace parts of its motion."""
     given = {"mass": [[1]], "stiffness": [[KS]], "load": (GS,)} | changes
     return moving(lambda: SecondOrder(**given), boundaries=boundaries)
 
 
-def landing(target: Configuration, image: Any, **more: Any) -> Make:
+def landing(target, image, **more):
     """To a target from the free mass, and back."""
     return lambda: system(
         (FREE, target),
@@ -94,7 +92,7 @@ def landing(target: Configuration, image: Any, **more: Any) -> Make:
     )
 
 
-def turned(*speeds: list[int], of: Any = STATES, reset: Any = None) -> Make:
+def turned(*speeds, of=STATES, reset=None):
     """States that turn, in each configuration with two speeds; a reset behind a boundary."""
     boundaries = () if reset is None else (Boundary("hits", X - GS),)
     configurations = [
@@ -105,39 +103,39 @@ def turned(*speeds: list[int], of: Any = STATES, reset: Any = None) -> Make:
     return lambda: system(configurations, back, forcing=[of])
 
 
-def presented(states: Any, origin: Any) -> Make:
+def presented(states, origin):
     return lambda: Presentation(states, origin).present(alone(BOUNCE)())
 
 
-def of_one(stiffness: Any = 1, **others: Any) -> Make:
+def of_one(stiffness=1, **others):
     """An oscillator of one coordinate x, and what is said of it."""
     return lambda: oscillator("given", ["x"], [[1]], [[stiffness]], **others)
 
 
-def of_two(*elements: Any, **changes: Any) -> Make:
+def of_two(*elements, **changes):
     """An oscillator of two coordinates."""
     parts: dict[str, Any] = {"coordinates": ["x1", "x2"], "mass": sp.eye(2), "stiffness": sp.eye(2)}
     return lambda: oscillator("wrong", elements=elements, **(parts | changes))
 
 
-def rubbing(element: Any) -> Make:
+def rubbing(element):
     """An oscillator with an element and a rigid stop."""
     return of_one(elements=[element, RigidStop("x", 1, 0.5, name="wall")])
 
 
-def of_arrays(**changes: Any) -> Make:
+def of_arrays(**changes):
     """An oscillator whose matrices are arrays."""
     given: dict[str, Any] = {"mass": np.diag([2.0, 1, 3]), "stiffness": np.eye(3)}
     return lambda: oscillator("s", ["x1", "x2", "x3"], **(given | changes))
 
 
-def sourced(**changes: Any) -> Make:
+def sourced(**changes):
     """The global stick orbit with another source."""
     orbit = declaration("dry-friction").global_stick
     return lambda: replace(orbit, source=replace(orbit.source, misprints={}, **changes))
 
 
-def referred(parameters: Any, guess: Any) -> Make:
+def referred(parameters, guess):
     """An orbit of a mass that the stop kicks, with a reference."""
 
     def derive() -> object:
@@ -150,7 +148,7 @@ def referred(parameters: Any, guess: Any) -> Make:
     return derive
 
 
-def looping(*phases: Any, presentation: Any = None) -> Make:
+def looping(*phases, presentation=None):
     """An itinerary of the mass that comes to rest on the stop, and leaves it."""
     two = landing(STOP, {X: GS}, reset={X: 0})
     return lambda: Itinerary("loop", two(), phases, presentation)
@@ -422,7 +420,7 @@ WRONG: list[tuple[Make, str]] = [
 
 
 @pytest.mark.parametrize(("make", "message"), WRONG, ids=[message for _, message in WRONG])
-def test_a_wrong_declaration_is_refused_by_name(make: Make, message: str) -> None:
+def test_a_wrong_declaration_is_refused_by_name(make, message):
     with pytest.raises(DeclarationError, match=message) as caught:
         make()
     assert isinstance(caught.value, ValueError)
@@ -451,5 +449,5 @@ def test_a_wrong_declaration_is_refused_by_name(make: Make, message: str) -> Non
         landing(STOP, {X: GS}),
     ],
 )
-def test_what_may_be_right_is_accepted(make: Make) -> None:
+def test_what_may_be_right_is_accepted(make):
     assert isinstance(make(), System)

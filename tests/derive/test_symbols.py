@@ -3,7 +3,6 @@
 import ctypes
 import pickle
 from itertools import permutations
-from pathlib import Path
 from random import Random
 from typing import Any
 
@@ -14,7 +13,6 @@ import sympy as sp
 from nonsmooth.derive import (
     Boundary,
     Configuration,
-    EquationSystem,
     Itinerary,
     Parameter,
     Phase,
@@ -35,9 +33,7 @@ from nonsmooth.runtime.core.arithmetic import FLOATS
 from tests.compiled_c import library_of, needs_compiler, pointer
 
 
-def hopping(
-    position: str, velocity: str, place: str, push: str, dwell: str, spring: str = "k"
-) -> EquationSystem:
+def hopping(position, velocity, place, push, dwell, spring="k"):
     """A ball on a spring that falls onto a place and is thrown back, faster by a push."""
     x, v = sp.symbols([position, velocity], real=True)
     parameters = tuple(Parameter(name, "", lower=-sp.oo) for name in (place, push))
@@ -72,7 +68,7 @@ NAMES = {
 
 
 @pytest.mark.parametrize("names", NAMES.values(), ids=NAMES)
-def test_equations_do_not_depend_on_what_the_user_calls_things(names: tuple[str, ...]) -> None:
+def test_equations_do_not_depend_on_what_the_user_calls_things(names):
     equations = hopping(*names)
     mine, theirs = (
         (*e.system.states, *(p.symbol for p in e.system.parameters), *e.unknowns)
@@ -86,7 +82,7 @@ def test_equations_do_not_depend_on_what_the_user_calls_things(names: tuple[str,
 
 
 @pytest.mark.parametrize("names", NAMES.values(), ids=NAMES)
-def test_different_symbols_are_written_differently(names: tuple[str, ...]) -> None:
+def test_different_symbols_are_written_differently(names):
     equations = hopping(*names)
     notation = naming_of(equations).notation
     declared = (*equations.system.states, *(p.symbol for p in equations.system.parameters))
@@ -126,9 +122,7 @@ QUICK = ("a parameter as a state behind a phase", "words of C and what takes the
         for case, names in {**NAMES, **WORDS}.items()
     ],
 )
-def test_kernels_are_right_whatever_the_user_calls_things(
-    names: tuple[str, ...], tmp_path: Path
-) -> None:
+def test_kernels_are_right_whatever_the_user_calls_things(names, tmp_path):
     """Each kernel in Python and in C gives what its symbolic stages say, at random numbers."""
     equations = hopping(*names)
     kernels = orbit_kernels(equations)
@@ -160,7 +154,7 @@ def test_kernels_are_right_whatever_the_user_calls_things(
             np.testing.assert_allclose(flat, expected, rtol=1e-12, atol=1e-12, err_msg=kernel.name)
 
 
-def test_symbols_of_one_name_are_told_apart_by_what_they_mean() -> None:
+def test_symbols_of_one_name_are_told_apart_by_what_they_mean():
     x, by = sp.Symbol("x", real=True), sp.Symbol("y_2", real=True)
     meant = (
         Symbol("state", sp.Symbol("x_1_by_y", real=True), 2),

@@ -1,10 +1,7 @@
 """Reversors and border collisions as declared: what is derived from them, what is refused."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import cache
-from typing import Any
 
 import pytest
 import sympy as sp
@@ -15,7 +12,6 @@ from nonsmooth.derive import (
     Configuration,
     DeclarationError,
     DerivationError,
-    EquationSystem,
     Itinerary,
     Parameter,
     Phase,
@@ -46,7 +42,7 @@ ORBITS = {
 
 
 @cache
-def derived(name: str, rotation: int = 0) -> EquationSystem:
+def derived(name, rotation=0):
     if rotation == 0:
         (whole,) = (n for n in WHOLE if n.endswith(f"/{name}"))
         return written_of(whole).equations
@@ -56,7 +52,7 @@ def derived(name: str, rotation: int = 0) -> EquationSystem:
 # --- what is derived --------------------------------------------------------------------
 
 
-def bouncer(**options: Any) -> Itinerary:
+def bouncer(**options):
     """One mass on a spring in front of a wall at x = 1, with restitution r."""
     r = Parameter("r", "restitution", upper=1, closed=True, upper_closed=True)
     free = Configuration("free", SecondOrder([[1]], [[1]]), (Boundary("wall", X - 1),))
@@ -68,7 +64,7 @@ def bouncer(**options: Any) -> Itinerary:
     return Itinerary("loop", system, (Phase("free", "wall", "T"),), **(chosen | options))
 
 
-def test_half_of_a_period_in_closed_form() -> None:
+def test_half_of_a_period_in_closed_form():
     """v(T/2) = u cos(T/2) - sin(T/2) = 0: the explicit solution is u = tan(T/2)."""
     equations = derive_equations(bouncer())
     assert [str(u) for u in equations.unknowns] == ["u"]
@@ -81,7 +77,7 @@ def test_half_of_a_period_in_closed_form() -> None:
     assert sp.simplify(sp.solve(condition, u)[0] - sp.tan(period / 2)) == 0
 
 
-def test_a_reversor_is_written_out_where_a_state_is_named_after_it() -> None:
+def test_a_reversor_is_written_out_where_a_state_is_named_after_it():
     """Adding the named start's condition: chi (z2 - z1) = e2 at the symmetric orbit's start."""
     equations = derived("symmetric")
     assert [str(u) for u in equations.unknowns] == ["z10", "z20", "v10", "tau", "tau1"]
@@ -94,7 +90,7 @@ def test_a_reversor_is_written_out_where_a_state_is_named_after_it() -> None:
 
 
 @pytest.mark.slow
-def test_a_reference_for_another_start_does_not_mislead() -> None:
+def test_a_reference_for_another_start_does_not_mislead():
     """Guesses of other unknowns leave the choice of equations to their order."""
     turned = elastic_stop.one_contact.rotated(1)
     bare = replace(turned, reference=None)
@@ -106,7 +102,7 @@ def test_a_reference_for_another_start_does_not_mislead() -> None:
 # --- orbits that are refused ------------------------------------------------------------
 
 
-def damped() -> Itinerary:
+def damped():
     loop = bouncer()
     drag = SecondOrder([[1]], [[1]], damping=[[sp.Rational(1, 5)]])
     free = Configuration("free", drag, (Boundary("wall", X - 1),))
@@ -139,7 +135,7 @@ REVERSORS = [
         ),
     ],
 )
-def test_what_has_no_equations_is_refused(itinerary: Itinerary, message: str) -> None:
+def test_what_has_no_equations_is_refused(itinerary, message):
     with pytest.raises(DerivationError, match=message) as caught:
         derive_equations(itinerary)
     assert "\n" not in str(caught.value)
@@ -210,16 +206,14 @@ def test_what_has_no_equations_is_refused(itinerary: Itinerary, message: str) ->
     ],
     ids=lambda value: str(value)[:50] if isinstance(value, str) else "",
 )
-def test_wrong_names_are_refused_by_name(
-    itinerary: Itinerary, changes: dict[str, Any], message: str
-) -> None:
+def test_wrong_names_are_refused_by_name(itinerary, changes, message):
     with pytest.raises(DeclarationError, match=message) as caught:
         replace(itinerary, **changes)
     assert str(caught.value).startswith(f"itinerary '{itinerary.name}': ")
     assert "\n" not in str(caught.value)
 
 
-def test_any_other_parameter_may_be_solved_for() -> None:
+def test_any_other_parameter_may_be_solved_for():
     """The same border collision, found for another parameter at the e1 that belongs to it."""
     found_for = Derived(replace(dry_friction.solution_ii, solved_for=("e2",)))
     assert str(found_for.orbit.unknowns[-1]) == "e2"
@@ -231,7 +225,7 @@ def test_any_other_parameter_may_be_solved_for() -> None:
         assert abs(value - known[str(symbol)]) < MP.mpf(10) ** -37
 
 
-def test_specialised_values_join_the_presentation() -> None:
+def test_specialised_values_join_the_presentation():
     shown = Presentation(rigid_stop.states, (0, 0, 0, 0), (), {rigid_stop.k2: 5 * rigid_stop.k1})
     itinerary = replace(rigid_stop.one_impact, presentation=shown)
     fixed = itinerary.specialised({rigid_stop.m2: sp.Integer(2)})
@@ -243,7 +237,7 @@ def test_specialised_values_join_the_presentation() -> None:
     assert [str(p) for p in equations.parameters] == ["m1", "k1", "T"]
 
 
-def test_a_reference_is_not_needed() -> None:
+def test_a_reference_is_not_needed():
     bare = derive_equations(replace(ORBITS["one-impact"], reference=None))
     full = derived("one-impact")
     assert bare.unknowns == full.unknowns
@@ -251,6 +245,6 @@ def test_a_reference_is_not_needed() -> None:
 
 
 @pytest.mark.slow
-def test_a_reference_need_not_be_whole() -> None:
+def test_a_reference_need_not_be_whole():
     cut = replace(elastic_stop.one_contact, reference=Reference({"m1": "1"}, {"tau": "2"}))
     assert derive_equations(cut).reduction.unknowns == (sp.Symbol("tau", positive=True),)

@@ -1,7 +1,6 @@
 """Which transitions keep the volume of states: derived, and by saltation matrices in numbers."""
 
 import random
-from typing import Any
 
 import numpy as np
 import pytest
@@ -25,7 +24,7 @@ KINDS = "none", "elastic", "turned", "mirrored", "lossy", "sheared", "pressed", 
 KINDS += "none of velocities", "pressed of velocities"
 
 
-def random_itinerary(kind: str, draw: random.Random) -> Itinerary:
+def random_itinerary(kind, draw):
     """Return a phase between two masses that ends at a random line, with a reset of one kind."""
 
     def number() -> sp.Rational:
@@ -68,13 +67,13 @@ def random_itinerary(kind: str, draw: random.Random) -> Itinerary:
     )
 
 
-def in_numbers(matrix: Any) -> np.ndarray:
+def in_numbers(matrix):
     return np.array(sp.Matrix(matrix).tolist(), dtype=float)
 
 
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize("kind", KINDS)
-def test_a_transition_is_said_to_keep_volume_if_it_does(kind: str, seed: int) -> None:
+def test_a_transition_is_said_to_keep_volume_if_it_does(kind, seed):
     draw = random.Random(f"{kind} {seed}")
     itinerary = random_itinerary(kind, draw)
     before, after = itinerary.system.configurations

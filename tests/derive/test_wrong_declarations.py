@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable
 from dataclasses import fields
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -34,7 +32,7 @@ class Told:
         return RUN
 
 
-def deep() -> sp.Expr:
+def deep():
     """An expression that is nested more deeply than functions may call each other."""
     found: sp.Expr = sp.Symbol("z")
     for _ in range(2000):
@@ -96,7 +94,7 @@ FORCES = ("Harmonic",)
 ELEMENTS = ("Friction", "Regions", "RigidStop", "Slider", "SoftStop")
 
 
-def right(name: str) -> dict[str, Any]:
+def right(name):
     """All arguments with which a public name makes something."""
     given = RIGHT[name]
     if not isinstance(given, dict):
@@ -105,7 +103,7 @@ def right(name: str) -> dict[str, Any]:
     return {p.name: p.default for p in parameters if p.default is not p.empty} | given
 
 
-def make(name: str, given: dict[str, Any]) -> object:
+def make(name, given):
     """What a public name makes; elements and forces are put into an oscillator."""
     made = getattr(nd, name)(**given)
     if name in (*ELEMENTS, *FORCES, "Terms"):
@@ -116,7 +114,7 @@ def make(name: str, given: dict[str, Any]) -> object:
 
 
 @pytest.mark.parametrize("text", PROGRAMS, ids=lambda text: repr(text[:12]))
-def test_texts_of_formulas_are_no_programs(text: str) -> None:
+def test_texts_of_formulas_are_no_programs(text):
     dampers = [[text]]
     for name, argument, given in (
         ("oscillator", "damping", dampers),
@@ -151,7 +149,7 @@ def test_texts_of_formulas_are_no_programs(text: str) -> None:
         ("1**300000 + 0**300000 + (-1)**300001", sp.S.Zero), ("exp(x + 3*log(2))", 8 * sp.exp(X)),
     ],
 )  # fmt: skip
-def test_texts_of_formulas_are_what_they_say(text: str, expression: sp.Expr) -> None:
+def test_texts_of_formulas_are_what_they_say(text, expression):
     assert sp.simplify(nd.Boundary("b", text).function - expression) == 0
 
 
@@ -171,7 +169,7 @@ def test_texts_of_formulas_are_what_they_say(text: str, expression: sp.Expr) -> 
     ],
     ids=lambda given: type(given).__name__,
 )  # fmt: skip
-def test_matrices_of_any_kind_are_read_alike(given: Any) -> None:
+def test_matrices_of_any_kind_are_read_alike(given):
     wanted = sp.Matrix([[2, 1], [1, 3]])
     assert nd.FirstOrder(given).matrix == wanted
     assert nd.SecondOrder(sp.eye(2), given, damping=given).damping == wanted
@@ -179,7 +177,7 @@ def test_matrices_of_any_kind_are_read_alike(given: Any) -> None:
     assert system.configurations[0].dynamics.mass == wanted
 
 
-def test_numbers_of_numpy_are_numbers() -> None:
+def test_numbers_of_numpy_are_numbers():
     parameter = nd.Parameter("a", "", np.array(0.5), np.float64(0.75), np.True_, np.bool_(False))
     assert (parameter.lower, parameter.upper) == (sp.S.Half, sp.Rational(3, 4))
     assert (parameter.closed, parameter.upper_closed) == (True, False)
@@ -191,7 +189,7 @@ def test_numbers_of_numpy_are_numbers() -> None:
         assert refusal("Reference", {"parameters": {"a": wrong}, "guess": {}})
 
 
-def test_what_has_no_order_is_refused_where_it_counts() -> None:
+def test_what_has_no_order_is_refused_where_it_counts():
     for name, argument, given in (
         ("oscillator", "coordinates", {"x"}),
         ("chain_matrices", "masses", {1, 2}),
@@ -200,7 +198,7 @@ def test_what_has_no_order_is_refused_where_it_counts() -> None:
         assert "no order" in refusal(name, right(name) | {argument: given})
 
 
-def test_what_a_mask_leaves_out_is_refused() -> None:
+def test_what_a_mask_leaves_out_is_refused():
     masked = np.ma.array([[3.0]], mask=True)
     for name in ("mass", "stiffness", "damping"):
         assert "masked" in refusal("oscillator", right("oscillator") | {name: masked})
@@ -213,7 +211,7 @@ def test_what_a_mask_leaves_out_is_refused() -> None:
     assert "masked" in one
 
 
-def refusal(name: str, given: dict[str, Any]) -> str:
+def refusal(name, given):
     """What is said to wrong arguments; nothing if something is made of them."""
     try:
         repr(make(name, given))
@@ -222,7 +220,7 @@ def refusal(name: str, given: dict[str, Any]) -> str:
     return ""
 
 
-def public() -> dict[str, Callable[..., Any]]:
+def public():
     """The public functions and classes, but for errors."""
     found = {name: getattr(nd, name) for name in nd.__all__ if name not in MADE_ALONE}
     return {
@@ -234,9 +232,7 @@ def public() -> dict[str, Callable[..., Any]]:
 
 @pytest.mark.parametrize("name", public())
 @pytest.mark.filterwarnings("ignore::sympy.utilities.exceptions.SymPyDeprecationWarning")
-def test_wrong_values_are_refused_in_one_line(
-    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_wrong_values_are_refused_in_one_line(name, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     arguments = {} if name not in RIGHT else right(name)
     assert arguments

@@ -5,7 +5,6 @@ import json
 import re
 import subprocess
 import sys
-from collections.abc import Iterator, Sequence
 from pathlib import Path
 from urllib.parse import unquote, urljoin, urlsplit
 
@@ -15,7 +14,7 @@ import nonsmooth
 import nonsmooth.derive
 import nonsmooth.jax
 import nonsmooth.torch
-from tests.chromium import Seen, Window, served, window
+from tests.chromium import served, window
 from tests.cli.terminal import all_commands
 from tests.places import CHECKOUT, records
 
@@ -47,7 +46,7 @@ BROKEN = """<!DOCTYPE html>
 
 
 @pytest.fixture(scope="session")
-def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def site(tmp_path_factory):
     """Build the site as its one command does: once, though several processes ask for it."""
     place = tmp_path_factory.getbasetemp()
     place = place.parent if place.name.startswith("popen-gw") else place
@@ -63,19 +62,19 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def browser() -> Iterator[Window]:
+def browser():
     """One browser for all pages."""
     with window() as page:
         yield page
 
 
-def pages(site: Path) -> list[str]:
+def pages(site):
     """Addresses of all pages in a folder, from it."""
     found = (file.relative_to(site).as_posix() for file in site.rglob("*.html"))
     return sorted(page for page in found if not page.startswith("_"))
 
 
-def faults(seen: Sequence[Seen]) -> dict[str, object]:
+def faults(seen):
     """What is wrong with a page as it was seen in one window after the other."""
     found = {
         f"{name} at {one.width}": what
@@ -93,7 +92,7 @@ def faults(seen: Sequence[Seen]) -> dict[str, object]:
     return {name: what for name, what in found.items() if what}
 
 
-def leads_somewhere(link: str, page: str, seen: dict[str, list[Seen]], site: Path) -> bool:
+def leads_somewhere(link, page, seen, site):
     """Whether a link of a page leads to a file and a place in it, or has the form of an address."""
     target = urlsplit(urljoin(f"http://site/{page}", link))
     if target.netloc != "site":
@@ -109,7 +108,7 @@ def leads_somewhere(link: str, page: str, seen: dict[str, list[Seen]], site: Pat
 
 @pytest.mark.slow
 @pytest.mark.browser
-def test_every_page_is_shown_whole(site: Path, browser: Window) -> None:
+def test_every_page_is_shown_whole(site, browser):
     with served(site) as address:
         seen = {page: browser.look(f"{address}/{page}", *WIDTHS) for page in pages(site)}
     assert len(seen) > len(PUBLIC)
@@ -120,7 +119,7 @@ def test_every_page_is_shown_whole(site: Path, browser: Window) -> None:
 
 @pytest.mark.slow
 @pytest.mark.browser
-def test_search_finds_a_word_and_a_name(site: Path, browser: Window) -> None:
+def test_search_finds_a_word_and_a_name(site, browser):
     with served(site) as address:
         for word, page in (
             ("saltation", "theory/"),
@@ -133,7 +132,7 @@ def test_search_finds_a_word_and_a_name(site: Path, browser: Window) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("command", "code"), [("list", 0), ("list no-such-system", 2)])
-def test_a_command_that_fails_makes_the_build_fail(tmp_path: Path, command: str, code: int) -> None:
+def test_a_command_that_fails_makes_the_build_fail(tmp_path, command, code):
     head = "---\nfile_format: mystnb\nkernelspec:\n  name: python3\n---\n\n# A page\n\n"
     (tmp_path / "index.md").write_text(
         f"{head}```{{code-cell}} ipython3\n!nonsmooth {command}\n```\n"
@@ -151,13 +150,13 @@ def test_a_command_that_fails_makes_the_build_fail(tmp_path: Path, command: str,
 
 
 @pytest.mark.slow
-def test_every_public_name_has_a_page(site: Path) -> None:
+def test_every_public_name_has_a_page(site):
     told = {file.stem for file in (site / "reference" / "api").glob("*.html")}
     assert told >= PUBLIC - WITHOUT_PAGE
 
 
 @pytest.mark.slow
-def test_every_command_and_option_is_told(site: Path) -> None:
+def test_every_command_and_option_is_told(site):
     page = (site / "reference" / "command_line.html").read_text("utf-8")
     anchors = set(re.findall(r'id="([^"]+)"', page))
     for name, command in all_commands().items():
@@ -168,7 +167,7 @@ def test_every_command_and_option_is_told(site: Path) -> None:
 
 
 @pytest.mark.browser
-def test_what_is_broken_is_noticed(tmp_path: Path, browser: Window) -> None:
+def test_what_is_broken_is_noticed(tmp_path, browser):
     (tmp_path / "broken.html").write_text(BROKEN, encoding="utf-8")
     with served(tmp_path) as address:
         both = browser.look(f"{address}/broken.html", 1280, 400)

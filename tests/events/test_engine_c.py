@@ -2,8 +2,6 @@
 
 import shutil
 import subprocess
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -22,7 +20,7 @@ pytestmark = [pytest.mark.skipif(compiler is None, reason="no C compiler"), pyte
 
 
 @pytest.fixture(scope="module")
-def harness(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def harness(tmp_path_factory):
     program = tmp_path_factory.mktemp("engine") / "harness"
     sources = [
         CHECKOUT / "runtime" / "engine" / f"{name}.c"
@@ -47,7 +45,7 @@ def harness(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return program
 
 
-def large(name: str) -> tuple[Any, np.ndarray]:
+def large(name):
     """A chain of 12 masses with a stop and friction, also with factors, or 40 stops: and starts."""
     rng = np.random.default_rng(4)
     if name != "stops":
@@ -60,7 +58,7 @@ def large(name: str) -> tuple[Any, np.ndarray]:
     return masses_apart(20, np.repeat([0.5, 0.4], 20)), states
 
 
-def written(path: Path, system: Any, states: np.ndarray, transitions: int) -> Path:
+def written(path, system, states, transitions):
     layout, numbers = layout_of(system.structure), numbers_of(system)
     sizes = [layout.size, numbers.size, states.shape[1], len(states), transitions]
     with path.open("wb") as file:
@@ -72,16 +70,14 @@ def written(path: Path, system: Any, states: np.ndarray, transitions: int) -> Pa
     return path
 
 
-def answered(harness: Path, file: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+def answered(harness, file, *arguments):
     command = [harness, file, *arguments]
     return subprocess.run(command, capture_output=True, text=True, check=False, timeout=600)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", [*SYSTEMS, "chain", "factors", "stops"])
-def test_the_engine_is_clean_and_follows_the_reference(
-    harness: Path, name: str, tmp_path: Path
-) -> None:
+def test_the_engine_is_clean_and_follows_the_reference(harness, name, tmp_path):
     small = name in SYSTEMS
     if small:
         system, states = (
@@ -103,7 +99,7 @@ def test_the_engine_is_clean_and_follows_the_reference(
         np.testing.assert_allclose(np.array(end, dtype=float), known.states[-1], atol=error)
 
 
-def test_where_there_is_no_memory_nothing_is_lost(harness: Path, tmp_path: Path) -> None:
+def test_where_there_is_no_memory_nothing_is_lost(harness, tmp_path):
     """Each of the engine's allocations fails once: it says so, and keeps none of the others."""
     system, states = large("chain")
     file = written(tmp_path / "motions", system, states[:1], 3)
@@ -114,7 +110,7 @@ def test_where_there_is_no_memory_nothing_is_lost(harness: Path, tmp_path: Path)
     assert failed == 11
 
 
-def test_numbers_that_no_system_has_are_clean_too(harness: Path, tmp_path: Path) -> None:
+def test_numbers_that_no_system_has_are_clean_too(harness, tmp_path):
     """Infinities, no numbers, the largest and the least, anywhere: an end, and no report."""
     rng = np.random.default_rng(11)
     hostile = np.array([np.inf, -np.inf, np.nan, 1e308, -1e308, 5e-324, 1e150, 1e-150, 0.0])
@@ -141,7 +137,7 @@ def test_numbers_that_no_system_has_are_clean_too(harness: Path, tmp_path: Path)
             assert len(told.stdout.splitlines()) == len(states)
 
 
-def test_a_cut_or_foreign_layout_is_refused(harness: Path, tmp_path: Path) -> None:
+def test_a_cut_or_foreign_layout_is_refused(harness, tmp_path):
     system = piecewise("rigid-stop", SYSTEMS["rigid-stop"])
     whole = written(tmp_path / "whole", system, np.zeros((1, 4)), 3).read_bytes()
     cut, foreign = tmp_path / "cut", tmp_path / "foreign"

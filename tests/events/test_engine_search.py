@@ -28,7 +28,7 @@ def first(sums, until, reached=False):
     return times[0] if found[0] else None
 
 
-def in_python(sums: Sums, until: np.ndarray, reached: bool) -> tuple[np.ndarray, np.ndarray]:
+def in_python(sums, until, reached):
     """What the search of the other engine finds, one sum after the other."""
     times, found = until.copy(), np.zeros(len(until), dtype=bool)
     for i, exponents in enumerate(sums.exponents):
@@ -46,9 +46,7 @@ def in_python(sums: Sums, until: np.ndarray, reached: bool) -> tuple[np.ndarray,
 @pytest.mark.parametrize("reached", [False, True], ids=["exceeded", "reached"])
 @pytest.mark.parametrize("family", FAMILIES)
 @pytest.mark.parametrize("engine", ["c", pytest.param("numpy", marks=pytest.mark.slow)])
-def test_no_zero_is_missed_and_none_invented(
-    engine: str, family: str, reached: bool, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_no_zero_is_missed_and_none_invented(engine, family, reached, monkeypatch):
     rng = np.random.default_rng([*family.encode(), reached])
     if engine == "numpy":
         monkeypatch.setattr(stressing_search, "search", in_python)
@@ -60,7 +58,7 @@ def test_no_zero_is_missed_and_none_invented(
         assert counts["found"] + counts["none"] == count
 
 
-def test_the_checks_see_a_missed_and_an_invented_zero(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_checks_see_a_missed_and_an_invented_zero(monkeypatch):
     sums = one(((1, False), (1, True)), [[0, 0], [0, 1]], [-0.65, 0.6, 0.3])
     rng, truth = np.random.default_rng(0), search(sums, np.array([9.0]), False)[0]
     for time, what in ((9.0, "wrong: missed"), (0.9 * truth[0], "wrong: no zero")):
@@ -70,7 +68,7 @@ def test_the_checks_see_a_missed_and_an_invented_zero(monkeypatch: pytest.Monkey
         assert counts[what] == 1
 
 
-def test_a_start_left_by_its_third_derivative_does_not_hang() -> None:
+def test_a_start_left_by_its_third_derivative_does_not_hang():
     """A second derivative of 1e-54 keeps the third one from judging the start."""
     tiny = 6.842277657836021e-49
     exponents = [[0, 0], [0, 0.679871547194884], [0, 0.0011016937928567175]]
@@ -79,7 +77,7 @@ def test_a_start_left_by_its_third_derivative_does_not_hang() -> None:
         assert first(one(WAVES, exponents, values), 3.0, reached) is None
 
 
-def test_a_start_left_over_many_cells_is_not_reached_again() -> None:
+def test_a_start_left_over_many_cells_is_not_reached_again():
     """Behind the first cell the sum is still zero within the rounding of its terms."""
     slow = 3.5118422451879314e-06
     exponents = [[0, 0], [0, 1.0301018655807783], [0, slow]]
@@ -99,7 +97,7 @@ def test_a_start_left_over_many_cells_is_not_reached_again() -> None:
         (-1e-9, True, False),
     ],
 )
-def test_a_double_zero_counts_by_its_depth(depth: float, reached: bool, expected: bool) -> None:
+def test_a_double_zero_counts_by_its_depth(depth, reached, expected):
     """A maximum of sin t - 1 + depth."""
     sums = one(((1, False), (1, True)), [[0, 0], [0, 1]], [-1 + depth, 0, 1])
     time = first(sums, 4.0, reached)
@@ -108,7 +106,7 @@ def test_a_double_zero_counts_by_its_depth(depth: float, reached: bool, expected
         assert time == pytest.approx(math.pi / 2 - math.sqrt(2 * depth), abs=1e-7)
 
 
-def bump(frequencies: list[float], cell: int) -> Sums:
+def bump(frequencies, cell):
     """A sum that rises above zero inside one cell alone: below its cubic there, but for the ends.
 
     Frequencies of at most 1 make cells of length 1. About the cell's middle the sum is even, zero
@@ -129,7 +127,7 @@ def bump(frequencies: list[float], cell: int) -> Sums:
     return one(((1, False), *[(1, True)] * len(waves)), exponents, values)
 
 
-def dense_first(sums: Sums, end: float) -> float | None:
+def dense_first(sums, end):
     """The first zero by many samples, where the sum begins below zero."""
     times = np.linspace(0, end, 200_001)
     many = Sums(sums.shape, *(np.broadcast_to(a, (len(times), *a.shape[1:]))
@@ -138,7 +136,7 @@ def dense_first(sums: Sums, end: float) -> float | None:
     return float(times[above[0]]) if len(above) else None
 
 
-def test_a_rise_between_two_samples_is_found_by_the_bound_on_the_fourth_derivative() -> None:
+def test_a_rise_between_two_samples_is_found_by_the_bound_on_the_fourth_derivative():
     """Cubics between the samples stay below zero: only what they err by shows the crossing."""
     rng, inside = np.random.default_rng(5), 0
     for _ in range(40):
@@ -157,7 +155,7 @@ def test_a_rise_between_two_samples_is_found_by_the_bound_on_the_fourth_derivati
     assert inside > 10
 
 
-def test_a_rise_of_a_polynomial_within_one_cell_is_found() -> None:
+def test_a_rise_of_a_polynomial_within_one_cell_is_found():
     """As a^2 t^2 (1 - t)^2 less a little, whose first cell is from 0 to 1."""
     sums = one(((5, False),), [[0, 0]], [-1e-3, 0, 1, -2, 1])
     assert first(sums, 1.0) == pytest.approx((1 - math.sqrt(1 - 4 * math.sqrt(1e-3))) / 2)

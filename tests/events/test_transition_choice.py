@@ -1,18 +1,15 @@
 """One choice of transitions: doubles and balls agree, and so do mirror images and other orders."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import cache
 from itertools import accumulate, islice, repeat
-from typing import Any
 
 import numpy as np
 import pytest
 import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth.derive import Harmonic, RigidStop, System, oscillator
+from nonsmooth.derive import Harmonic, RigidStop, oscillator
 from nonsmooth.runtime.events.transition_choice import Decider
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import TransitionShape
@@ -26,9 +23,7 @@ STOP = dict(m1="1", m2="2", k1="1", k2="3/2", r="4/5")
 
 
 @cache
-def pair(
-    coupling: str, law: str | None = None, order: int = 1, sign: int = 1
-) -> tuple[System, dict[str, str]]:
+def pair(coupling, law=None, order=1, sign=1):
     """Two masses that the mass matrix couples, each at a stop on a side; declared in an order."""
     side = "upper" if sign > 0 else "lower"
     both = [RigidStop(x, sign * PLACE, "1/2", side=side, name=f"at-{x}") for x in ("x1", "x2")]
@@ -48,7 +43,7 @@ SYSTEMS = {
 }
 
 
-def state_where(rng: np.random.Generator, zero: list[Any]) -> list[sp.Rational] | None:
+def state_where(rng, zero):
     """A random rational state at which rows vanish; None where there is none."""
     reduced, pivots = sp.Matrix([[sp.Rational(str(x)) for x in row] for row in zero]).rref()
     size = reduced.cols - 1
@@ -61,7 +56,7 @@ def state_where(rng: np.random.Generator, zero: list[Any]) -> list[sp.Rational] 
     return state
 
 
-def drawn_start(rng: np.random.Generator, system: Any) -> tuple[str, Any]:
+def drawn_start(rng, system):
     """A configuration, and a state at some of its boundaries and rates of functions."""
     structure, exact = system.structure, system.exact
     source = int(rng.choice([c for c, t in enumerate(structure.transitions) if t]))
@@ -75,7 +70,7 @@ def drawn_start(rng: np.random.Generator, system: Any) -> tuple[str, Any]:
     return structure.configurations[source], state_where(rng, zero)
 
 
-def told_by_all(system: Any, data: Any, state: Any, where: str | None) -> tuple[str, Any]:
+def told_by_all(system, data, state, where):
     """What follows the start, by proof; each engine says the same where that decides."""
     start = list(map(str, state))
     try:
@@ -95,7 +90,7 @@ def told_by_all(system: Any, data: Any, state: Any, where: str | None) -> tuple[
 
 @pytest.mark.compiled
 @pytest.mark.parametrize("name", SYSTEMS)
-def test_every_arithmetic_makes_the_same_choice(name: str) -> None:
+def test_every_arithmetic_makes_the_same_choice(name):
     system, data = SYSTEMS[name]
     exact, rng, seen = exact_system(system, data), np.random.default_rng(1), set()
     for _ in range(60):
@@ -108,9 +103,7 @@ def test_every_arithmetic_makes_the_same_choice(name: str) -> None:
 @pytest.mark.compiled
 @pytest.mark.parametrize("sign", [1, -1])
 @pytest.mark.parametrize("order", [1, 2, 3])
-def test_a_start_passes_at_once_what_its_leading_derivative_leads_beyond(
-    order: int, sign: int
-) -> None:
+def test_a_start_passes_at_once_what_its_leading_derivative_leads_beyond(order, sign):
     """At a stop: with a speed, under a load, or a force that begins to grow."""
     system = oscillator(
         "at-a-stop", ["x"], [[1]], [[0]], load=[2 * sign * (order == 2)],
@@ -125,7 +118,7 @@ def test_a_start_passes_at_once_what_its_leading_derivative_leads_beyond(
 
 @pytest.mark.compiled
 @pytest.mark.slow
-def test_balls_say_of_a_law_what_doubles_say() -> None:
+def test_balls_say_of_a_law_what_doubles_say():
     system, data = declared(5, 2, [0, 1]), {"sign": "1"}
     exact = exact_system(system, data)
     structure, law, size = exact.structure, exact.structure.law, len(exact.structure.states)
@@ -144,7 +137,7 @@ def test_balls_say_of_a_law_what_doubles_say() -> None:
 
 
 @pytest.mark.parametrize("speeds", [[1, 2], [0, 1]])
-def test_stops_struck_together_have_no_order_and_no_side(speeds: list[int]) -> None:
+def test_stops_struck_together_have_no_order_and_no_side(speeds):
     found = []
     for sign in (1, -1):
         for order in (1, -1):
@@ -155,7 +148,7 @@ def test_stops_struck_together_have_no_order_and_no_side(speeds: list[int]) -> N
     assert len({*found}) == 1
 
 
-def test_what_an_error_of_the_time_moves_away_from_zero_is_zero() -> None:
+def test_what_an_error_of_the_time_moves_away_from_zero_is_zero():
     """Along either field: the one that led to the event, and the one behind it."""
     point = piecewise("dry-friction", FRICTION)
     decider = Decider(point.structure, point.fields, point.rows, point.resets)
@@ -182,7 +175,7 @@ def test_what_an_error_of_the_time_moves_away_from_zero_is_zero() -> None:
     assert told > 20
 
 
-def altered(*transitions: TransitionShape) -> tuple[Decider, frozenset[int], np.ndarray]:
+def altered(*transitions):
     """Dry friction with other transitions, at a state where both masses reach the belt."""
     point = piecewise("dry-friction", FRICTION)
     listed = (transitions, *(() for _ in point.structure.configurations[1:]))
@@ -191,7 +184,7 @@ def altered(*transitions: TransitionShape) -> tuple[Decider, frozenset[int], np.
     return Decider(structure, point.fields, point.rows, point.resets), frozenset({0, 1}), known
 
 
-def test_orders_in_which_nothing_or_something_else_follows_leave_it_open() -> None:
+def test_orders_in_which_nothing_or_something_else_follows_leave_it_open():
     both = frozenset({0, 1})
     never = ((0, 0, True), (0, 0, False))
     for conditions, target, verdict, options in (
@@ -208,7 +201,7 @@ def test_orders_in_which_nothing_or_something_else_follows_leave_it_open() -> No
     assert alone.verdict == "undeclared"
 
 
-def test_a_row_that_is_known_to_be_zero_is_judged_by_its_rate() -> None:
+def test_a_row_that_is_known_to_be_zero_is_judged_by_its_rate():
     row = piecewise("dry-friction", FRICTION).structure.boundaries[0][0].row
     both = frozenset({0, 1})
     decider, reached, known = altered(

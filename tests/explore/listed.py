@@ -1,18 +1,12 @@
 """What a list of orbits promises: each is a motion that goes around once, and is there once."""
 
-from __future__ import annotations
-
-from typing import Any
-
 import numpy as np
 import pytest
 
 import nonsmooth as ns
 
-__all__ = ["check_listed"]
 
-
-def same_motion(one: Any, other: Any) -> bool:
+def same_motion(one, other):
     """Whether two orbits pass through the same states where their phases begin."""
     if not np.isclose(one.period, other.period, rtol=1e-6):
         return False
@@ -24,7 +18,7 @@ def same_motion(one: Any, other: Any) -> bool:
     return bool(near.any(axis=0).all() and near.any(axis=1).all())
 
 
-def check_orbit(system: Any, entry: Any) -> None:
+def check_orbit(system, entry):
     """It is its motion, told from its first phase on, and goes around once."""
     orbit, period = entry.orbit, float(entry.period)
     assert orbit.converged
@@ -53,7 +47,7 @@ def check_orbit(system: Any, entry: Any) -> None:
         )
 
 
-def check_listed(system: Any, found: Any) -> None:
+def check_listed(system, found):
     """Each orbit alone, in their order, and what becomes of all starts."""
     assert found.orbits
     orbits = [entry.orbit for entry in found.orbits]

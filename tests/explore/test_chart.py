@@ -6,7 +6,6 @@ import shutil
 import signal
 import subprocess
 import sys
-from collections.abc import Callable
 from hashlib import sha256
 from pathlib import Path
 from threading import Event, Thread
@@ -37,7 +36,7 @@ class Work(NamedTuple):
     leftovers: int
 
 
-def contents(store: Path) -> dict[str, bytes]:
+def contents(store):
     """All files of a store."""
     return {
         str(path.relative_to(store)): path.read_bytes()
@@ -46,18 +45,18 @@ def contents(store: Path) -> dict[str, bytes]:
     }
 
 
-def work(store: Path, *options: str, ranges: tuple[str, ...] = RANGES) -> Work:
+def work(store, *options, ranges=RANGES):
     """Compute what is missing, by the command, and count it."""
     found = told("chart", ORBIT, *ranges, "--out", str(store), "--workers", "2", *options)
     return Work(*(found[name] for name in Work._fields))
 
 
-def go_on(store: Path) -> Any:
+def go_on(store):
     """Compute what is missing, in Python."""
     return ns.chart(ORBIT, store=store, **PLANE)
 
 
-def seal(store: Path) -> None:
+def seal(store):
     """Write the checksums of all metadata anew, as who forges them would."""
     document = json.loads((store / "zarr.json").read_text())
     attributes = document["attributes"]["nonsmooth"]
@@ -69,7 +68,7 @@ def seal(store: Path) -> None:
 
 
 @pytest.fixture(scope="module")
-def finished(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def finished(tmp_path_factory):
     """An uninterrupted chart in 9 chunks."""
     store = tmp_path_factory.mktemp("finished") / "F.zarr"
     assert work(store, "--chunk", "225").chunks == 9
@@ -77,13 +76,13 @@ def finished(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture
-def store(finished: Path, tmp_path: Path) -> Path:
+def store(finished, tmp_path):
     """A copy of it."""
     return Path(shutil.copytree(finished, tmp_path / "F.zarr"))
 
 
 @pytest.mark.slow
-def test_killed_chart_goes_on(finished: Path, tmp_path: Path) -> None:
+def test_killed_chart_goes_on(finished, tmp_path):
     store = tmp_path / "F.zarr"
     code = (
         "import numpy as np, nonsmooth as ns, os, signal, sys\n"
@@ -107,7 +106,7 @@ def test_killed_chart_goes_on(finished: Path, tmp_path: Path) -> None:
 CHUNK = "tau1/c/1/2"
 
 
-def changed(where: int, *, cut: bool = False) -> Callable[[Path], None]:
+def changed(where, *, cut=False):
     def change(file: Path) -> None:
         content = bytearray(file.read_bytes())
         content[where] ^= 4
@@ -116,7 +115,7 @@ def changed(where: int, *, cut: bool = False) -> Callable[[Path], None]:
     return change
 
 
-def forged(change: Callable[[bytes], bytes]) -> Callable[[Path], None]:
+def forged(change):
     """With its CRC renewed."""
 
     def forge(file: Path) -> None:
@@ -126,7 +125,7 @@ def forged(change: Callable[[bytes], bytes]) -> Callable[[Path], None]:
     return forge
 
 
-def piped(file: Path) -> None:
+def piped(file):
     file.unlink()
     os.mkfifo(file)
 
@@ -149,9 +148,7 @@ LARGE = f"{CHUNK} claims to be larger than a chunk"
         ),
     ],
 )
-def test_a_damaged_chunk_is_told_and_computed_anew(
-    finished: Path, store: Path, damage: Callable[[Path], None], told: str
-) -> None:
+def test_a_damaged_chunk_is_told_and_computed_anew(finished, store, damage, told):
     damage(store / CHUNK)
     with pytest.raises(ValueError, match=told or None):
         ns.load(store)["tau1"].load()
@@ -162,7 +159,7 @@ def test_a_damaged_chunk_is_told_and_computed_anew(
         assert contents(store) == contents(finished)
 
 
-def test_a_chunk_of_fill_values_is_done_too(tmp_path: Path) -> None:
+def test_a_chunk_of_fill_values_is_done_too(tmp_path):
     """None is admissible, as in a chunk that was not computed; that it was is known."""
     plane = ("V=2.9:3:4", "eta=2.9:3:4")
     assert work(tmp_path / "F.zarr", "--chunk", "4", ranges=plane).computed == 4
@@ -170,7 +167,7 @@ def test_a_chunk_of_fill_values_is_done_too(tmp_path: Path) -> None:
     assert work(tmp_path / "F.zarr", "--chunk", "4", ranges=plane) == Work(4, 0, 0, 0)
 
 
-def test_lost_objects_and_coordinates_come_back(finished: Path, store: Path) -> None:
+def test_lost_objects_and_coordinates_come_back(finished, store):
     (store / "status" / "c" / "0" / "0").unlink()
     (store / "limit" / "c" / "2" / "2").unlink()
     (store / "V" / "c" / "0").write_bytes(b"")
@@ -178,7 +175,7 @@ def test_lost_objects_and_coordinates_come_back(finished: Path, store: Path) -> 
     assert contents(store) == contents(finished)
 
 
-def test_forged_chunks_larger_than_the_memory_are_refused(store: Path) -> None:
+def test_forged_chunks_larger_than_the_memory_are_refused(store):
     file = store / "trace" / "zarr.json"
     record = json.loads(file.read_text())
     for change in (
@@ -191,7 +188,7 @@ def test_forged_chunks_larger_than_the_memory_are_refused(store: Path) -> None:
             ns.load(store)
 
 
-def test_a_chart_goes_on_alone(finished: Path, store: Path) -> None:
+def test_a_chart_goes_on_alone(finished, store):
     (store / "trace" / "c" / "0" / "0").unlink()
     assert ns.chart(str(store)).sizes == {"V": 40, "eta": 33}
     assert contents(store) == contents(finished)
@@ -211,9 +208,7 @@ def test_a_chart_goes_on_alone(finished: Path, store: Path) -> None:
         ("dry-friction/solution-ii", {}, "orbit dry-friction/global-stick there"),
     ],
 )
-def test_store_of_another_chart_is_refused(
-    store: Path, orbit: str, changed: dict[str, Any], told: str
-) -> None:
+def test_store_of_another_chart_is_refused(store, orbit, changed, told):
     with pytest.raises(InputError, match=told):
         ns.chart(orbit, store=store, **(PLANE | changed))
     assert work(store, "--chunk", "225") == Work(9, 0, 0, 0)
@@ -226,9 +221,7 @@ def test_store_of_another_chart_is_refused(
         ("format", "nonsmooth chart 1", "'nonsmooth chart 1', where 'nonsmooth chart 5' is known"),
     ],
 )
-def test_store_of_another_derivation_or_release_is_refused(
-    store: Path, name: str, text: str, told: str
-) -> None:
+def test_store_of_another_derivation_or_release_is_refused(store, name, text, told):
     record = json.loads((store / "zarr.json").read_text())
     record["attributes"]["nonsmooth"][name] = text
     (store / "zarr.json").write_text(json.dumps(record))
@@ -249,9 +242,7 @@ def test_store_of_another_derivation_or_release_is_refused(
         ("", "give the folder a name"),
     ],
 )
-def test_what_is_no_chart_is_refused(
-    place: str, message: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_what_is_no_chart_is_refused(place, message, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     Path("other").mkdir()
     Path("other", "notes").write_text("mine")
@@ -259,7 +250,7 @@ def test_what_is_no_chart_is_refused(
         go_on(Path(place))
 
 
-def test_metadata_that_is_gone_or_foreign_is_named(store: Path) -> None:
+def test_metadata_that_is_gone_or_foreign_is_named(store):
     shutil.copytree(store / "trace", store / "more")
     for opened in (go_on, ns.load):
         with pytest.raises(InputError, match=r"F\.zarr: more is no array of this chart"):
@@ -271,7 +262,7 @@ def test_metadata_that_is_gone_or_foreign_is_named(store: Path) -> None:
             opened(store)
 
 
-def test_no_flipped_byte_of_metadata_is_read_silently(store: Path) -> None:
+def test_no_flipped_byte_of_metadata_is_read_silently(store):
     """Each is told of, or changes nothing."""
     right = ns.load(store).load()
     random = np.random.default_rng(11)
@@ -293,13 +284,13 @@ def test_no_flipped_byte_of_metadata_is_read_silently(store: Path) -> None:
     assert all(line.startswith(f"{store}") and "\n" not in line for line in told)
 
 
-def test_missing_extra(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_missing_extra(monkeypatch):
     monkeypatch.setitem(sys.modules, "zarr", None)
     with pytest.raises(MissingExtra, match=r'zarr is not installed: .*"nonsmooth\[chart\]"'):
         ns.chart(ORBIT, **PLANE)
 
 
-def test_two_processes_on_one_store(store: Path, tmp_path: Path) -> None:
+def test_two_processes_on_one_store(store, tmp_path):
     code = (
         "import sys, nonsmooth as ns\n"
         "def hold(*_):\n"
@@ -320,7 +311,7 @@ def test_two_processes_on_one_store(store: Path, tmp_path: Path) -> None:
     assert not store.with_name("F.zarr.lock").exists()
 
 
-def test_a_lost_lock_is_left_to_who_took_it_over(store: Path) -> None:
+def test_a_lost_lock_is_left_to_who_took_it_over(store):
     lock, begun, ends = store.with_name("F.zarr.lock"), Event(), Event()
 
     def wait(*_: int) -> None:
@@ -344,7 +335,7 @@ def test_a_lost_lock_is_left_to_who_took_it_over(store: Path) -> None:
 
 
 @pytest.mark.skipif(getattr(os, "geteuid", int)() == 0, reason="root may write everything")
-def test_unwritable_store(store: Path) -> None:
+def test_unwritable_store(store):
     store.parent.chmod(0o500)
     try:
         with pytest.raises(InputError, match="permission denied"):
@@ -353,7 +344,7 @@ def test_unwritable_store(store: Path) -> None:
         store.parent.chmod(0o700)
 
 
-def test_values_of_a_range_are_evenly_spaced_to_the_last_bit(tmp_path: Path) -> None:
+def test_values_of_a_range_are_evenly_spaced_to_the_last_bit(tmp_path):
     """Though they are in several files."""
     path = tmp_path / "T.zarr"
     told("chart", "rigid-stop/one-impact", "T=4.1:6.3:70000", "--out", str(path))
@@ -371,9 +362,7 @@ def test_values_of_a_range_are_evenly_spaced_to_the_last_bit(tmp_path: Path) -> 
         ((2, 3, 4), 1, (1, 1, 1)),
     ],
 )
-def test_chunks_are_as_even_as_the_grid_allows(
-    shape: tuple[int, ...], points: int, chunk: tuple[int, ...], tmp_path: Path
-) -> None:
+def test_chunks_are_as_even_as_the_grid_allows(shape, points, chunk, tmp_path):
     rows = {name: 1 + np.arange(n) / 50 for name, n in zip(("k1", "k2", "m1"), shape, strict=False)}
     ns.chart("rigid-stop/one-impact", store=tmp_path / "F.zarr", chunk=points, **rows)
     record = json.loads((tmp_path / "F.zarr" / "trace" / "zarr.json").read_text())
@@ -384,14 +373,14 @@ def test_chunks_are_as_even_as_the_grid_allows(
     ("counts", "large"),
     [((2**21, 2**21, 2**22), f"{2**64} points"), ((10**17, 1, 1), f"{10**17} values of V")],
 )
-def test_more_points_than_can_be_computed(counts: Any, large: str, tmp_path: Path) -> None:
+def test_more_points_than_can_be_computed(counts, large, tmp_path):
     """They are counted without a limit, as are the values of an axis."""
     ranges = (f"{n}=0.5:1:{count}" for n, count in zip(("V", "eta", "chi"), counts, strict=True))
     code, _, err = run("chart", ORBIT, *ranges, "--out", str(tmp_path / "F.zarr"))
     assert (code, large in err) == (2, True), err
 
 
-def test_parts_cover_the_plane(finished: Path, store: Path) -> None:
+def test_parts_cover_the_plane(finished, store):
     plane, points = ns.load(finished), told("chart", str(store))["points"]
     assert sum(points.values()) == 40 * 33
     assert points["stable"] == int((plane.admissible & (abs(plane.trace) < 1)).sum())
@@ -404,7 +393,7 @@ def test_parts_cover_the_plane(finished: Path, store: Path) -> None:
     assert sum(map(float, shares.values())) == pytest.approx(100, abs=0.5)
 
 
-def test_pictures(finished: Path, tmp_path: Path) -> None:
+def test_pictures(finished, tmp_path):
     axes = figure_in(finished).axes[0]
     labels = [text.get_text() for text in axes.get_legend().get_texts()]
     assert any(label.startswith("stable") for label in labels)
@@ -414,7 +403,7 @@ def test_pictures(finished: Path, tmp_path: Path) -> None:
         figure_in(tmp_path / "F.zarr")
 
 
-def test_outlines_go_along_the_cells(finished: Path) -> None:
+def test_outlines_go_along_the_cells(finished):
     """Each is a side between two cells of other colours, and there are as many as such sides."""
     axes = figure_in(finished).axes[0]
     (mesh,) = (each for each in axes.collections if hasattr(each, "get_coordinates"))
@@ -434,7 +423,7 @@ def test_outlines_go_along_the_cells(finished: Path) -> None:
         assert label(middle + beside) != label(middle - beside)
 
 
-def test_commands(store: Path) -> None:
+def test_commands(store):
     assert told("chart", str(store))["dimensions"] == {"V": 40, "eta": 33}
     assert "0 of 9 chunks computed" in run("chart", str(store))[1]
     assert told("plot", str(store))["chart"] == ORBIT
@@ -453,16 +442,16 @@ def test_commands(store: Path) -> None:
         ("chi=0.4:0.400000000000001:100", "the values of chi do not increase strictly"),
     ],
 )
-def test_wrong_commands(words: str, message: str, store: Path) -> None:
+def test_wrong_commands(words, message, store):
     refused = told("chart", ORBIT, *RANGES, words, "--out", str(store), code=2)
     assert message in refused["error"]
 
 
-def test_no_folder_is_named() -> None:
+def test_no_folder_is_named():
     assert "--out F.zarr is missing" in told("chart", ORBIT, "V=1:2:3", code=2)["error"]
 
 
-def test_a_simulated_chart_goes_on_from_its_own_start(tmp_path: Path) -> None:
+def test_a_simulated_chart_goes_on_from_its_own_start(tmp_path):
     place, period = tmp_path / "S.zarr", tmp_path / "S.zarr" / "period" / "c" / "0"
     given: dict[str, Any] = {
         "chi": 0.4,

@@ -1,7 +1,6 @@
 """Basins as charts: where single starts lead, whatever the chunks, and resumed."""
 
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -10,7 +9,7 @@ import sympy as sp
 
 import nonsmooth as ns
 from nonsmooth import InputError
-from nonsmooth.derive import Harmonic, SoftStop, System, oscillator
+from nonsmooth.derive import Harmonic, SoftStop, oscillator
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.present.pictures.charts import chart_figure
 from tests.cli.test_cli import told
@@ -20,7 +19,7 @@ STARTS: dict[str, Any] = {"x1": np.linspace(-1.5, 1.5, 11), "v1": np.linspace(-1
 DATA = {"Omega": "1.3", "F": "0.3"}
 
 
-def two_attractors() -> System:
+def two_attractors():
     """Two forced masses behind a gap: with and without contact."""
     Omega, F = sp.symbols("Omega F")
     return oscillator(
@@ -35,14 +34,14 @@ def two_attractors() -> System:
 
 
 @pytest.fixture(scope="module")
-def found(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def found(tmp_path_factory):
     file = tmp_path_factory.mktemp("found") / "found.json"
     box = {"x1": (-1.5, 1.5), "v1": (-1, 1)}
     ns.find_orbits(two_attractors(), DATA, 40, transitions=200, box=box).save(file)
     return file
 
 
-def test_labels_agree_with_following_single_starts(found: Path, tmp_path: Path) -> None:
+def test_labels_agree_with_following_single_starts(found, tmp_path):
     store, known = tmp_path / "basins.zarr", ns.load(found)
     plane = ns.chart(str(found), **STARTS, start={"x2": "1/2"}, store=store)
     numbers = plane.attractor.values
@@ -65,7 +64,7 @@ def test_labels_agree_with_following_single_starts(found: Path, tmp_path: Path) 
     assert counts[names["1"]] == int((numbers == 1).sum())
 
 
-def test_a_picture_has_the_colours_of_the_legend(found: Path, tmp_path: Path) -> None:
+def test_a_picture_has_the_colours_of_the_legend(found, tmp_path):
     pytest.importorskip("matplotlib")
     plane = ns.chart(str(found), **STARTS)
     numbers = np.arange(77).reshape(11, 7) % 3
@@ -86,7 +85,7 @@ def test_a_picture_has_the_colours_of_the_legend(found: Path, tmp_path: Path) ->
     assert figure_in(tmp_path / "line.zarr").axes[0].lines
 
 
-def test_no_more_basins_than_can_be_told_apart(found: Path, tmp_path: Path) -> None:
+def test_no_more_basins_than_can_be_told_apart(found, tmp_path):
     pytest.importorskip("matplotlib")
     file, known = tmp_path / "many.json", ns.load(found)
     replace(known, orbits=known.orbits[:1] * 25).save(file)
@@ -96,7 +95,7 @@ def test_no_more_basins_than_can_be_told_apart(found: Path, tmp_path: Path) -> N
         chart_figure(plane)
 
 
-def test_equilibria_and_no_configuration_have_labels(tmp_path: Path) -> None:
+def test_equilibria_and_no_configuration_have_labels(tmp_path):
     file, data = tmp_path / "found.json", {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
     quiet = ns.find_orbits("rigid-stop", data, 4, transitions=50, box={"x1": (-0.9, 0.9)})
     quiet.save(file)
@@ -107,9 +106,7 @@ def test_equilibria_and_no_configuration_have_labels(tmp_path: Path) -> None:
     assert labels[0, 1] == Outcome.FAMILY
 
 
-def test_bits_are_the_same_for_any_chunks_and_threads_and_after_a_stop(
-    found: Path, tmp_path: Path
-) -> None:
+def test_bits_are_the_same_for_any_chunks_and_threads_and_after_a_stop(found, tmp_path):
     whole = ns.chart(str(found), **STARTS)
     store = tmp_path / "basins.zarr"
 
@@ -141,12 +138,12 @@ def test_bits_are_the_same_for_any_chunks_and_threads_and_after_a_stop(
         ({}, "nothing to chart"),
     ],
 )
-def test_wrong_planes(found: Path, options: dict[str, Any], match: str) -> None:
+def test_wrong_planes(found, options, match):
     with pytest.raises(InputError, match=match):
         ns.chart(str(found), **options)
 
 
-def test_a_file_without_attractors(found: Path, tmp_path: Path) -> None:
+def test_a_file_without_attractors(found, tmp_path):
     file, known = tmp_path / "none.json", ns.load(found)
     replace(known, orbits=(), equilibria=(), labels=np.full_like(known.labels, -1)).save(file)
     with pytest.raises(InputError, match=r"none\.json holds no orbit or equilibrium"):

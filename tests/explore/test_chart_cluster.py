@@ -2,7 +2,6 @@
 
 import os
 import signal
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -20,7 +19,7 @@ PLANE: dict[str, Any] = {"V": np.linspace(0.8, 1.3, 150), "eta": np.linspace(0.8
 
 
 @pytest.fixture(scope="module")
-def cluster() -> Iterator[Any]:
+def cluster():
     """Two worker processes."""
     distributed = pytest.importorskip("distributed")
     with distributed.LocalCluster(
@@ -31,7 +30,7 @@ def cluster() -> Iterator[Any]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("basins", [False, True])
-def test_killed_worker_costs_only_its_chunk(basins: bool, cluster: Any, tmp_path: Path) -> None:
+def test_killed_worker_costs_only_its_chunk(basins, cluster, tmp_path):
     killed: list[int] = []
 
     def progress(done: int, total: int) -> None:
@@ -51,7 +50,7 @@ def test_killed_worker_costs_only_its_chunk(basins: bool, cluster: Any, tmp_path
 
 
 @pytest.mark.slow
-def test_workers_refuse_other_equations(cluster: Any, tmp_path: Path) -> None:
+def test_workers_refuse_other_equations(cluster, tmp_path):
     from nonsmooth.runtime.model.kernels import load_orbit
 
     table = load_orbit(ORBIT).table
@@ -66,9 +65,7 @@ def test_workers_refuse_other_equations(cluster: Any, tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("moved", [False, True])
-def test_workers_that_do_not_see_the_folder(
-    moved: bool, cluster: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_workers_that_do_not_see_the_folder(moved, cluster, tmp_path, monkeypatch):
     """What they have written is elsewhere, or the folder is moved when the first chunk is done."""
     store, is_file = tmp_path / "F.zarr", Path.is_file
 
@@ -84,7 +81,7 @@ def test_workers_that_do_not_see_the_folder(
                  chunk=400 if moved else 4000, progress=move, **PLANE)  # fmt: skip
 
 
-def test_absent_scheduler(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_absent_scheduler(tmp_path, monkeypatch):
     distributed = pytest.importorskip("distributed")
     client = distributed.Client
     monkeypatch.setattr(  # who waits less

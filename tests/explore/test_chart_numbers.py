@@ -1,7 +1,6 @@
 """What charts say of their points: against single orbits, proofs, closed forms, other routes."""
 
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -55,23 +54,23 @@ orbits = [
 
 
 @cache
-def charted(orbit: str) -> Any:
+def charted(orbit):
     return ns.chart(orbit, **PLANES[orbit])
 
 
-def named(orbit: str, folder: Path) -> str:
+def named(orbit, folder):
     """The name of an orbit, whose declaration is written if it has none."""
     declared = {"chain": (CHAIN, "mode"), "damped": (DAMPED, "loop")}.get(orbit)
     return orbit if declared is None else f"{declare(folder, declared[0])}:{declared[1]}"
 
 
-def case(orbit: str, plane: dict[str, Any] | None = None, *more: Any, slow: bool = False) -> Any:
+def case(orbit, plane=None, *more, slow=False):
     """A chart; that kernels are compiled takes most of the time of some."""
     plane = PLANES[orbit] if plane is None else plane
     return pytest.param(orbit, plane, *more, marks=[pytest.mark.slow] * slow)
 
 
-def assert_same_bits(first: Any, second: Any) -> None:
+def assert_same_bits(first, second):
     assert set(first) == set(second)
     for name in first:
         assert first[name].values.tobytes() == second[name].values.tobytes(), name
@@ -99,9 +98,7 @@ SETTLING = {"V": np.linspace(0.3, 1.1, 5), "eta": [1.0, 4.0], "simulate": True, 
         case("dry-friction", {**SETTLING, "transitions": 300, **MOTIONS}, 1, slow=True),
     ],
 )
-def test_a_point_is_what_its_orbit_is_whatever_the_chunks(
-    orbit: str, plane: dict[str, Any], chunk: int, tmp_path: Path
-) -> None:
+def test_a_point_is_what_its_orbit_is_whatever_the_chunks(orbit, plane, chunk, tmp_path):
     name = named(orbit, tmp_path)
     chart = ns.chart(name, chunk=10**6, **plane)
     assert_same_bits(chart, ns.chart(name, chunk=chunk, threads=3, **plane))
@@ -110,7 +107,7 @@ def test_a_point_is_what_its_orbit_is_whatever_the_chunks(
         check_points(name, plane, chart)
 
 
-def check_points(name: str, plane: dict[str, Any], chart: Any) -> None:
+def check_points(name, plane, chart):
     """Some of them, against orbits that are solved one by one."""
     there = chart.status.values == 0
     assert not chart.admissible.values[~there].any()
@@ -144,7 +141,7 @@ def check_points(name: str, plane: dict[str, Any], chart: Any) -> None:
         )
 
 
-def test_what_an_open_parameter_has_to_exceed() -> None:
+def test_what_an_open_parameter_has_to_exceed():
     """What fails where it does not, and what one force gives of the others."""
     grid: dict[str, Any] = {"V": [0.85, 1.0, 1.1], "eta": [0.9, 1.2]}
     plain, given = ns.chart(STICK, **grid), ns.chart(STICK, **grid, us1=0.1, us2=[0.5, 0.75, 1.2])
@@ -160,7 +157,7 @@ def test_what_an_open_parameter_has_to_exceed() -> None:
     np.testing.assert_array_equal(line.admissible, wanted)
 
 
-def test_no_point_is_said_to_have_no_orbit(tmp_path: Path) -> None:
+def test_no_point_is_said_to_have_no_orbit(tmp_path):
     ns.chart(STICK, **PLANES[STICK], store=tmp_path / "F.zarr")
     texts = figure_in(tmp_path / "F.zarr").axes[0].get_legend().get_texts()
     told = {text.get_text().rpartition(" (")[0] for text in texts}
@@ -168,7 +165,7 @@ def test_no_point_is_said_to_have_no_orbit(tmp_path: Path) -> None:
     assert not any("no orbit" in text for text in told)
 
 
-def test_simulated_chart_agrees_with_the_orbits() -> None:
+def test_simulated_chart_agrees_with_the_orbits():
     values = {**MOTIONS, "eta": 4}
     line = ns.chart("dry-friction", simulate=True, start=REST, V=[0.55, 0.6773, 0.7], **values)
     periodic = np.flatnonzero(line.transitions.values)
@@ -184,7 +181,7 @@ def test_simulated_chart_agrees_with_the_orbits() -> None:
 # --- from anchor to anchor
 
 
-def speckles(period: np.ndarray) -> int:
+def speckles(period):
     """Points whose period is 5 % off all four neighbours, which agree."""
     beside = np.stack([period[:-2, 1:-1], period[2:, 1:-1], period[1:-1, :-2], period[1:-1, 2:]])
     mean = beside.mean(axis=0)
@@ -192,7 +189,7 @@ def speckles(period: np.ndarray) -> int:
     return int((agree & (np.abs(period[1:-1, 1:-1] - beside) > 0.05 * mean).all(axis=0)).sum())
 
 
-def test_more_is_found_than_point_by_point() -> None:
+def test_more_is_found_than_point_by_point():
     wide = ns.chart(STICK, chunk=10**6, **WIDE)
     alone = ns.solve(STICK, {"V": WIDE["V"][:, None], "eta": WIDE["eta"]})
     assert alone.admissible is not None
@@ -212,9 +209,7 @@ def test_more_is_found_than_point_by_point() -> None:
 @pytest.mark.parametrize(
     ("orbit", "plane", "chunk"), [case(STICK, WIDE, 500), case(IMPACT, None, 60)]
 )
-def test_what_is_lost_or_damaged_is_computed_to_the_same_bits(
-    orbit: str, plane: dict[str, Any], chunk: int, tmp_path: Path
-) -> None:
+def test_what_is_lost_or_damaged_is_computed_to_the_same_bits(orbit, plane, chunk, tmp_path):
     """Where anchors matter, which are the whole grid's."""
     store = tmp_path / "F.zarr"
     whole = ns.chart(orbit, store=store, chunk=chunk, **plane).load()
@@ -235,9 +230,7 @@ def test_what_is_lost_or_damaged_is_computed_to_the_same_bits(
         ),
     ],
 )
-def test_limits_without_compiled_kernels(
-    orbit: str, plane: dict[str, Any], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_limits_without_compiled_kernels(orbit, plane, monkeypatch):
     compiled = ns.chart(orbit, **plane).limit.values
     monkeypatch.setenv("NONSMOOTH_BACKEND", "numpy")
     assert len({*compiled.ravel()}) > 1
@@ -247,7 +240,7 @@ def test_limits_without_compiled_kernels(
 # --- closed forms
 
 
-def test_closed_forms_of_the_impact_oscillator() -> None:
+def test_closed_forms_of_the_impact_oscillator():
     """Where there is an orbit, and the trace, as the file of the gallery derives them."""
     plane, r = charted(IMPACT), 0.8
     w, sigma = plane.w.values, plane.sigma.values[:, None]
@@ -277,7 +270,7 @@ def test_closed_forms_of_the_impact_oscillator() -> None:
     assert (stable[both] | (np.abs(np.stack(traces)).min(axis=0)[both] > 1 + r**2)).mean() > 0.95
 
 
-def test_margins_of_families() -> None:
+def test_margins_of_families():
     """One multiplier is 1; a reciprocal pair beside it is neutral on the circle."""
     angle = np.exp(0.7j)
     values = np.array([[1, angle, 1 / angle], [1, 3.0, 1 / 3.0], [0.5, 1, 0.2]], dtype=complex)
@@ -288,7 +281,7 @@ def test_margins_of_families() -> None:
     )
 
 
-def test_a_point_outside_a_domain_has_no_orbit() -> None:
+def test_a_point_outside_a_domain_has_no_orbit():
     line = ns.chart(IMPACT, r=[0.7, 0.8, 1.5])
     assert (line.status.values == 0).tolist() == [True, True, False]
     assert np.isnan(line.margin.values[2])
@@ -320,7 +313,7 @@ def test_a_point_outside_a_domain_has_no_orbit() -> None:
         (IMPACT, {"w": [2.0, 2.1], "T": 2}, "unknown parameter 'T'"),
     ],
 )
-def test_wrong_input(orbit: str, given: dict[str, Any], told: str) -> None:
+def test_wrong_input(orbit, given, told):
     with pytest.raises(InputError, match=told) as caught:
         ns.chart(orbit, **given)
     assert "\n" not in str(caught.value)

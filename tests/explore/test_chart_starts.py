@@ -10,7 +10,7 @@ from nonsmooth.runtime.explore.charting.grid import Grid
 
 
 @pytest.mark.parametrize("count", [1, 2, 34, 400])
-def test_points_lie_between_their_anchors(count: int) -> None:
+def test_points_lie_between_their_anchors(count):
     """Each is the mean of the two beside it, as its place in between says."""
     grid = Grid({"p": np.geomspace(1, 2, count), "q": np.linspace(0, 1, 7)}, (13, 3))
     for block in map(grid.block, range(grid.chunks)):
@@ -32,7 +32,7 @@ def test_points_lie_between_their_anchors(count: int) -> None:
 
 
 @pytest.mark.parametrize("unit", [1.0, 1e-9, 1e9])
-def test_most_neighbours_decide_between_orbits_that_are_as_good_in_all_units(unit: float) -> None:
+def test_most_neighbours_decide_between_orbits_that_are_as_good_in_all_units(unit):
     def either(values: Any, start: np.ndarray | None) -> dict[str, np.ndarray]:
         """One and two units, from the nearer; without a start two at every seventh point."""
         alone = np.arange(values["p"].size) % 7 == 3

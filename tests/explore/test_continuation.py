@@ -20,16 +20,16 @@ STICK = "dry-friction/global-stick"
 
 
 @cache
-def stick(parameter: str = "V", lower: float = 0.8, upper: float = 1.3) -> Any:
+def stick(parameter="V", lower=0.8, upper=1.3):
     return nonsmooth.continue_orbit(nonsmooth.solve(STICK), parameter, (lower, upper))
 
 
-def composed() -> Any:
+def composed():
     return nonsmooth.solve("dry-friction", STICKING, [1, 2, 1.5, 3.3], itinerary=PHASES)
 
 
 @pytest.mark.parametrize(("parameter", "interval"), [("V", (0.8, 1.3)), ("eta", (0.5, 2.0))])
-def test_points_are_orbits(parameter: str, interval: tuple[float, float]) -> None:
+def test_points_are_orbits(parameter, interval):
     branch = stick(parameter, *interval)
     given = {name: float(value) for name, value in branch.orbit.given.items()}
     places = np.random.default_rng(1).integers(1, len(branch) - 1, 6)
@@ -44,7 +44,7 @@ def test_points_are_orbits(parameter: str, interval: tuple[float, float]) -> Non
     assert np.abs(np.diff(branch.parameter_values)).max() < 0.01 * np.diff(interval)[0] * 1.5
 
 
-def test_ends_are_admissibility_limits() -> None:
+def test_ends_are_admissibility_limits():
     for parameter, interval in (("V", (0.8, 1.3)), ("eta", (0.5, 2.0)), ("e1", (1.0, 3.9))):
         branch = stick(parameter, *interval)
         (limits,) = admissible_intervals(STICK, parameter, *interval, points=200)
@@ -55,7 +55,7 @@ def test_ends_are_admissibility_limits() -> None:
         assert (event.configuration, event.boundary) == PHASES[0]
 
 
-def test_grazing_names_the_boundary_that_is_touched() -> None:
+def test_grazing_names_the_boundary_that_is_touched():
     orbit = nonsmooth.solve("dry-friction/symmetric")
     branch = nonsmooth.continue_orbit(orbit, "V", (0.5, 0.8))
     (event,) = [e for e in branch.events if e.kind == "grazing"]
@@ -74,7 +74,7 @@ def test_grazing_names_the_boundary_that_is_touched() -> None:
     assert branch.admissible[before] != branch.admissible[behind]
 
 
-def test_period_as_the_parameter() -> None:
+def test_period_as_the_parameter():
     branch = nonsmooth.continue_orbit(timed(), "period", (5.1, 6.5))
     derived = nonsmooth.continue_orbit(nonsmooth.solve("rigid-stop/one-impact"), "T", (5.1, 6.5))
     assert [e.kind for e in branch.events] == [e.kind for e in derived.events]
@@ -84,7 +84,7 @@ def test_period_as_the_parameter() -> None:
 
 
 @pytest.mark.slow
-def test_border_collision_is_passed(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_border_collision_is_passed(monkeypatch):
     branch = stick()
     (event,) = branch.events
 
@@ -104,7 +104,7 @@ def test_border_collision_is_passed(monkeypatch: pytest.MonkeyPatch) -> None:
     assert meeting.value == pytest.approx(event.value, abs=1e-10)
 
 
-def test_stops_where_it_is_no_motion() -> None:
+def test_stops_where_it_is_no_motion():
     orbit = nonsmooth.solve("dry-friction/symmetric")
     branch = nonsmooth.continue_orbit(orbit, "V", (0.5, 0.8), admissible=True)
     assert branch.ends[0].startswith("the orbit is no motion")
@@ -113,7 +113,7 @@ def test_stops_where_it_is_no_motion() -> None:
     assert event.place < 1
 
 
-def test_resonance_ends_a_branch() -> None:
+def test_resonance_ends_a_branch():
     orbit = nonsmooth.solve("rigid-stop/one-impact")
     branch = nonsmooth.continue_orbit(orbit, "T", (3.2, 6.5))
     assert "resonance" in branch.ends[0]
@@ -131,12 +131,12 @@ def test_resonance_ends_a_branch() -> None:
         (("V", (0.8, 1.3)), {"points": 0}, "points = 0"),
     ],
 )
-def test_wrong_input(arguments: tuple, options: dict, message: str) -> None:
+def test_wrong_input(arguments, options, message):
     with pytest.raises(nonsmooth.InputError, match=message):
         nonsmooth.continue_orbit(nonsmooth.solve(STICK), *arguments, **options)
 
 
-def test_no_orbit_to_follow() -> None:
+def test_no_orbit_to_follow():
     with pytest.raises(nonsmooth.InputError, match="orbit takes"):
         nonsmooth.continue_orbit(STICK, "V", (0, 1))
     with pytest.raises(nonsmooth.InputError, match="unknown given parameter 'period'"):
@@ -147,7 +147,7 @@ def test_no_orbit_to_follow() -> None:
         stick().quantity("tb")
 
 
-def test_what_is_zero_all_along_is_no_event() -> None:
+def test_what_is_zero_all_along_is_no_event():
     # each phase begins on the boundary that the other one reached: x = 0, whatever k is
     whole = nonsmooth.continue_orbit(loop(), "k", (0.3, 1.5))
     ((kind, value),) = [(event.kind, event.value) for event in whole.events]
@@ -156,14 +156,14 @@ def test_what_is_zero_all_along_is_no_event() -> None:
     assert nonsmooth.continue_orbit(loop(), "r", (0.3, 0.6)).events == ()
 
 
-def test_the_docstring_of_an_event_names_its_kind() -> None:
+def test_the_docstring_of_an_event_names_its_kind():
     for event in (*stick().events, *nonsmooth.continue_orbit(loop(), "k", (0.3, 1.5)).events):
         assert f'"{event.kind}"' in str(type(event).__doc__)
 
 
 def test_an_interrupt_while_events_are_located_loses_no_point(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+    monkeypatch,
+):
     """They take as long as the points; a branch that is whole is not followed again."""
     orbit, calls, median = nonsmooth.solve(STICK), list[int](), np.nanmedian
 
@@ -184,7 +184,7 @@ def test_an_interrupt_while_events_are_located_loses_no_point(
     assert (len(again), again.ends) == (len(whole), whole.ends)
 
 
-def test_a_refined_orbit_by_tables_is_followed_as_the_one_in_doubles() -> None:
+def test_a_refined_orbit_by_tables_is_followed_as_the_one_in_doubles():
     orbit = nonsmooth.solve(f"{GALLERY / 'two_stops.py'}:symmetric")
     found, refined = (
         nonsmooth.continue_orbit(start, "d", (0.599, 0.601), points=8)

@@ -7,14 +7,13 @@ from __future__ import annotations
 
 import math
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
 import sympy as sp
 
 import nonsmooth
-from nonsmooth.derive import Parameter, RigidStop, SoftStop, System
+from nonsmooth.derive import Parameter, RigidStop, SoftStop
 from tests.differences import in_doubles
 from tests.one_mass import one_mass
 
@@ -22,7 +21,7 @@ W, R = 2.8, 0.8
 
 
 @cache
-def struck_at(place: str, *signed: str, damping: str = "0") -> System:
+def struck_at(place, *signed, damping="0"):
     """A forced mass that strikes a wall at a place, over parameters of either sign."""
     r, w = sp.symbols("r w")
     wall = RigidStop("x", at=sp.sympify(place), restitution=r, name="wall")
@@ -31,12 +30,12 @@ def struck_at(place: str, *signed: str, damping: str = "0") -> System:
     return one_mass("impact-oscillator", wall, parameters=own, **given)
 
 
-def system() -> System:
+def system():
     return struck_at("sigma", "sigma", "c", damping="c")
 
 
 @cache
-def orbit(sigma: float = 0, c: float = 0) -> Any:
+def orbit(sigma=0, c=0):
     return nonsmooth.solve(
         system(),
         {"r": R, "sigma": sigma, "w": W, "c": c},
@@ -46,11 +45,11 @@ def orbit(sigma: float = 0, c: float = 0) -> Any:
 
 
 @cache
-def branch() -> Any:
+def branch():
     return nonsmooth.continue_orbit(orbit(), "sigma", (-2.0, 0.14), step=0.02)
 
 
-def closed_forms(w: Any = W) -> Any:
+def closed_forms(w=W):
     """Stops at which the orbits of one impact in a period of the forcing fold and flip."""
     period = 2 * math.pi / w
     cotangent, gain = 1 / np.tan(period / 2), 1 / (1 - w * w)
@@ -63,7 +62,7 @@ def closed_forms(w: Any = W) -> Any:
     return fold, ratio * speed
 
 
-def test_fold_and_flip_in_closed_form() -> None:
+def test_fold_and_flip_in_closed_form():
     fold, flip = closed_forms()
     events = {kind: [e for e in branch().events if e.kind == kind] for kind in ("fold", "flip")}
     assert [e.value for e in events["fold"]] == [pytest.approx(fold, abs=1e-12)]
@@ -74,7 +73,7 @@ def test_fold_and_flip_in_closed_form() -> None:
     assert branch().stability.count("stable") > 10
 
 
-def test_impact_speeds_solve_the_closed_equation() -> None:
+def test_impact_speeds_solve_the_closed_equation():
     period = 2 * math.pi / W
     cotangent, gain = 1 / math.tan(period / 2), 1 / (1 - W * W)
     sigma = branch().parameter_values
@@ -83,7 +82,7 @@ def test_impact_speeds_solve_the_closed_equation() -> None:
     np.testing.assert_allclose(missed, gain**2, rtol=1e-10)
 
 
-def test_multipliers_by_simulation() -> None:
+def test_multipliers_by_simulation():
     admissible = np.flatnonzero(branch().admissible & (branch().quantity("v0") < -0.05))
     for place in admissible[:: len(admissible) // 4].tolist():
         here = branch().orbit_at(place)
@@ -106,7 +105,7 @@ def test_multipliers_by_simulation() -> None:
         assert np.prod(found).real == pytest.approx(R * R, abs=1e-9)
 
 
-def test_torus_where_the_area_is_kept() -> None:
+def test_torus_where_the_area_is_kept():
     # between impacts the area shrinks by e^(-c T), at an impact by r^2
     damped = nonsmooth.continue_orbit(orbit(-0.5), "c", (-0.4, 0.4), step=0.02)
     (event,) = [e for e in damped.events if e.kind == "neimark-sacker"]
@@ -116,7 +115,7 @@ def test_torus_where_the_area_is_kept() -> None:
 
 
 @cache
-def stops() -> System:
+def stops():
     r, w, f = sp.symbols("r w f")
     return one_mass(
         "two-stops",
@@ -128,7 +127,7 @@ def stops() -> System:
 
 
 @cache
-def mirrored() -> Any:
+def mirrored():
     """From one stop to the other, which its mirror image is."""
     data = {"r": 0.7, "w": 1.3, "f": 2}
     motion = nonsmooth.simulate(stops(), data, [0, 1, 1, 0], transitions=400)
@@ -142,7 +141,7 @@ def mirrored() -> Any:
     )
 
 
-def test_symmetry_breaking_between_two_stops() -> None:
+def test_symmetry_breaking_between_two_stops():
     found = nonsmooth.continue_orbit(mirrored(), "w", (1.0, 2.0), step=0.03)
     events = [event for event in found.events if event.kind == "symmetry-breaking"]
     assert len(events) == 2
@@ -158,7 +157,7 @@ def test_symmetry_breaking_between_two_stops() -> None:
 
 
 @cache
-def bumped() -> Any:
+def bumped():
     """The orbit that strikes once of 2 x'' + 2 x' + 800 x = 2 cos(Omega t) at x = 1/200."""
     rubber = SoftStop("x", at="1/200", stiffness=8000, damping=5, name="rubber")
     forces = {sp.Symbol("Omega"): 2}
@@ -167,7 +166,7 @@ def bumped() -> Any:
     return next(entry.orbit for entry in known if len(entry.itinerary) == 2)
 
 
-def bump_grazing() -> float:
+def bump_grazing():
     """The lower frequency W at which the motion without the stop touches it.
 
     There (800 - 2 W^2)^2 + 4 W^2 is 400^2.
@@ -178,7 +177,7 @@ def bump_grazing() -> float:
 @pytest.mark.parametrize(
     "seed", [2, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (5, 8))]
 )
-def test_a_branch_ends_once_where_a_phase_vanishes(seed: int) -> None:
+def test_a_branch_ends_once_where_a_phase_vanishes(seed):
     """x'' + 2 zeta x' + x = cos(w t) touches x = 1 where w^2 = 2 - 4 zeta^2, whatever the stop.
 
     There the branch turns, and the contact is left without speed: all of it is one event.

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
@@ -19,23 +18,23 @@ SYMMETRIC = "dry-friction/symmetric"
 
 
 @cache
-def branch() -> Any:
+def branch():
     return nonsmooth.continue_orbit(nonsmooth.solve(SYMMETRIC), "V", (0.6, 1.3))
 
 
 @cache
-def flips() -> Any:
+def flips():
     (flip,) = (event for event in branch().events if event.kind == "flip")
     return nonsmooth.continue_orbit(branch(), "eta", (3.9, 4.1), event=flip)
 
 
 @cache
-def composed_folds() -> Any:
+def composed_folds():
     (fold,) = (event for event in impacts().events if event.kind == "fold")
     return nonsmooth.continue_orbit(impacts(), "w", (2.7, 2.9), event=fold, step=0.1)
 
 
-def test_orbits_of_a_curve_have_its_event() -> None:
+def test_orbits_of_a_curve_have_its_event():
     for place in (0, flips().start, -1):
         at = flips().orbit_at(place)
         assert min(abs(at.stability.multipliers[k].real + 1) for k in (0, 1)) < 1e-9
@@ -70,14 +69,14 @@ def test_orbits_of_a_curve_have_its_event() -> None:
         ),
     ],
 )
-def test_wrong_input(of: Any, plane: Any, options: dict[str, Any], message: str) -> None:
+def test_wrong_input(of, plane, options, message):
     given = of()
     events = getattr(given, "events", branch().events)
     with pytest.raises(nonsmooth.InputError, match=message):
         nonsmooth.continue_orbit(given, *plane, **{"event": events[0], **options})
 
 
-def test_steps_are_told() -> None:
+def test_steps_are_told():
     told: list[int] = []
     event = branch().events[-1]
     nonsmooth.continue_orbit(
@@ -86,7 +85,7 @@ def test_steps_are_told() -> None:
     assert told == list(range(1, len(told) + 1))
 
 
-def test_picture() -> None:
+def test_picture():
     pytest.importorskip("matplotlib")
     (axes,) = flips().plot().axes
     curve, mark = axes.lines
@@ -106,7 +105,7 @@ def test_picture() -> None:
         ("us1=0.0127 ur1=0.0255 --switch flip:1", ["4 phases", "\nperiod: "]),
     ],
 )
-def test_commands(words: str, parts: list[str]) -> None:
+def test_commands(words, parts):
     code, out, _ = run("continue", SYMMETRIC, "V=0.6:1.3", *words.split())
     assert code == 0
     for part in parts:
@@ -114,7 +113,7 @@ def test_commands(words: str, parts: list[str]) -> None:
 
 
 @pytest.mark.slow
-def test_beyond_the_flip_of_a_given_period_twice_that_period_is_followed() -> None:
+def test_beyond_the_flip_of_a_given_period_twice_that_period_is_followed():
     doubled = told("continue", "rigid-stop/one-impact", "T=5:6.5", "--switch", "flip:1")
     assert doubled["parameter"] == "period"
     assert 10 < min(doubled["values"]) < max(doubled["values"]) < 13
@@ -133,13 +132,13 @@ def test_beyond_the_flip_of_a_given_period_twice_that_period_is_followed() -> No
         ("--switch fold", "no fold on this branch; there is gra"),
     ],
 )
-def test_wrong_commands(words: str, message: str) -> None:
+def test_wrong_commands(words, message):
     code, _, err = run("continue", SYMMETRIC, "V=0.6:1.3", *words.split())
     assert code == 2
     assert message in err
 
 
-def test_one_of_several_events() -> None:
+def test_one_of_several_events():
     rigid = ("continue", "rigid-stop/one-impact", "T=5:6.5", "k2=4.9:5.1", "--follow")
     code, _, err = run(*rigid, "flip")
     assert code == 2
@@ -150,7 +149,7 @@ def test_one_of_several_events() -> None:
 
 
 @pytest.mark.slow
-def test_fold_and_flip_curves_in_closed_form() -> None:
+def test_fold_and_flip_curves_in_closed_form():
     for place, kind in enumerate(("fold", "flip")):
         event = [e for e in impacts().events if e.kind == kind][-1]
         locus = nonsmooth.continue_orbit(impacts(), "w", (2.6, 3.0), event=event, step=0.1)
@@ -161,7 +160,7 @@ def test_fold_and_flip_curves_in_closed_form() -> None:
         np.testing.assert_allclose(sigma, closed_forms(w)[place], rtol=0, atol=1e-9)
 
 
-def test_torus_curve_in_closed_form() -> None:
+def test_torus_curve_in_closed_form():
     damped = nonsmooth.continue_orbit(orbit(-0.5), "c", (-0.4, 0.4), step=0.05)
     (event,) = [e for e in damped.events if e.kind == "neimark-sacker"]
     locus = nonsmooth.continue_orbit(damped, "r", (0.75, 0.85), event=event, step=0.1)
@@ -170,7 +169,7 @@ def test_torus_curve_in_closed_form() -> None:
 
 
 @pytest.mark.slow
-def test_grazing_and_flip_of_an_orbit_with_kernels() -> None:
+def test_grazing_and_flip_of_an_orbit_with_kernels():
     found = nonsmooth.continue_orbit(nonsmooth.solve(SYMMETRIC), "V", (0.5, 1.3))
     for event in found.events:
         locus = nonsmooth.continue_orbit(found, "eta", (3.8, 4.2), event=event, step=0.1)
@@ -181,7 +180,7 @@ def test_grazing_and_flip_of_an_orbit_with_kernels() -> None:
             assert same == [pytest.approx(speed, abs=1e-9)]
 
 
-def test_border_collision_is_solution_ii() -> None:
+def test_border_collision_is_solution_ii():
     found = nonsmooth.continue_orbit(nonsmooth.solve("dry-friction/global-stick"), "V", (0.8, 1.3))
     locus = nonsmooth.continue_orbit(found, "e1", (2.8, 3.2), event=found.events[-1], step=0.1)
     speed, e1 = locus.values.T

@@ -4,10 +4,7 @@ A stop at place + q^2 - d makes of each event that an impact oscillator has over
 its stop a pair over q, at the square roots of d, that meets at d = 0.
 """
 
-from __future__ import annotations
-
 import math
-from typing import Any
 
 import numpy as np
 import pytest
@@ -18,7 +15,7 @@ from tests.explore.test_continuation_forced import R, W, branch, closed_forms, s
 START = -0.2  # of q
 
 
-def pair(kind: str, d: float, step: float = 0.1) -> Any:
+def pair(kind, d, step=0.1):
     event = [event for event in branch().events if event.kind == kind][-1]
     place = {"flip": closed_forms()[1], "fold": closed_forms()[0]}.get(kind, event.value)
     sigma = branch().parameter_values
@@ -37,7 +34,7 @@ def pair(kind: str, d: float, step: float = 0.1) -> Any:
 
 @pytest.mark.parametrize("kind", ["flip", "grazing"])
 @pytest.mark.parametrize("d", [1e-4, 1e-7, 1e-10])
-def test_two_events_within_a_step(kind: str, d: float) -> None:
+def test_two_events_within_a_step(kind, d):
     found = pair(kind, d)
     root = math.sqrt(d)
     assert [event.kind for event in found.events] == [kind, kind]
@@ -54,7 +51,7 @@ def test_two_events_within_a_step(kind: str, d: float) -> None:
 
 
 @pytest.mark.parametrize("kind", ["flip", "grazing"])
-def test_what_is_touched(kind: str) -> None:
+def test_what_is_touched(kind):
     (event,) = pair(kind, 0).events
     assert (event.kind, event.touching) == (kind, True)
     assert event.value == pytest.approx(0, abs=1e-7)
@@ -62,12 +59,12 @@ def test_what_is_touched(kind: str) -> None:
 
 
 @pytest.mark.parametrize("kind", ["flip", "grazing"])
-def test_what_is_not_reached(kind: str) -> None:
+def test_what_is_not_reached(kind):
     for d in (-1e-8, -1e-4):
         assert pair(kind, d).events == ()
 
 
-def test_a_branch_point_opens_into_a_fold() -> None:
+def test_a_branch_point_opens_into_a_fold():
     """Where two folds meet two branches cross: q^2 - d is a multiple of (y - y0)^2."""
     (crossing,) = pair("fold", 0, 0.02).events
     assert crossing.kind == "branch-point"
@@ -79,7 +76,7 @@ def test_a_branch_point_opens_into_a_fold() -> None:
     assert folded.parameter_values.max() <= fold.value + 1e-12
 
 
-def test_events_do_not_depend_on_the_steps() -> None:
+def test_events_do_not_depend_on_the_steps():
     orbit = nonsmooth.solve("dry-friction/symmetric")
     fine = nonsmooth.continue_orbit(orbit, "V", (0.3, 1.3), step=0.005)
     coarse = nonsmooth.continue_orbit(orbit, "V", (0.3, 1.3), step=0.1)

@@ -1,7 +1,5 @@
 """Frequency responses and backbones: amplitudes along branches, against closed forms."""
 
-from typing import Any
-
 import numpy as np
 import pytest
 import sympy as sp
@@ -17,7 +15,7 @@ PAGE = GALLERY / "den_hartog.py"
 
 
 @pytest.mark.slow
-def test_den_hartogs_response() -> None:
+def test_den_hartogs_response():
     orbit = ns.solve(f"{PAGE}:without-rest")
     branch = ns.continue_orbit(orbit, "W", (0.56, 0.64), points=40)
     W = branch.parameter_values
@@ -29,7 +27,7 @@ def test_den_hartogs_response() -> None:
         branch.quantity("amplitude_y")
 
 
-def test_the_backbone_of_a_conservative_family() -> None:
+def test_the_backbone_of_a_conservative_family():
     """The rigid stop's orbits over their period: amplitudes of both masses are positive."""
     orbit = ns.solve("rigid-stop/one-impact")
     period = float(orbit.period)
@@ -43,7 +41,7 @@ def test_the_backbone_of_a_conservative_family() -> None:
     assert found[0] == pytest.approx(np.ptp(states[:, place]) / 2, rel=1e-6)
 
 
-def test_a_branch_stays_inside_its_interval_where_the_end_is_singular() -> None:
+def test_a_branch_stays_inside_its_interval_where_the_end_is_singular():
     """At W = 1/2 the orbit is one of a family: the equations do not determine it there."""
     orbit = ns.solve(f"{PAGE}:without-rest")
     branch = ns.continue_orbit(orbit, "W", (0.5, 0.61))
@@ -52,7 +50,7 @@ def test_a_branch_stays_inside_its_interval_where_the_end_is_singular() -> None:
     assert branch.parameter_values.min() >= 0.5
 
 
-def soft_stop() -> Any:
+def soft_stop():
     """A mass 2 on a spring 2 that meets a stop of stiffness 6 at x = 1, over its period."""
     stop = SoftStop("x", at=1, stiffness=sp.Symbol("k"), name="stop")
     system = one_mass("soft-stop", stop, mass=2, stiffness=2)
@@ -68,7 +66,7 @@ def soft_stop() -> Any:
     return ns.continue_orbit(orbit, "period", (4.2, 6.2), step=0.05)
 
 
-def test_frequency_and_energy_in_closed_form() -> None:
+def test_frequency_and_energy_in_closed_form():
     branch = soft_stop()
     energy = branch.quantity("energy")  # for the mass 1
     rate, centre = 2.0, 0.75
@@ -80,7 +78,7 @@ def test_frequency_and_energy_in_closed_form() -> None:
 
 
 @pytest.mark.parametrize("name", ["rigid-stop/one-impact", "elastic-stop/one-contact"])
-def test_energies_of_two_masses(name: str) -> None:
+def test_energies_of_two_masses(name):
     branch = ns.continue_orbit(ns.solve(name), "T", (6.2, 6.35), step=0.2)
     for found, place in zip(branch.quantity("energy"), range(len(branch)), strict=True):
         orbit = branch.orbit_at(place)
@@ -92,7 +90,7 @@ def test_energies_of_two_masses(name: str) -> None:
         assert found == pytest.approx(doubled / (2 * m1), rel=1e-8)
 
 
-def test_no_energy_is_kept() -> None:
+def test_no_energy_is_kept():
     for orbit, name, interval in (
         (ns.solve("dry-friction/global-stick", {"us1": 1, "us2": 1}), "V", (0.99, 1.01)),
         (ns.solve(f"{PAGE}:without-rest"), "W", (0.59, 0.61)),
@@ -103,7 +101,7 @@ def test_no_energy_is_kept() -> None:
 
 
 @pytest.mark.slow
-def test_picture_of_frequency_over_energy() -> None:
+def test_picture_of_frequency_over_energy():
     pytest.importorskip("matplotlib")
     branch = soft_stop()
     (axes,) = branch.plot("frequency", over="energy").axes
@@ -116,7 +114,7 @@ def test_picture_of_frequency_over_energy() -> None:
         branch.plot("frequency", over="speed")
 
 
-def test_a_picture_changes_its_style_at_the_event() -> None:
+def test_a_picture_changes_its_style_at_the_event():
     """Up to a border collision orbits are motions: no part of the picture says otherwise."""
     pytest.importorskip("matplotlib")
     branch = ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.2), step=0.2)
@@ -127,7 +125,7 @@ def test_a_picture_changes_its_style_at_the_event() -> None:
     assert (ends["unstable"].max(), ends["stable"].min()) == (flip, flip)
 
 
-def test_an_amplitude_where_a_phase_vanishes() -> None:
+def test_an_amplitude_where_a_phase_vanishes():
     """The last orbit of the branch has a phase that takes no time; its neighbours tell the rest."""
     motion = ns.simulate("dry-friction", STICKING, [0, 0, 0, 0], transitions=400)
     orbit = ns.solve("dry-friction", STICKING, itinerary=ns.itinerary_of(motion))

@@ -1,10 +1,7 @@
 """The other branch at flips, broken symmetries and branch points, against simulated motions."""
 
-from __future__ import annotations
-
 import math
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
@@ -19,13 +16,13 @@ PAGE = GALLERY / "impact_oscillator.py"
 
 
 @cache
-def doubled() -> Any:
+def doubled():
     flip = [event for event in branch().events if event.kind == "flip"][-1]
     orbit = branch().switch(flip)
     return nonsmooth.continue_orbit(orbit, "sigma", (-0.1, -0.02), step=0.05)
 
 
-def dwell_times_of_motions(system: Any, orbit: Any) -> np.ndarray:
+def dwell_times_of_motions(system, orbit):
     """Of the orbit to which motions from nearby come, in order."""
     start = orbit.states[0].astype(float) * np.array([1, 1.001, 1, 1])
     motion = nonsmooth.simulate(system, orbit.parameters, start, transitions=800)
@@ -34,7 +31,7 @@ def dwell_times_of_motions(system: Any, orbit: Any) -> np.ndarray:
     return np.sort(again.dwell_times)
 
 
-def check_closed(system: str, orbit: Any) -> None:
+def check_closed(system, orbit):
     """The motion is back after the transitions of a period."""
     start, (configuration, _) = orbit.states[0].astype(float), orbit.itinerary[0]
     motion = nonsmooth.simulate(
@@ -44,12 +41,12 @@ def check_closed(system: str, orbit: Any) -> None:
     np.testing.assert_allclose(motion.states[-1], start, atol=1e-9)
 
 
-def flip_of_doubled() -> Any:
+def flip_of_doubled():
     (event,) = (event for event in doubled().events if event.kind == "flip")
     return event
 
 
-def test_a_doubled_orbit_is_that_of_a_simulation() -> None:
+def test_a_doubled_orbit_is_that_of_a_simulation():
     flip = branch().events[-1]
     stable = [
         k
@@ -67,7 +64,7 @@ def test_a_doubled_orbit_is_that_of_a_simulation() -> None:
         assert float(orbit.parameters["sigma"]) > flip.value
 
 
-def test_halves_differ_by_the_root_of_the_distance() -> None:
+def test_halves_differ_by_the_root_of_the_distance():
     flip = branch().events[-1]
     assert doubled().ends[0] == "it meets the branch that it doubles"
     meeting = doubled().events[0]
@@ -83,7 +80,7 @@ def test_halves_differ_by_the_root_of_the_distance() -> None:
 
 
 @pytest.mark.slow
-def test_a_cascade() -> None:
+def test_a_cascade():
     orbit = doubled().switch(flip_of_doubled())
     assert len(orbit.itinerary) == 4
     assert orbit.period == pytest.approx(4 * branch().period[0], rel=1e-9)
@@ -95,7 +92,7 @@ def test_a_cascade() -> None:
         assert meeting.value == pytest.approx(flip_of_doubled().value, abs=1e-8)
 
 
-def test_a_crossing_branch_has_the_other_root() -> None:
+def test_a_crossing_branch_has_the_other_root():
     """Impact speeds of both orbits solve one quadratic equation."""
     known = pair("fold", 0, 0.02)
     (crossing,) = known.events
@@ -112,7 +109,7 @@ def test_a_crossing_branch_has_the_other_root() -> None:
     assert its == pytest.approx(nearest[1].real, abs=1e-9)
 
 
-def test_a_lost_symmetry_is_that_of_a_simulation() -> None:
+def test_a_lost_symmetry_is_that_of_a_simulation():
     found = nonsmooth.continue_orbit(mirrored(), "w", (1.0, 2.0), step=0.03)
     events = [event for event in found.events if event.kind == "symmetry-breaking"]
     checked = 0
@@ -129,7 +126,7 @@ def test_a_lost_symmetry_is_that_of_a_simulation() -> None:
     assert checked
 
 
-def test_an_orbit_with_kernels() -> None:
+def test_an_orbit_with_kernels():
     orbit = nonsmooth.solve(SYMMETRIC, {"us2": "0.5", "ur2": 1})
     found = nonsmooth.continue_orbit(orbit, "V", (0.6, 1.3))
     flip = found.events[-1]
@@ -142,7 +139,7 @@ def test_an_orbit_with_kernels() -> None:
     check_closed("dry-friction", twice)
 
 
-def test_a_conservative_orbit() -> None:
+def test_a_conservative_orbit():
     found = nonsmooth.continue_orbit(nonsmooth.solve("rigid-stop/one-impact"), "T", (5, 6.5))
     first, second = found.events
     twice = found.switch(first)
@@ -155,7 +152,7 @@ def test_a_conservative_orbit() -> None:
 
 
 @pytest.mark.slow
-def test_a_doubled_orbit_ends_where_another_one_grazes() -> None:
+def test_a_doubled_orbit_ends_where_another_one_grazes():
     """Its shortest phase vanishes as the root of the distance: a singular end."""
     page = PAGE.with_name("piecewise_stiffness.py")
     single = nonsmooth.continue_orbit(nonsmooth.solve(f"{page}:one-contact"), "w", (2.2, 2.5))
@@ -179,7 +176,7 @@ def test_a_doubled_orbit_ends_where_another_one_grazes() -> None:
     assert (end.kind, end.value) == ("vanishing-phase", pytest.approx(grazing.value, abs=1e-9))
 
 
-def test_wrong_input() -> None:
+def test_wrong_input():
     grazing = next(event for event in branch().events if event.kind == "grazing")
     with pytest.raises(nonsmooth.InputError, match="no other branch meets this one at a grazing"):
         branch().switch(grazing)

@@ -20,28 +20,28 @@ DATA = {"us1": 1, "ur1": 1, "us2": 1}
 
 
 @cache
-def symmetric() -> Any:
+def symmetric():
     return ns.solve("dry-friction/symmetric")
 
 
 @cache
-def whole() -> Any:
+def whole():
     """With all that admissibility depends on."""
     return ns.solve("dry-friction/symmetric", DATA)
 
 
 @cache
-def stablest() -> Any:
+def stablest():
     return ns.design(symmetric(), minimise="spectral_radius", over={"V": (0.3, 3)})
 
 
 @cache
-def impacts() -> Any:
+def impacts():
     return ns.solve(IMPACTS)
 
 
 @pytest.mark.slow
-def test_the_stablest_orbit_is_that_of_a_scan() -> None:
+def test_the_stablest_orbit_is_that_of_a_scan():
     found, values = stablest(), np.linspace(2.6, 2.9, 301)
     scan = [ns.solve("dry-friction/symmetric", {"V": value}).multipliers for value in values]
     radius = np.abs(scan).max(axis=-1)
@@ -54,14 +54,14 @@ def test_the_stablest_orbit_is_that_of_a_scan() -> None:
     assert found.orbit.stability.verdict == "stable"
 
 
-def test_gradients_are_those_of_fifty_digits() -> None:
+def test_gradients_are_those_of_fifty_digits():
     found = ns.design(whole(), minimise="period", over={"V": (0.5, 1.5), "eta": (3.9, 4.1)})
     for name in found.parameters:
         (slope,) = in_digits(found.orbit, name, lambda orbit: [orbit.period])
         assert found.gradient["period"][name] == pytest.approx(float(slope), rel=1e-9)
 
 
-def test_to_maximise_is_to_minimise_the_negative() -> None:
+def test_to_maximise_is_to_minimise_the_negative():
     """The velocity of the impact is negative: its largest is its smallest speed's."""
     over = {"sigma": (-0.5, 0.1)}
     lowest = ns.design(impacts(), minimise="v0", over=over)
@@ -82,9 +82,7 @@ def test_to_maximise_is_to_minimise_the_negative() -> None:
         ("period", "multiplier=", -1, 1, {"V": (0.6, 1.5), "eta": (3.5, 4.5)}),
     ],
 )
-def test_the_multiplier_of_a_limit_is_what_relaxing_it_gains(
-    quantity: str, limit: str, value: float, sign: int, over: dict[str, Any]
-) -> None:
+def test_the_multiplier_of_a_limit_is_what_relaxing_it_gains(quantity, limit, value, sign, over):
     begin = whole()
     found = []
     for wanted in (value, value - 1e-4, value + 1e-4):
@@ -97,7 +95,7 @@ def test_the_multiplier_of_a_limit_is_what_relaxing_it_gains(
     assert active.multiplier == pytest.approx(sign * cost, rel=1e-4)
 
 
-def test_the_order_of_parameters_is_no_matter() -> None:
+def test_the_order_of_parameters_is_no_matter():
     over = {"V": (0.3, 3.0), "eta": (3.0, 5.0)}
     first = ns.design(symmetric(), minimise="spectral_radius", over=over)
     other = ns.design(symmetric(), minimise="spectral_radius", over=dict(reversed(over.items())))
@@ -109,7 +107,7 @@ def test_the_order_of_parameters_is_no_matter() -> None:
     assert section.trace**2 == pytest.approx(4 * section.determinant, rel=1e-8)
 
 
-def test_a_flip_is_solved_for_where_the_branch_has_it() -> None:
+def test_a_flip_is_solved_for_where_the_branch_has_it():
     found = ns.design(symmetric(), solve={"multiplier": -1}, over={"V": (0.6, 1.3)})
     branch = ns.continue_orbit(symmetric(), "V", (0.6, 1.3))
     (flip,) = [event for event in branch.events if event.kind == "flip"]
@@ -118,7 +116,7 @@ def test_a_flip_is_solved_for_where_the_branch_has_it() -> None:
     assert found.message == "the wanted values are met"
 
 
-def test_two_values_are_solved_for_in_two_parameters() -> None:
+def test_two_values_are_solved_for_in_two_parameters():
     aimed = ns.solve("dry-friction/symmetric", {"V": 0.9, "eta": 3.9})
     wanted = {"period": aimed.period, "trace": aimed.trace}
     found = ns.design(symmetric(), solve=wanted, over={"V": (0.6, 1.5), "eta": (3.5, 4.5)})
@@ -126,7 +124,7 @@ def test_two_values_are_solved_for_in_two_parameters() -> None:
     assert found.values == pytest.approx({"V": 0.9, "eta": 3.9}, rel=1e-10)
 
 
-def test_a_closed_form_is_met() -> None:
+def test_a_closed_form_is_met():
     """Grazing of the impact oscillator at |sigma| = 1/(w^2 - 1); peaks there are its stop."""
     found = ns.design(impacts(), maximise="v0", over={"sigma": (-0.5, 0.5)})
     assert not found.converged
@@ -135,7 +133,7 @@ def test_a_closed_form_is_met() -> None:
     assert abs(found.after["v0"]) < 1e-6
 
 
-def test_margins_are_limits() -> None:
+def test_margins_are_limits():
     """Two designs to the border of admissibility: the optimiser's, and the branch's own."""
     branch = ns.continue_orbit(whole(), "V", (0.2, 3))
     found = ns.design(whole(), maximise="period", over={"V": (0.2, 3)})
@@ -165,19 +163,19 @@ def test_margins_are_limits() -> None:
         ({"minimise": "period", "iterations": 0}, "is not an integer from 1"),
     ],
 )
-def test_what_is_wrong_is_named(options: dict[str, Any], message: str) -> None:
+def test_what_is_wrong_is_named(options, message):
     with pytest.raises(ns.InputError) as told:
         ns.design(symmetric(), **{"over": {"V": (0.6, 1.3)}, **options})
     assert message in str(told.value)
     assert "\n" not in str(told.value)
 
 
-def test_a_parameter_that_nothing_depends_on_is_named() -> None:
+def test_a_parameter_that_nothing_depends_on_is_named():
     with pytest.raises(ns.InputError, match="nothing that is asked for depends on r"):
         ns.design(impacts(), solve={"period": 2.7, "T": 2.7}, over={"w": (2, 3), "r": (0.5, 0.9)})
 
 
-def test_a_design_is_drawn() -> None:
+def test_a_design_is_drawn():
     figure = stablest().plot()
     assert len(figure.axes) == 2
     curve = figure.axes[1].lines[0].get_ydata()
@@ -185,7 +183,7 @@ def test_a_design_is_drawn() -> None:
     stablest().plot(figure.axes[0])
 
 
-def mapped(matrix: np.ndarray, rates: np.ndarray, p: float) -> Any:
+def mapped(matrix, rates, p):
     """A state that rests, and at each tick of a clock becomes (M + p R) x + 1."""
     *states, clock = sp.symbols(f"x1:{len(matrix) + 1} clock", real=True)
     part = Parameter("p", "part", lower=-sp.oo)
@@ -202,7 +200,7 @@ def mapped(matrix: np.ndarray, rates: np.ndarray, p: float) -> Any:
     return ns.solve(system, {"p": p}, [1, *fixed, 0], itinerary=[("rest", "tick")])
 
 
-def exact(matrix: np.ndarray) -> Any:
+def exact(matrix):
     return sp.Matrix([[sp.Rational(repr(number)) for number in row] for row in matrix.tolist()])
 
 
@@ -213,14 +211,14 @@ def exact(matrix: np.ndarray) -> Any:
         *(pytest.param(size, 1, marks=pytest.mark.slow) for size in (1, 2, 3, 4)),
     ],
 )
-def test_the_least_spectral_radius_is_that_of_the_eigenvalues(size: int, seed: int) -> None:
+def test_the_least_spectral_radius_is_that_of_the_eigenvalues(size, seed):
     """Of maps with one multiplier to four; of seed 1 two may meet where it is smallest."""
     rng = np.random.default_rng([size, seed])
     matrix = (rng.normal(size=(size, size)) * 0.6 / size**0.5).round(2)
     check_least(matrix, rng.normal(size=matrix.shape).round(2))
 
 
-def test_two_multipliers_meet_where_the_spectral_radius_is_least() -> None:
+def test_two_multipliers_meet_where_the_spectral_radius_is_least():
     rates = np.zeros((3, 3))
     rates[1, 0] = 1
     found = check_least(np.array([[0.7, 1, 0], [0, 0.7, 0], [0, 0, -0.2]]), rates)
@@ -228,7 +226,7 @@ def test_two_multipliers_meet_where_the_spectral_radius_is_least() -> None:
     assert found.after["p"] == pytest.approx(0, abs=1e-7)
 
 
-def check_least(matrix: np.ndarray, rates: np.ndarray) -> Any:
+def check_least(matrix, rates):
     """The design of the map over p, against a scan of eigenvalues and their change at a bound."""
 
     def radius(p: float) -> float:
@@ -247,7 +245,7 @@ def check_least(matrix: np.ndarray, rates: np.ndarray) -> Any:
     return found
 
 
-def test_conditions_are_read_as_written() -> None:
+def test_conditions_are_read_as_written():
     options: dict[str, Any] = {"maximise": "spectral_radius", "over": {"V": (0.6, 1.3)}}
     found = ns.design(symmetric(), subject_to=[" period <= 24/5 "], **options)
     (limit,) = found.active
@@ -256,7 +254,7 @@ def test_conditions_are_read_as_written() -> None:
 
 
 @pytest.mark.slow
-def test_conditions_that_are_missed_are_approached_first() -> None:
+def test_conditions_that_are_missed_are_approached_first():
     """Where linear forms of missed conditions contradict each other SLSQP alone ends at once."""
     orbit = ns.solve(DAMPER)
     assert abs(orbit.multipliers).max() > 0.8
@@ -272,7 +270,7 @@ def test_conditions_that_are_missed_are_approached_first() -> None:
 
 
 @pytest.mark.parametrize("quantity", ["maximum:v", "peak:v"])
-def test_extremes_in_several_places_tie_at_an_optimum(quantity: str) -> None:
+def test_extremes_in_several_places_tie_at_an_optimum(quantity):
     """The velocity in front of a stop and that between: one falls with the gap, one rises."""
     orbit = ns.solve(DAMPER, {"r": "0.3", "zeta": "0.05", "d": 8})
     found = ns.design(orbit, minimise=quantity, over={"d": (5, 10)})
@@ -289,7 +287,7 @@ def test_extremes_in_several_places_tie_at_an_optimum(quantity: str) -> None:
     assert found.after[quantity] == pytest.approx(min(peaks), rel=1e-3)
 
 
-def test_local_extremes_have_the_derivatives_of_differences() -> None:
+def test_local_extremes_have_the_derivatives_of_differences():
 
     def found(gap: float) -> tuple[Any, ...]:
         orbit = ns.solve(DAMPER, {"r": "0.3", "zeta": "0.05", "d": gap})
@@ -306,7 +304,7 @@ def test_local_extremes_have_the_derivatives_of_differences() -> None:
 
 
 @pytest.mark.parametrize("name", ["impact_damper.py:struck-twice", "two_belts.py:both-stick"])
-def test_no_local_maximum_is_missed(name: str) -> None:
+def test_no_local_maximum_is_missed(name):
     """Against a dense grid, which comes as near to the end of a phase as its points are apart."""
     orbit = ns.solve(f"{GALLERY / name}")
     motion, derivatives = orbit.trajectory(), orbit.derivatives()
@@ -318,7 +316,7 @@ def test_no_local_maximum_is_missed(name: str) -> None:
             assert abs(listed - top).min() < 2e-4 * np.ptp(values)
 
 
-def test_one_multiplier_is_followed_to_its_bound() -> None:
+def test_one_multiplier_is_followed_to_its_bound():
     stick = ns.solve("dry-friction/global-stick")
     found = ns.design(stick, minimise="spectral_radius", over={"V": (0.9, 1.1)})
     (limit,) = found.active
@@ -328,7 +326,7 @@ def test_one_multiplier_is_followed_to_its_bound() -> None:
 
 
 @pytest.mark.slow
-def test_the_optimum_does_not_depend_on_where_it_begins() -> None:
+def test_the_optimum_does_not_depend_on_where_it_begins():
     """Nor on the last digits: from some starts the optimiser stops early, and begins again."""
     drawn = np.random.default_rng(7).uniform([0.66, 3], [1.5, 5], size=[24, 2]).tolist()
     begins = [ns.solve("dry-friction/symmetric", {"V": V, "eta": eta}) for V, eta in drawn]
@@ -346,7 +344,7 @@ def test_the_optimum_does_not_depend_on_where_it_begins() -> None:
         assert design.after["eta"] == pytest.approx(4.23229159609, abs=1e-7)
 
 
-def test_a_design_ends_where_its_branch_does() -> None:
+def test_a_design_ends_where_its_branch_does():
     """A contact's time goes to zero as steeply as a branch turns: the reason tells them apart."""
     values, stick = struck().parameter_values, ns.solve("dry-friction/global-stick")
     begin = struck().orbit_at(int(np.argmax(values[: values.argmin()] < -1)))

@@ -3,7 +3,6 @@
 import os
 import signal
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -17,7 +16,7 @@ WINDOW, WIDE = {"w": (0.96, 1.01)}, {"w": (0.95, 1.05)}
 CUT_OFF: Any = {"minimise": "peak:x", "over": {"d": (7, 8.5)}, "worst_over": {"w": (0.98, 1.02)}}
 
 
-def solved(near: Any = None, **changed: Any) -> Any:
+def solved(near=None, **changed):
     """The orbit at other parameters, from one nearby."""
     given = {"r": "0.3", "zeta": "0.05"} if near is None else near.given
     guess = {} if near is None else {"guess": {n: float(x) for n, x in near.unknowns.items()}}
@@ -25,28 +24,28 @@ def solved(near: Any = None, **changed: Any) -> Any:
 
 
 @cache
-def damper() -> Any:
+def damper():
     return solved(d=8)
 
 
 @cache
-def tuned() -> Any:
+def tuned():
     return ns.design(damper(), minimise="peak:x", over={"d": (7, 10)}, worst_over=WINDOW)
 
 
 @cache
-def cut_off() -> Any:
+def cut_off():
     return ns.design(damper(), **CUT_OFF)
 
 
 @pytest.fixture(autouse=True)
-def fewer_looks(monkeypatch: pytest.MonkeyPatch) -> None:
+def fewer_looks(monkeypatch):
     """The branch of a smooth worst is looked at in fewer places, which move no optimum."""
     monkeypatch.setattr("nonsmooth.runtime.explore.design.worst_over._LOOKS", 9)
     monkeypatch.setattr("nonsmooth.runtime.explore.design.worst_over._FINER", 2)
 
 
-def response(gap: float, values: np.ndarray) -> np.ndarray:
+def response(gap, values):
     """Peaks of the orbit over the frequency, by solving anew at each."""
     found, orbit = [], damper()
     for value in values.tolist():
@@ -57,7 +56,7 @@ def response(gap: float, values: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.slow
-def test_the_smallest_resonance_peak_is_that_of_a_grid() -> None:
+def test_the_smallest_resonance_peak_is_that_of_a_grid():
     """Peaks on a grid of gaps and frequencies, sampled, none of them by the design's route."""
     found = tuned()
     assert found.converged
@@ -72,7 +71,7 @@ def test_the_smallest_resonance_peak_is_that_of_a_grid() -> None:
     assert values[best.argmax()] == pytest.approx(worst, abs=3e-3)
 
 
-def test_at_the_worst_frequency_the_peak_changes_with_nothing() -> None:
+def test_at_the_worst_frequency_the_peak_changes_with_nothing():
     """A saddle: the derivatives by the frequency and by the gap are zero, by both."""
     value, slopes = tuned().orbit.derivatives(["w", "d"]).quantity("maximum:x")
     assert value == pytest.approx(tuned().after["peak:x"], rel=1e-12)
@@ -81,7 +80,7 @@ def test_at_the_worst_frequency_the_peak_changes_with_nothing() -> None:
 
 
 @pytest.mark.slow
-def test_the_worst_at_the_end_of_the_interval_is_active_there() -> None:
+def test_the_worst_at_the_end_of_the_interval_is_active_there():
     """Toward a resonance that is cut off the end is worst, and the bound of the gap acts."""
     found = cut_off()
     assert found.worst_at == (0.98,)
@@ -91,7 +90,7 @@ def test_the_worst_at_the_end_of_the_interval_is_active_there() -> None:
 
 
 @pytest.mark.slow
-def test_conditions_hold_all_along_the_branch() -> None:
+def test_conditions_hold_all_along_the_branch():
     found = ns.design(
         damper(),
         minimise="peak:x",
@@ -109,7 +108,7 @@ def test_conditions_hold_all_along_the_branch() -> None:
 
 
 @pytest.mark.slow
-def test_two_frequencies_are_as_bad_at_the_optimum() -> None:
+def test_two_frequencies_are_as_bad_at_the_optimum():
     """A kink in one parameter: on either side of it another of the two is worse."""
     light, window = solved(d=7, mu="0.15"), {"w": (0.98, 1.05)}
     found = ns.design(light, minimise="peak:x", over={"mu": (0.145, 0.16)}, worst_over=window)
@@ -129,7 +128,7 @@ def test_two_frequencies_are_as_bad_at_the_optimum() -> None:
 
 
 @pytest.mark.slow
-def test_to_maximise_the_least_is_to_minimise_the_largest_of_the_negative() -> None:
+def test_to_maximise_the_least_is_to_minimise_the_largest_of_the_negative():
     found = ns.design(damper(), maximise="minimum:x", over={"d": (7, 10)}, worst_over=WINDOW)
     assert found.after["d"] == pytest.approx(tuned().after["d"], abs=1e-5)
     assert found.after["minimum:x"] == pytest.approx(-tuned().after["peak:x"], rel=1e-9)
@@ -146,14 +145,14 @@ def test_to_maximise_the_least_is_to_minimise_the_largest_of_the_negative() -> N
         ({"minimise": None, "solve": {"peak:x": 3}}, "are of one orbit: leave out worst_over"),
     ],
 )
-def test_what_is_wrong_is_named(options: dict[str, Any], message: str) -> None:
+def test_what_is_wrong_is_named(options, message):
     asked = {"minimise": "peak:x", "over": {"d": (7, 10)}, "worst_over": WINDOW, **options}
     with pytest.raises(ns.InputError, match=message):
         ns.design(damper(), **asked)
 
 
 @pytest.mark.slow
-def test_the_optimum_is_kept_and_drawn(tmp_path: Path) -> None:
+def test_the_optimum_is_kept_and_drawn(tmp_path):
     tuned().save(tmp_path / "design.json")
     kept = ns.load(tmp_path / "design.json")
     assert (kept.worst_over, kept.worst_at) == (WINDOW, tuned().worst_at)
@@ -163,7 +162,7 @@ def test_the_optimum_is_kept_and_drawn(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_an_interrupted_design_goes_on_to_the_same_end() -> None:
+def test_an_interrupted_design_goes_on_to_the_same_end():
     def stop(iterates: int, _: int) -> None:
         if iterates >= 2:
             os.kill(os.getpid(), signal.SIGINT)

@@ -1,7 +1,5 @@
 """Equilibria: what is zero is zero."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 import sympy as sp
@@ -11,7 +9,7 @@ from nonsmooth.derive import SoftStop, oscillator
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_a_state_that_vanishes_is_zero(seed: int) -> None:
+def test_a_state_that_vanishes_is_zero(seed):
     """Where others are not, in coupled coordinates; velocities always."""
     random = np.random.default_rng(seed)
     factor = sp.Matrix(3, 3, lambda *_: sp.Rational(int(random.integers(-9, 10)), 7))

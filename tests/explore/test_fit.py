@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import zipfile
 import zlib
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -38,17 +37,17 @@ REACHED = ns.simulate(SYSTEM, TRUTH, START, transitions=20)
 TIMES = np.linspace(0.05, 8, 60)
 
 
-def impacts(count: int = 8, sigma: float = 0.0, seed: int = 0) -> np.ndarray:
+def impacts(count=8, sigma=0.0, seed=0):
     times = [t for t, names in zip(REACHED.times, REACHED.boundaries, strict=True) if WALL in names]
     return np.array(times[:count]) + sigma * np.random.default_rng(seed).normal(size=count)
 
 
-def series(sigma: float = 0.0, seed: int = 0) -> dict[str, np.ndarray]:
+def series(sigma=0.0, seed=0):
     noise = sigma * np.random.default_rng(seed).normal(size=len(TIMES))
     return {"t": TIMES, "x": ns.simulate(SYSTEM, TRUTH, START, until=9)(TIMES)[:, 0] + noise}
 
 
-def fitted(data: Any, *free: str, **options: Any) -> Any:
+def fitted(data, *free, **options):
     known = options.pop("known", TRUTH | options.pop("parameters", {}))
     given = {"parameters": known, "free": free, "start": START, **options}
     return ns.fit(SYSTEM, data, **given)
@@ -60,19 +59,19 @@ GUESS = {"k": 4.2, "r": 0.87}
 # --- the truth comes back
 
 
-def shifted() -> dict[str, np.ndarray]:
+def shifted():
     """Of a clock that is 3 ahead."""
     return {**series(), "t": TIMES + 3.0, WALL: np.r_[impacts(5) + 3.0, [np.nan] * 55]}
 
 
-def with_gaps() -> list[dict[str, np.ndarray]]:
+def with_gaps():
     """Without some values, and without the third impact."""
     gaps, events = series(), impacts()
     gaps["x"][5:20] = events[2] = np.nan
     return [gaps, {WALL: events}]
 
 
-def of_two_masses() -> list[ns.Experiment]:
+def of_two_masses():
     """Experiments with parameters, one of them in a column, and starts of their own."""
     heavy = ns.simulate(SYSTEM, {**TRUTH, "m": 2}, {"x": -0.8, "v": 0.3}, until=9)
     columns = {"t": TIMES, "x": heavy(TIMES)[:, 0], "m": np.full(len(TIMES), 2.0)}
@@ -109,7 +108,7 @@ TOLD: dict[str, tuple[Any, dict[str, float], dict[str, Any]]] = {
     "case",
     [pytest.param(n, marks=[pytest.mark.slow] * (n in ("gaps", "experiments"))) for n in TOLD],
 )
-def test_exact_data_give_exact_parameters(case: str) -> None:
+def test_exact_data_give_exact_parameters(case):
     data, expected, options = TOLD[case]
     free = dict.fromkeys(name.partition("@")[0] for name in expected)
     found = fitted(data, *free, **{"parameters": GUESS, "sigma": 1e-3, **options})
@@ -154,7 +153,7 @@ INFLUENCES: dict[str, Any] = {
         *(pytest.param("series", each, True, marks=pytest.mark.slow) for each in [*INFLUENCES][1:]),
     ],
 )
-def test_errors_are_those_of_an_m_estimate(kind: str, loss: str, known: bool) -> None:
+def test_errors_are_those_of_an_m_estimate(kind, loss, known):
     """By the Jacobian by differences, to which influences at a minimum are perpendicular."""
     data = {WALL: impacts(8, 2e-3, 1)} if kind == "events" else series(0.02, 1)
     sigma = 2e-3 if kind == "events" else 0.02
@@ -192,7 +191,7 @@ def test_errors_are_those_of_an_m_estimate(kind: str, loss: str, known: bool) ->
 
 
 @pytest.mark.slow
-def test_noise_is_estimated_for_each_column() -> None:
+def test_noise_is_estimated_for_each_column():
     data, gap = series(0.02, 1), {"outputs": {"gap": "2*x - 3*v + 0.5"}, "parameters": GUESS}
     motion = ns.simulate(SYSTEM, TRUTH, START, until=9)(TIMES)
     rough = 0.3 * np.random.default_rng(5).normal(size=len(TIMES))
@@ -210,7 +209,7 @@ def test_noise_is_estimated_for_each_column() -> None:
 # --- what data do not tell
 
 
-def test_a_combination_that_nothing_tells_is_named() -> None:
+def test_a_combination_that_nothing_tells_is_named():
     found = fitted({WALL: impacts()}, "k", "m", "r", "c", parameters=GUESS, sigma=1e-3)
     (told,) = found.unidentified
     assert told == "k, m and c changed together (k by +1 %, m by +1 %, c by +1 %)"
@@ -220,7 +219,7 @@ def test_a_combination_that_nothing_tells_is_named() -> None:
     assert found["k"] / found["m"] == pytest.approx(4, rel=1e-8)
 
 
-def test_a_prior_tells_it() -> None:
+def test_a_prior_tells_it():
     found = fitted(
         {WALL: impacts(8, 1e-3, 1)}, "k", "m", "c", parameters={"k": 4.2, "m": 1.1},
         priors={"m": (1.1, 0.05)},
@@ -233,14 +232,14 @@ def test_a_prior_tells_it() -> None:
     assert found.chi2 < 20
 
 
-def test_a_later_start_is_told_by_no_clock() -> None:
+def test_a_later_start_is_told_by_no_clock():
     """Without a forcing a motion that starts later on its way is the same."""
     both = fitted(shifted(), "offset", "x0", "v0", offset=2.9, sigma=1e-3)
     assert len(both.unidentified) == 1
     assert np.isinf(both.standard_errors).all()
 
 
-def test_bounds_hold_and_are_told() -> None:
+def test_bounds_hold_and_are_told():
     found = fitted({WALL: impacts()}, "k", "r", parameters={"k": 3.5}, bounds={"k": (3, 3.9)},
                    sigma=1e-2)  # fmt: skip
     assert found.at_bound == ("k",)
@@ -252,7 +251,7 @@ def test_bounds_hold_and_are_told() -> None:
     assert "nan" not in str(found)
 
 
-def test_without_a_degree_of_freedom_no_error_is_told() -> None:
+def test_without_a_degree_of_freedom_no_error_is_told():
     """Of as many numbers as there are free ones; a loss that heeds outliers needs one more."""
     exact, robust = (
         fitted({WALL: impacts(2, 1e-3, 1)}, "k", "r", parameters=GUESS, sigma=1e-3, loss=loss)
@@ -271,7 +270,7 @@ def test_without_a_degree_of_freedom_no_error_is_told() -> None:
 
 
 @pytest.mark.slow
-def test_several_starts_find_what_one_misses_and_are_seeded() -> None:
+def test_several_starts_find_what_one_misses_and_are_seeded():
     limits = {"k": (1, 12), "r": (0.3, 1)}
     told: list[tuple[int, int]] = []
     found, again = (
@@ -287,7 +286,7 @@ def test_several_starts_find_what_one_misses_and_are_seeded() -> None:
     assert min(found.costs) == pytest.approx(found.chi2 / 2)
 
 
-def test_a_long_record_leads_to_its_minimum_by_way_of_its_beginnings() -> None:
+def test_a_long_record_leads_to_its_minimum_by_way_of_its_beginnings():
     """A direct search ends among motions that miss an impact, hundreds of deviations off."""
     point = {"c": 0.05, "k": 3.464111363815697, "r": 0.8491271795904692}
     start = {"x": -0.6, "v": 0.31577651988954014}
@@ -303,7 +302,7 @@ def test_a_long_record_leads_to_its_minimum_by_way_of_its_beginnings() -> None:
     np.testing.assert_allclose(found.estimates, [point["k"], point["r"], start["v"]], rtol=1e-9)
 
 
-def test_evaluations_are_those_of_all_searches(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_evaluations_are_those_of_all_searches(monkeypatch):
     spent, search = [], optimize.least_squares
 
     def counted(*arguments: Any, **options: Any) -> Any:
@@ -317,7 +316,7 @@ def test_evaluations_are_those_of_all_searches(monkeypatch: pytest.MonkeyPatch) 
     assert found.evaluations == sum(spent)
 
 
-def test_what_was_found_until_an_interruption_is_kept() -> None:
+def test_what_was_found_until_an_interruption_is_kept():
     def stop(done: int, total: int) -> None:
         if done == 2:
             raise KeyboardInterrupt
@@ -332,7 +331,7 @@ def test_what_was_found_until_an_interruption_is_kept() -> None:
 # --- how near it grazes
 
 
-def test_distance_to_grazing_is_that_of_the_height() -> None:
+def test_distance_to_grazing_is_that_of_the_height():
     # without a wall in reach x = -cos(2 t): the largest x is 1, and grazes a wall at 1
     stop = RigidStop("x", at=sp.Symbol("h"), restitution=r, name="wall")
     data, known = {"t": TIMES, "x": -np.cos(2 * TIMES)}, {"h": 1.25, "k": 4.1, "r": 0.5}
@@ -345,7 +344,7 @@ def test_distance_to_grazing_is_that_of_the_height() -> None:
     assert near.time == pytest.approx(np.pi / 2, rel=1e-6)
 
 
-def test_distance_to_grazing_of_a_slow_arrival() -> None:
+def test_distance_to_grazing_of_a_slow_arrival():
     # x = x0 cos(2 t) arrives at 0.2 with v^2 = 4 (x0^2 - 0.04), and bends by -4 x 0.2
     data = {WALL: np.array([np.pi / 2 - np.arccos(0.2 / 0.25) / 2])}
     known = {"c": "1e-12", "r": 0.5}
@@ -363,7 +362,7 @@ def test_distance_to_grazing_of_a_slow_arrival() -> None:
 # --- bad input
 
 
-def refusal(data: Any, *free: str, **options: Any) -> str:
+def refusal(data, *free, **options):
     with pytest.raises(InputError) as refused:
         fitted(data, *free, **options)
     (line,) = str(refused.value).splitlines()
@@ -403,12 +402,12 @@ ONE = {"t": [0.5], "x": [0.1]}
         ({"priors": {"k": (4, 0)}}, "no positive standard deviation"),
     ],
 )
-def test_bad_input_is_one_line(changes: dict[str, Any], told: str) -> None:
+def test_bad_input_is_one_line(changes, told):
     given = {"data": series(), "free": "k", **changes}
     assert told in refusal(given.pop("data"), *given.pop("free"), **given)
 
 
-def test_a_parameter_that_nothing_depends_on_is_named() -> None:
+def test_a_parameter_that_nothing_depends_on_is_named():
     before = {"t": [0.1, 0.2, 0.3, 0.4], "x": -np.cos(2 * np.array([0.1, 0.2, 0.3, 0.4]))}
     assert "depends on r (at r = 0.9)" in refusal(before, "k", "r", sigma=0.1)
 
@@ -417,7 +416,7 @@ def test_a_parameter_that_nothing_depends_on_is_named() -> None:
 
 
 @pytest.mark.slow
-def test_files_give_the_same_fit(tmp_path: Path) -> None:
+def test_files_give_the_same_fit(tmp_path):
     data = series(0.02, 1)
     data["sigma_x"] = np.full(len(TIMES), 0.02)
     data["x"][3] = np.nan
@@ -448,16 +447,14 @@ def test_files_give_the_same_fit(tmp_path: Path) -> None:
         ("t,x\n", "a header and at least one row are expected"),
     ],
 )
-def test_tables_that_are_none(text: str, told: str, tmp_path: Path) -> None:
+def test_tables_that_are_none(text, told, tmp_path):
     path = tmp_path / "data.csv"
     path.write_text(text)
     assert refusal(path, "k") == f"{path}: {told}"
 
 
 @pytest.mark.parametrize("packing", [zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA])
-def test_archives_that_are_unpacked_as_a_whole_are_refused(
-    tmp_path: Path, packing: int, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_archives_that_are_unpacked_as_a_whole_are_refused(tmp_path, packing, monkeypatch):
     path = tmp_path / "data.npz"
     with zipfile.ZipFile(path, "w", packing) as archive:
         archive.writestr("t.npy", bytes(1000))
@@ -469,9 +466,7 @@ def test_archives_that_are_unpacked_as_a_whole_are_refused(
 
 
 @pytest.mark.slow
-def test_what_sparse_matrices_of_matlab_unpack_to_is_bounded(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_what_sparse_matrices_of_matlab_unpack_to_is_bounded(tmp_path, monkeypatch):
     """300 MB of zeros, or a matrix whose numbers are as many as it says."""
     path = tmp_path / "sparse.mat"
     matrix = sparse.random_array((300, 300), density=0.1, rng=np.random.default_rng(2))
@@ -491,7 +486,7 @@ def test_what_sparse_matrices_of_matlab_unpack_to_is_bounded(
     assert sum(unpacked) < 2.9e8  # the rest is not even counted
 
 
-def test_what_a_dataset_unpacks_to_is_bounded(tmp_path: Path) -> None:
+def test_what_a_dataset_unpacks_to_is_bounded(tmp_path):
     xarray = pytest.importorskip("xarray")
     path = tmp_path / "data.zarr"
     xarray.Dataset({"x": ("i", np.zeros(20_000_000))}).to_zarr(path, consolidated=False)
@@ -499,9 +494,7 @@ def test_what_a_dataset_unpacks_to_is_bounded(tmp_path: Path) -> None:
         fitted(path, "k")
 
 
-def test_what_a_small_archive_unpacks_to_is_bounded(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_what_a_small_archive_unpacks_to_is_bounded(tmp_path, monkeypatch):
     np.savez_compressed(tmp_path / "data.npz", t=np.zeros(3_000_000))
     unpacked = unpacked_pieces(monkeypatch)
     with pytest.raises(InputError, match=r"data\.npz: 't\.npy' takes 24 MB.*so much is not"):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import functools
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -31,14 +30,14 @@ POINT = {"c": 0.05, "k": 2.5, "r": 0.7, "w": 2.1, "F": 1.0}
 
 
 @functools.cache
-def steady(w: float, **changed: float) -> Any:
+def steady(w, **changed):
     """A period of the response that motions from rest settle on, by simulation alone."""
     turn = 2 * np.pi / w
     motion = ns.simulate(SYSTEM, TRUTH | {"w": w, **changed}, {"x": 0, "v": 0}, until=150 * turn)
     return motion, np.linspace(149 * turn, 150 * turn, 4001)
 
 
-def amplitudes(ws: np.ndarray = SWEEP, **changed: float) -> np.ndarray:
+def amplitudes(ws=SWEEP, **changed):
     found = []
     for w_ in ws.tolist():
         motion, times = steady(w_, **changed)
@@ -48,17 +47,17 @@ def amplitudes(ws: np.ndarray = SWEEP, **changed: float) -> np.ndarray:
 
 
 @functools.cache
-def of_noisy_amplitudes() -> Any:
+def of_noisy_amplitudes():
     noise = 2e-3 * np.random.default_rng(3).normal(size=len(SWEEP))
     return fitted({"w": SWEEP, "amplitude:x": amplitudes() + noise}, sigma=2e-3)
 
 
-def fitted(data: Any, *free: str, **options: Any) -> Any:
+def fitted(data, *free, **options):
     known = {**TRUTH, **options.pop("parameters", GUESS)}
     return ns.fit(SYSTEM, data, parameters=known, free=free or FREE, **options)
 
 
-def check_errors(found: Any, predicted: Any, within: float, step: float = 1e-6) -> None:
+def check_errors(found, predicted, within, step=1e-6):
     """The covariance is that of the Jacobian by differences, in standard errors."""
     jacobian = in_doubles(predicted, found.estimates, step) / 1e-3
     expected = np.linalg.inv(jacobian.T @ jacobian)
@@ -71,7 +70,7 @@ def check_errors(found: Any, predicted: Any, within: float, step: float = 1e-6) 
 
 
 @pytest.mark.slow
-def test_exact_amplitudes_give_exact_parameters(tmp_path: Path) -> None:
+def test_exact_amplitudes_give_exact_parameters(tmp_path):
     found = fitted({"w": SOME, "amplitude:x": amplitudes(SOME)}, sigma=1e-3)
     np.testing.assert_allclose(found.estimates, [0.1, 1, 3], rtol=0, atol=1e-9)
     assert found.status == "converged"
@@ -94,7 +93,7 @@ def test_exact_amplitudes_give_exact_parameters(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_linear_responses_are_those_of_the_resonance_curve() -> None:
+def test_linear_responses_are_those_of_the_resonance_curve():
     """Without a contact: F / |k - w^2 + i c w|, and the phase of that."""
     ws = np.array([0.3, 0.5, 1.6, 2.0, 2.5])
 
@@ -113,7 +112,7 @@ def test_linear_responses_are_those_of_the_resonance_curve() -> None:
     check_errors(found, parts, 1e-7)
 
 
-def wave(along: np.ndarray, values: np.ndarray, state: np.ndarray) -> complex:
+def wave(along, values, state):
     """The first harmonic of values along a period with the forcing's cosine and sine."""
     cosine, sine = state[:, 2:].T
     found = np.trapezoid(values * (cosine - 1j * sine), along)
@@ -138,7 +137,7 @@ OUTPUTS: dict[str, Any] = {
 }
 
 
-def measured(text: str, w: float, **changed: float) -> float:
+def measured(text, w, **changed):
     """What is measured of a response, from states along the last period of a simulation."""
     kind, _, output = text.partition(":")
     point = TRUTH | changed
@@ -154,7 +153,7 @@ def measured(text: str, w: float, **changed: float) -> float:
 @pytest.mark.parametrize(
     "output", [*[*OUTPUTS][:2], pytest.param([*OUTPUTS][2], marks=pytest.mark.slow)]
 )
-def test_quantities_and_their_derivatives_are_those_of_simulations(output: str) -> None:
+def test_quantities_and_their_derivatives_are_those_of_simulations(output):
     """The truth comes back whatever is measured, with the errors that differences tell."""
     ws, texts = np.array([1.0, 1.12]), [f"{kind}:{output}" for kind in KINDS]
     data = {"w": ws, **{text: [measured(text, w) for w in ws.tolist()] for text in texts}}
@@ -169,7 +168,7 @@ def test_quantities_and_their_derivatives_are_those_of_simulations(output: str) 
     check_errors(found, predicted, 2e-3, 1e-3)
 
 
-def test_rms_and_mean_through_impacts_are_those_of_the_motion() -> None:
+def test_rms_and_mean_through_impacts_are_those_of_the_motion():
     motion = ns.simulate(IMPACTING, POINT, {"x": 0, "v": 0}, transitions=400)
     orbit = ns.solve(IMPACTING, POINT, itinerary=ns.itinerary_of(motion))
     assert orbit.itinerary == (("free", "wall-reaches-stop"),)
@@ -186,7 +185,7 @@ def test_rms_and_mean_through_impacts_are_those_of_the_motion() -> None:
 
 
 @pytest.mark.slow
-def test_experiments_in_any_order_and_motions_beside_responses() -> None:
+def test_experiments_in_any_order_and_motions_beside_responses():
     motion = ns.simulate(SYSTEM, TRUTH | {"w": 1.0}, {"x": 0, "v": 0}, until=20)
     times = np.linspace(0.1, 20, 50)
     series = ns.Experiment(
@@ -205,7 +204,7 @@ def test_experiments_in_any_order_and_motions_beside_responses() -> None:
 
 
 @pytest.mark.slow
-def test_grazing_of_a_response_is_that_of_its_height() -> None:
+def test_grazing_of_a_response_is_that_of_its_height():
     """Without a contact the largest x is the amplitude, which stays below the stop at 1."""
     ws = np.array([1.7, 2.0, 2.4])
     data = {"w": ws, "amplitude:x": 0.3 / abs(1 - ws**2 + 0.1j * ws)}
@@ -221,7 +220,7 @@ def test_grazing_of_a_response_is_that_of_its_height() -> None:
 
 
 @pytest.mark.slow
-def test_coexisting_responses_are_told_apart_by_what_was_measured() -> None:
+def test_coexisting_responses_are_told_apart_by_what_was_measured():
     """Above the resonance of the bent curve a response with and one without contact live."""
     found: dict[int, float] = {}
     for place in (0.0, 2.0):
@@ -249,7 +248,7 @@ def test_coexisting_responses_are_told_apart_by_what_was_measured() -> None:
 
 
 @pytest.mark.slow
-def test_a_fit_of_responses_is_drawn() -> None:
+def test_a_fit_of_responses_is_drawn():
     pytest.importorskip("matplotlib")
     found = of_noisy_amplitudes()
     curve, points = found.plot()[0].lines[:2]
@@ -266,7 +265,7 @@ def test_a_fit_of_responses_is_drawn() -> None:
 
 
 @pytest.mark.slow
-def test_accelerometers_and_load_cells_tell_the_parameters() -> None:
+def test_accelerometers_and_load_cells_tell_the_parameters():
     """With the errors that differences tell, of a clock and a start beside them."""
     times, free = np.linspace(0.1, 29.9, 90), ("c", "k", "s", "w", "x0", "offset")
 
@@ -292,7 +291,7 @@ def test_accelerometers_and_load_cells_tell_the_parameters() -> None:
     check_errors(found, predicted, 1e-4)
 
 
-def test_a_sample_at_an_impact_is_refused_with_words() -> None:
+def test_a_sample_at_an_impact_is_refused_with_words():
     motion = ns.simulate(IMPACTING, POINT, {"x": -0.6, "v": 0}, until=8)
     at = float(motion.times[1])
     data = {"t": np.sort(np.r_[np.linspace(0.1, 7.9, 20), at]), "a": np.zeros(21)}
@@ -325,7 +324,7 @@ MEASURED = {"w": [1.0], "amplitude:x": [1.0]}
         ({"w": [1, -1], "amplitude:x": [1, 1]}, ("k",), "w = -1"),
     ],
 )
-def test_bad_input_is_one_line(columns: Any, free: Any, told: str) -> None:
+def test_bad_input_is_one_line(columns, free, told):
     assert told in refusal(MEASURED | columns, *free)
 
 
@@ -339,18 +338,18 @@ def test_bad_input_is_one_line(columns: Any, free: Any, told: str) -> None:
         ({"amplitude:x": [1.0, 2, 3, 4]}, None, "touching needs a value for: w"),
     ],
 )
-def test_wrong_responses(data: Any, responses: Any, told: str) -> None:
+def test_wrong_responses(data, responses, told):
     assert told in refusal(data, responses=responses)
 
 
-def refusal(data: Any, *free: str, **options: Any) -> str:
+def refusal(data, *free, **options):
     with pytest.raises(InputError) as refused:
         fitted(data, *free, **options)
     (line,) = str(refused.value).splitlines()
     return line
 
 
-def test_no_harmonic_without_a_forcing() -> None:
+def test_no_harmonic_without_a_forcing():
     data = {"k1": [1.0, 2.0], "phase:x1": [0.1, 0.2]}
     with pytest.raises(InputError, match="belongs to a forcing, which rigid-stop has not"):
         ns.fit("rigid-stop", data, parameters={"m1": 1, "m2": 2, "k2": 5, "r": 0.8}, free=["m1"])

@@ -1,9 +1,6 @@
 """Roots of the numbers that are watched along a branch."""
 
-from __future__ import annotations
-
 import math
-from collections.abc import Callable
 from unittest.mock import Mock
 
 import pytest
@@ -21,9 +18,7 @@ from nonsmooth.runtime.explore.continuation.locating import _root
         (lambda x: math.nan if 0 < x < 1 else x - 0.5, None, 1),
     ],
 )
-def test_a_root_is_where_the_sign_changes_and_no_pole(
-    function: Callable[[float], float], wanted: float | None, most: int
-) -> None:
+def test_a_root_is_where_the_sign_changes_and_no_pole(function, wanted, most):
     ends, counted = (function(0.0), function(1.0)), Mock(side_effect=function)
     found = _root(counted, 0.0, 1.0, *ends, 1e-13 * max(map(abs, ends)))
     assert found == (None if wanted is None else pytest.approx(wanted, abs=2e-13))

@@ -22,7 +22,7 @@ STEP = 0.01
 
 
 @cache
-def first() -> Any:
+def first():
     """The orbit at q = 0 on one side of the fold."""
     fold, sigma = closed_forms()[0], branch().parameter_values
     near = branch().orbit_at(int(np.argmin(abs(sigma - fold - D))))
@@ -32,7 +32,7 @@ def first() -> Any:
     return ns.solve(system, data, guess, itinerary=near.itinerary)
 
 
-def followed(kind: str, stop: int | None = None, **options: Any) -> Any:
+def followed(kind, stop=None, **options):
     """The branch, or what it has when so many points were told."""
 
     def progress(done: int, *_: int) -> None:
@@ -48,17 +48,17 @@ def followed(kind: str, stop: int | None = None, **options: Any) -> Any:
 
 
 @cache
-def whole(kind: str) -> Any:
+def whole(kind):
     return followed(kind)
 
 
 @cache
-def points_of(step: float) -> int:
+def points_of(step):
     """How many points the closed branch has."""
     return len(followed("closed", step=step))
 
 
-def turned(found: Any) -> np.ndarray:
+def turned(found):
     """Angles around the middle of the ellipse from each point to the next, in one direction."""
     across = whole("closed").quantity("v0")
     middle, size = (across.max() + across.min()) / 2, np.ptp(across) / 2
@@ -69,7 +69,7 @@ def turned(found: Any) -> np.ndarray:
 
 
 @pytest.mark.parametrize("kind", INTERVALS)
-def test_a_branch_goes_on_to_the_whole_from_every_point(kind: str) -> None:
+def test_a_branch_goes_on_to_the_whole_from_every_point(kind):
     known = whole(kind)
     length = turned(known).sum()
     assert (known.ends == CLOSED) == (kind == "closed")
@@ -84,7 +84,7 @@ def test_a_branch_goes_on_to_the_whole_from_every_point(kind: str) -> None:
 
 @pytest.mark.parametrize("left", [1, 2, 5])
 @pytest.mark.parametrize("fine", [1e-2, 5e-4])
-def test_a_branch_does_not_pass_its_other_end(left: int, fine: float) -> None:
+def test_a_branch_does_not_pass_its_other_end(left, fine):
     """Though its first steps, when it goes on, would be longer than what is left."""
     part = followed("closed", points_of(fine) - 1 - left, step=fine)
     assert "interrupted" in part.ends
@@ -93,7 +93,7 @@ def test_a_branch_does_not_pass_its_other_end(left: int, fine: float) -> None:
     assert turned(again).sum() == pytest.approx(2 * np.pi, rel=1e-6)
 
 
-def test_points_count_those_that_are_known() -> None:
+def test_points_count_those_that_are_known():
     part = followed("open", 8, points=5)
     assert part.ends == ("5 points", "interrupted")
     again = followed("open", points=5, resume=part)

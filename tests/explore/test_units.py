@@ -1,10 +1,7 @@
 """What is found, followed and proved is the same in all units of length, time and mass."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
@@ -38,7 +35,7 @@ OF_UNITS = (
 
 
 @cache
-def rubbing() -> System:
+def rubbing():
     """Two masses, one of them on a belt, under a force of the frequency w."""
     w = Parameter("w", "frequency of the force in the unit of it")
     hold = Parameter("hold", "static friction in the unit of it")
@@ -54,7 +51,7 @@ def rubbing() -> System:
 
 
 @cache
-def converter() -> System:
+def converter():
     """A buck converter that compares its voltage with a sawtooth; its clock is a time."""
     i, v, clock = sp.symbols("i v clock", real=True)
     w = Parameter("w", "input voltage in the unit of it")
@@ -85,7 +82,7 @@ def converter() -> System:
     )  # fmt: skip
 
 
-def units(length: Any, rate: Any, mass: Any = 1, **values: Any) -> dict[str, Any]:
+def units(length, rate, mass=1, **values):
     """Parameters of a system with these units of length, inverse time and mass."""
     return {"length": length, "rate": rate, "mass_unit": mass, **values}
 
@@ -97,7 +94,7 @@ SYSTEMS = {
 
 
 @cache
-def answers(name: str, length: Any, rate: Any, mass: Any) -> Any:
+def answers(name, length, rate, mass):
     """Orbits that are found, events along the branch of the first, and what is proved of it."""
     declare, values, (low, high) = SYSTEMS[name]
     given = units(length, rate, mass, **values)
@@ -115,7 +112,7 @@ def answers(name: str, length: Any, rate: Any, mass: Any) -> Any:
     "units", [UNITS[0], pytest.param(UNITS[1], marks=pytest.mark.slow)], ids=str
 )
 @pytest.mark.parametrize("name", SYSTEMS)
-def test_orbits_branches_and_proofs_do_not_depend_on_units(name: str, units: Any) -> None:
+def test_orbits_branches_and_proofs_do_not_depend_on_units(name, units):
     wanted, wanted_branch, wanted_proof = answers(name, 1, 1, 1)
     listed, branch, proof = answers(name, *units)
     assert [orbit.itinerary for orbit in listed] == [orbit.itinerary for orbit in wanted]
@@ -141,7 +138,7 @@ SMALL = (Fraction(1, 10**9), 10**5, 7)  # nanometres
 
 
 @cache
-def bistable() -> System:
+def bistable():
     """A mass that is pushed away from the middle, to one of two stops."""
     return oscillator(
         "bistable", ["x"],
@@ -155,7 +152,7 @@ def bistable() -> System:
 
 
 @cache
-def stopped() -> System:
+def stopped():
     """A mass between two stops, that a load may push to one of them."""
     w, load = Parameter("w", "frequency of the force"), Parameter("load", "load", lower=-sp.oo)
     return oscillator(
@@ -171,12 +168,12 @@ def stopped() -> System:
 
 
 @cache
-def motions_between_stops(length: Any, rate: Any, mass: Any) -> Any:
+def motions_between_stops(length, rate, mass):
     given = units(length, rate, mass, w="1.9", load=0)
     return ns.find_orbits(stopped(), given, 3, transitions=200, rng=1)
 
 
-def between_stops(length: Any, rate: Any, mass: Any) -> Any:
+def between_stops(length, rate, mass):
     """The orbit that is its own mirror image."""
     return motions_between_stops(length, rate, mass).orbits[0].orbit
 
@@ -184,7 +181,7 @@ def between_stops(length: Any, rate: Any, mass: Any) -> Any:
 # --- what is read off the motion, without its units
 
 
-def of_equilibria(length: Any, rate: Any, mass: Any) -> Any:
+def of_equilibria(length, rate, mass):
     found = ns.find_orbits(bistable(), units(length, rate, mass), 8, transitions=100, rng=2)
     places = [each.equilibrium.state[0] / float(length) for each in found.equilibria]
     assert sorted(places) == pytest.approx([-4 / 3, 0, 4 / 3])
@@ -192,14 +189,14 @@ def of_equilibria(length: Any, rate: Any, mass: Any) -> Any:
     return np.r_[places, [each.starts for each in found.equilibria], images]
 
 
-def of_starts_and_ends(length: Any, rate: Any, mass: Any) -> Any:
+def of_starts_and_ends(length, rate, mass):
     """Boundaries lie in one state alone, so that the other's size is by the motion."""
     found = motions_between_stops(length, rate, mass)
     starts = found.starts / np.array([float(length), float(length * rate), 1, 1])
     return np.r_[starts.ravel(), found.labels, [orbit.starts for orbit in found.orbits]]
 
 
-def of_design(length: Any, rate: Any, mass: Any) -> Any:
+def of_design(length, rate, mass):
     design = ns.design(
         between_stops(length, rate, mass),
         minimise="maximum:v", over={"w": (1.85, 1.95)},
@@ -212,7 +209,7 @@ def of_design(length: Any, rate: Any, mass: Any) -> Any:
     return [design.after["w"], design.after["maximum:v"] / fastest, gained]
 
 
-def of_section_map(length: Any, rate: Any, mass: Any) -> Any:
+def of_section_map(length, rate, mass):
     orbit = between_stops(length, rate, mass)
     (source, boundary), (target, _) = orbit.itinerary[-1], orbit.itinerary[0]
     mapped = ns.poincare_map(stopped(), orbit.given, (source, boundary, target))
@@ -220,7 +217,7 @@ def of_section_map(length: Any, rate: Any, mass: Any) -> Any:
     return np.sort_complex(np.linalg.eigvals(mapped.jacobian(orbit.states[0])))
 
 
-def of_region(length: Any, rate: Any, mass: Any) -> Any:
+def of_region(length, rate, mass):
     """The states at the forcing's phase of a periodic motion are one point."""
     given, start = units(length, rate, w="1.9", load=0), {"x": float(length) / 4, "v": 0}
     graph = ns.certify.region(stopped(), given, start, boxes=1, parts=1).graph
@@ -228,7 +225,7 @@ def of_region(length: Any, rate: Any, mass: Any) -> Any:
     return np.array(bounds)[:, 0] / np.array([float(length), float(length * rate)])
 
 
-def of_orbit_by_kernels(length: Any, rate: Any, mass: Any) -> Any:
+def of_orbit_by_kernels(length, rate, mass):
     """Its derivatives, relative to times, velocities and stiffnesses, and its energies."""
     known, unit = ns.solve("elastic-stop/one-contact"), float(rate)
     powers = {"k1": 2, "k2": 2, "k3": 2, "T": -1, "tau": -1, "u": 1, "w": 1}
@@ -258,12 +255,12 @@ READ = [
         (of_region, 1e-6, UNITS[1]),  # whose boxes have powers of two as their sides
     ],
 )
-def test_what_is_found_is_the_same_in_all_units(read: Any, within: float, of: Any) -> None:
+def test_what_is_found_is_the_same_in_all_units(read, within, of):
     np.testing.assert_allclose(read(*of), read(1, 1, 1), rtol=within, atol=within)
 
 
 @pytest.mark.parametrize("units", [(1, 1, 1), SMALL, UNITS[1]], ids=str)
-def test_a_peak_on_both_sides_has_no_derivative_by_what_breaks_the_tie(units: Any) -> None:
+def test_a_peak_on_both_sides_has_no_derivative_by_what_breaks_the_tie(units):
     """A load moves the peak at the one stop away from zero, at the other towards it."""
     orbit = between_stops(*units)
     value, by_frequency = orbit.derivatives("w").quantity("peak:x")

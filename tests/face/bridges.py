@@ -15,7 +15,7 @@ import nonsmooth as ns
 WEIGHTS = np.array([1.0, -2.0, 3.0])
 
 
-def made(*, pulled: bool = False, calls: list[str] | None = None) -> ns.DifferentiableFunction:
+def made(*, pulled=False, calls=None):
     """Three values of two numbers, NaN where the first number is above 10; note each call."""
     noted = [] if calls is None else calls
 
@@ -47,7 +47,7 @@ def made(*, pulled: bool = False, calls: list[str] | None = None) -> ns.Differen
     )
 
 
-def at(*lead: int) -> np.ndarray:
+def at(*lead):
     return np.random.default_rng(5).normal(size=(*lead, 2))
 
 
@@ -164,7 +164,7 @@ class Laws:
             bridge.of()
 
 
-def refused_in_one_line(function: Callable[..., Any], x: Any, message: str) -> None:
+def refused_in_one_line(function, x, message):
     with pytest.raises(ns.InputError, match=message) as caught:
         function(x)
     assert "\n" not in str(caught.value)

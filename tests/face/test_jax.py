@@ -6,7 +6,6 @@ differences in 40 digits.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from functools import partial
 from typing import Any
 
@@ -23,7 +22,7 @@ MODES = ("both", "reverse")
 
 
 @pytest.fixture
-def jax() -> Iterator[Any]:
+def jax():
     """JAX with 64 bits; what it compiled for a test goes with the test."""
     module = pytest.importorskip("jax")
     before = module.config.jax_enable_x64
@@ -33,7 +32,7 @@ def jax() -> Iterator[Any]:
     module.clear_caches()
 
 
-def checked(function: Any, x: Any, *, forward: bool = True, **options: Any) -> None:
+def checked(function, x, *, forward=True, **options):
     """By JAX's own checker, against differences."""
     checks = pytest.importorskip("jax.test_util")
     modes = ("fwd", "rev") if forward else ("rev",)
@@ -60,7 +59,7 @@ class TestJax(Laws):
         )
 
 
-def test_large_batches_do_not_wait_for_each_other(jax: Any) -> None:
+def test_large_batches_do_not_wait_for_each_other(jax):
     """A callback that used JAX itself could wait for the thread that runs it."""
     function, x = differentiable(made()), np.ones((300_000, 2))
     found = jax.jit(jax.grad(lambda x: function(2 * x).sum()))(x)
@@ -71,11 +70,11 @@ def test_large_batches_do_not_wait_for_each_other(jax: Any) -> None:
     ("x", "message"),
     [(np.ones(3), "takes 2 numbers: a, b"), (np.ones(2) * 1j, "real numbers"), (1.0, "no entries")],
 )
-def test_what_is_no_point_is_refused_in_one_line(jax: Any, x: Any, message: str) -> None:
+def test_what_is_no_point_is_refused_in_one_line(jax, x, message):
     refused_in_one_line(jax.jit(differentiable(made())), x, message)
 
 
-def test_numbers_of_32_bits_become_64_and_half_of_the_digits_is_refused(jax: Any) -> None:
+def test_numbers_of_32_bits_become_64_and_half_of_the_digits_is_refused(jax):
     function = differentiable(made())
     found = function(jax.numpy.ones(2, dtype="float32"))
     assert (found.dtype, found[2]) == (np.float64, np.sin(1.0))
@@ -85,14 +84,14 @@ def test_numbers_of_32_bits_become_64_and_half_of_the_digits_is_refused(jax: Any
 
 
 @pytest.mark.usefixtures("jax")
-def test_modes_that_are_not_there() -> None:
+def test_modes_that_are_not_there():
     with pytest.raises(ns.InputError, match="no reverse pass"):
         differentiable(made(), mode="reverse")
     with pytest.raises(ns.InputError, match="unknown mode 'forward'; known: both, reverse"):
         differentiable(made(), mode="forward")  # what is refused
 
 
-def test_the_gradient_of_an_orbit_is_that_of_its_function(jax: Any) -> None:
+def test_the_gradient_of_an_orbit_is_that_of_its_function(jax):
     orbit = ns.solve("dry-friction/global-stick", {"eta": "0.98", "V": "1.01"})
     source = ns.orbit_function(orbit, by=("eta", "V"), of=("period", "trace"))
     function, x = differentiable(source), jax.numpy.array([0.98, 1.01])
@@ -102,7 +101,7 @@ def test_the_gradient_of_an_orbit_is_that_of_its_function(jax: Any) -> None:
 
 
 @pytest.mark.parametrize("mode", ["both", pytest.param("reverse", marks=pytest.mark.slow)])
-def test_the_gradient_behind_impacts_is_that_of_forty_digits(jax: Any, mode: Any) -> None:
+def test_the_gradient_behind_impacts_is_that_of_forty_digits(jax, mode):
     function = differentiable(gradients.motion(), mode=mode)
     x, expected = jax.numpy.array(gradients.POINT), gradients.reference(40)
     found = jax.jit(jax.grad(lambda x: function(x)[0]))(x)

@@ -19,7 +19,7 @@ pytestmark = pytest.mark.filterwarnings("ignore:.torch.jit:FutureWarning")
 
 
 @pytest.fixture(scope="module")
-def torch() -> Any:
+def torch():
     return pytest.importorskip("torch")
 
 
@@ -56,7 +56,7 @@ class TestTorch(Laws):
             gradient.sum().backward()
 
 
-def test_what_is_no_point_is_refused_in_one_line(torch: Any) -> None:
+def test_what_is_no_point_is_refused_in_one_line(torch):
     for x, message in (
         (torch.ones(3, dtype=torch.float64), "takes 2 numbers: a, b"),
         (torch.tensor(1.0, dtype=torch.float64), "no entries"),
@@ -67,7 +67,7 @@ def test_what_is_no_point_is_refused_in_one_line(torch: Any) -> None:
 
 
 @pytest.mark.usefixtures("torch")
-def test_the_session_of_the_page_runs() -> None:
+def test_the_session_of_the_page_runs():
     """PyTorch is not there when the page is made."""
     page = (CHECKOUT / "docs" / "how_to" / "ecosystems.md").read_text(encoding="utf-8")
     cells = re.findall(r"```\{code-cell\} ipython3\n(.*?)```", page, flags=re.DOTALL)

@@ -142,24 +142,24 @@ RESULTS: dict[str, Callable[[], Any]] = {
 
 
 @pytest.fixture(autouse=True)
-def own_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def own_folder(tmp_path, monkeypatch):
     """Some calls are right, and write files."""
     monkeypatch.chdir(tmp_path)
 
 
 @cache
-def result(kind: str) -> Any:
+def result(kind):
     return RESULTS[kind]()
 
 
 @cache
-def saved(kind: str) -> str:
+def saved(kind):
     path = Path(tempfile.mkdtemp()) / f"{kind}.json"
     result(kind).save(path)
     return str(path)
 
 
-def functions() -> dict[str, Callable[..., Any]]:
+def functions():
     """Public functions, and `certify` with its methods."""
     named = {name: getattr(ns, name) for name in ns.__all__}
     own = {name: getattr(ns.certify, name) for name in dir(ns.certify) if name[0] != "_"}
@@ -167,14 +167,14 @@ def functions() -> dict[str, Callable[..., Any]]:
     return {name: f for name, f in found.items() if callable(f) and not is_error(f)}
 
 
-def is_error(given: Any) -> bool:
+def is_error(given):
     return isinstance(given, type) and issubclass(given, BaseException)
 
 
 FUNCTIONS = functions()
 
 
-def right(label: str, function: Callable[..., Any]) -> dict[str, Any]:
+def right(label, function):
     """Arguments with which a function answers, by the most special entry for each of them."""
     found = {}
     for name, parameter in inspect.signature(function).parameters.items():
@@ -186,7 +186,7 @@ def right(label: str, function: Callable[..., Any]) -> dict[str, Any]:
     return found
 
 
-def call(function: Callable[..., Any], given: dict[str, Any]) -> None:
+def call(function, given):
     """Call a function; what it takes as ``*name`` is given as one argument, or as a tuple."""
     several: Any = ()
     for name, parameter in inspect.signature(function).parameters.items():
@@ -195,7 +195,7 @@ def call(function: Callable[..., Any], given: dict[str, Any]) -> None:
     function(*(several if isinstance(several, tuple) else (several,)), **given)
 
 
-def refusal(function: Callable[..., Any], given: dict[str, Any]) -> str:
+def refusal(function, given):
     """What a function says to its arguments; nothing if it answers, or as its docstring tells."""
     try:
         call(function, given)
@@ -207,7 +207,7 @@ def refusal(function: Callable[..., Any], given: dict[str, Any]) -> str:
     return ""
 
 
-def check(label: str, function: Callable[..., Any]) -> None:
+def check(label, function):
     """Call a function with each argument wrong: each call is answered or refused in one line.
 
     A value that can be no answer to what is asked is told by the name of the argument.
@@ -226,7 +226,7 @@ def check(label: str, function: Callable[..., Any]) -> None:
                 assert name in told or name.rstrip("s") in told, case
 
 
-def never_right() -> list[Any]:
+def never_right():
     """Values that no argument takes, but those whose names say so."""
     return [object(), ns.InputError("x"), [[]], result("orbit"), result("certificate")]
 
@@ -234,12 +234,12 @@ def never_right() -> list[Any]:
 @pytest.mark.parametrize(
     "name", [pytest.param(n, marks=pytest.mark.slow) if n in SLOW else n for n in FUNCTIONS]
 )
-def test_functions_answer_or_refuse_in_one_line(name: str) -> None:
+def test_functions_answer_or_refuse_in_one_line(name):
     check(name, FUNCTIONS[name])
 
 
 @pytest.mark.parametrize("kind", RESULTS)
-def test_methods_answer_or_refuse_in_one_line(kind: str) -> None:
+def test_methods_answer_or_refuse_in_one_line(kind):
     found = result(kind)
     for name in (n for n in dir(type(found)) if not n.startswith("_") or n == "__call__"):
         if inspect.isfunction(inspect.getattr_static(type(found), name)):
@@ -247,7 +247,7 @@ def test_methods_answer_or_refuse_in_one_line(kind: str) -> None:
 
 
 @pytest.mark.parametrize("record", records().values(), ids=records())
-def test_methods_of_every_result_are_checked(record: type) -> None:
+def test_methods_of_every_result_are_checked(record):
     for name, method in vars(record).items():
         if inspect.isfunction(method) and not name.startswith("_"):
             told = {kind for place, kind in method.__annotations__.items() if place != "return"}
@@ -255,19 +255,19 @@ def test_methods_of_every_result_are_checked(record: type) -> None:
 
 
 @pytest.mark.parametrize("name", [name for name in FUNCTIONS if name != "certify"])
-def test_functions_travel_between_processes(name: str) -> None:
+def test_functions_travel_between_processes(name):
     assert pickle.loads(pickle.dumps(FUNCTIONS[name])) is FUNCTIONS[name]
 
 
 @pytest.mark.parametrize("kind", [Fraction, Decimal, sp.Rational, mpmath.mpf, np.float32, np.array])
-def test_any_kind_of_number_is_the_number(kind: Callable[[str], Any]) -> None:
+def test_any_kind_of_number_is_the_number(kind):
     orbit, step = ns.solve(STICK), kind(0.125)
     ends = ns.continue_orbit(orbit, "V", (0.9, 1.1), step=step).parameter_values
     assert_array_equal(ends, ns.continue_orbit(orbit, "V", (0.9, 1.1), step=0.125).parameter_values)
 
 
 @pytest.mark.parametrize("kind", [str, Fraction, Decimal, sp.Rational, mpmath.mpf])
-def test_arrays_of_any_kind_of_number_are_these_numbers(kind: Callable[[str], Any]) -> None:
+def test_arrays_of_any_kind_of_number_are_these_numbers(kind):
     values = [kind("1.25"), kind("1")]
     for given in (values, np.array(values), np.ma.array(values, mask=False)):
         found = ns.solve(STICK, DATA | {"eta": given})
@@ -277,14 +277,14 @@ def test_arrays_of_any_kind_of_number_are_these_numbers(kind: Callable[[str], An
 
 
 @pytest.mark.parametrize("number", [sp.pi / 3, "pi/3"])
-def test_irrational_numbers_may_stand_alone_or_in_arrays(number: object) -> None:
+def test_irrational_numbers_may_stand_alone_or_in_arrays(number):
     orbit = ns.solve(STICK, DATA | {"eta": number})
     assert orbit.parameters["eta"] == parse("pi/3")
     found = ns.solve(STICK, DATA | {"eta": [1, number]})
     assert found.period[1] == pytest.approx(orbit.period, rel=1e-13)
 
 
-def test_what_is_masked_or_missing_is_no_number() -> None:
+def test_what_is_masked_or_missing_is_no_number():
     masked = np.ma.array([1, 1.01], mask=[False, True])
     with pytest.raises(ns.InputError, match="eta: masked values"):
         ns.solve(STICK, DATA | {"eta": masked})
@@ -295,20 +295,20 @@ def test_what_is_masked_or_missing_is_no_number() -> None:
             ns.simulate("dry-friction", DATA, START, until=missing)
 
 
-def test_numbers_in_an_order_are_not_taken_by_names() -> None:
+def test_numbers_in_an_order_are_not_taken_by_names():
     function = ns.orbit_function(result("orbit"), by=["V", "eta"], of="period")
     for call in (function, function.jacobian, lambda x: function.jvp([1, 1], x)):
         with pytest.raises(ns.InputError, match="in the order V, eta, not by names"):
             call({"eta": 1, "V": 1.01})
 
 
-def test_names_may_come_one_by_one() -> None:
+def test_names_may_come_one_by_one():
     orbit = ns.solve(STICK)
     given = {"tau": orbit.unknowns["tau"]}
     assert ns.solve(STICK, unknown=iter(["eta"]), given=given).converged
 
 
-def test_what_has_names_that_its_order_would_not_heed_is_refused() -> None:
+def test_what_has_names_that_its_order_would_not_heed_is_refused():
     class Series(list):  # as that of pandas: its entries have names
         def items(self) -> list[tuple[str, float]]:
             return [*zip(("v2", "x1", "x2", "v1"), self, strict=True)]
@@ -317,13 +317,13 @@ def test_what_has_names_that_its_order_would_not_heed_is_refused() -> None:
         ns.simulate("dry-friction", DATA, Series(START), transitions=3)
 
 
-def test_an_array_without_axes_is_a_number() -> None:
+def test_an_array_without_axes_is_a_number():
     found = ns.solve(STICK, {"V": np.array(0.98)})
     assert found.values == ns.solve(STICK, {"V": 0.98}).values
 
 
 @pytest.mark.parametrize("record", [kind for kind in records().values() if hasattr(kind, "save")])
-def test_what_is_kept_is_told_as_json(record: type) -> None:
+def test_what_is_kept_is_told_as_json(record):
     assert hasattr(record, "to_json")
     found = [kind for kind in RESULTS if type(result(kind)) is record]
     for kind in found:

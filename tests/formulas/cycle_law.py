@@ -16,8 +16,6 @@ from tests.formulas.layout import plain
 from tests.formulas.pages import inline
 from tests.formulas.values import Reading, name_of
 
-__all__ = ["CycleLaw", "Orbit"]
-
 SECTIONS = (
     "The system", "Configurations", "Modal analysis", "The itinerary", "The equations",
     "The reduction", "The transitions", "Stability", "Admissibility",

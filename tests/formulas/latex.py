@@ -18,8 +18,6 @@ from tests.formulas.layout import (
     scripted,
 )
 
-__all__ = ["read_latex"]
-
 _TOKEN = re.compile(r"\\[A-Za-z]+|\\.|\s+|[0-9]+(?:\.[0-9]+)?|.", re.DOTALL)
 _GREEK_NAMES = (
     "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi"
@@ -38,7 +36,7 @@ _PLAIN = set("+-=<>()[]|/,.;:!")
 _CALLIGRAPHIC = {"E": "ℰ", "M": "ℳ", "R": "ℛ"}
 
 
-def read_latex(text: str) -> Row:
+def read_latex(text):
     """Items of a formula."""
     reader = _Reader([t for t in _TOKEN.findall(text) if not t.isspace()])
     if reader.tokens.count(r"\left") != reader.tokens.count(r"\right"):
@@ -129,7 +127,7 @@ class _Reader:
         return Table(tuple(map(tuple, rows)))
 
 
-def _styled(style: str, text: str) -> Row:
+def _styled(style, text):
     if style == "operatorname":
         return (Atom(text, "word" if len(text) > 1 else "upright"),)
     if style == "text":
@@ -146,7 +144,7 @@ def _styled(style: str, text: str) -> Row:
     return (Atom(chr(first + ord(text)), "letter"),)
 
 
-def _atom(token: str) -> Atom:
+def _atom(token):
     name = token.removeprefix("\\")
     if token[0].isdigit():
         return Atom(token, "number")

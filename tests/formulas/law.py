@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from copy import copy
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
@@ -22,8 +22,6 @@ from tests.formulas.layout import Accent, Atom, Item, Row, Unreadable, core_of, 
 from tests.formulas.pages import inline
 from tests.formulas.responses import response_functions
 from tests.formulas.values import UNIT, Reading, Unit, divided, name_of, split, without_spaces
-
-__all__ = ["Broken", "Facts", "Motion", "SystemLaw", "drawn"]
 
 _RELATIONS = "=<>≤≥∈≠"
 _INDEX_TEXTS = {"k=0"}
@@ -49,7 +47,7 @@ class Motion(np.ndarray):
         return self.flow(time)
 
 
-def drawn(system: System, seed: int) -> Numbers:
+def drawn(system, seed):
     """Parameters inside their domains, and any state."""
     draw = np.random.default_rng(seed)
     while True:
@@ -65,7 +63,7 @@ def drawn(system: System, seed: int) -> Numbers:
     return found
 
 
-def array(matrix: sp.Matrix, numbers: Mapping[sp.Symbol, float]) -> np.ndarray:
+def array(matrix, numbers):
     return np.array(sp.Matrix(matrix).xreplace(dict(numbers)).tolist(), dtype=float)
 
 
@@ -626,7 +624,7 @@ class SystemLaw:
             raise Broken("forces that are not shown")
 
 
-def parts_of(row: Row) -> list[Row]:
+def parts_of(row):
     """What a formula says, relation by relation."""
     items = list(row)
     while items and items[-1] in (Atom(".", "sign"), Atom(",", "sign")):
@@ -643,33 +641,33 @@ def parts_of(row: Row) -> list[Row]:
     return [without_spaces(part) for part in (*found, tuple(begun)) if without_spaces(part)]
 
 
-def relations_of(row: Row) -> tuple[list[Row], list[str]]:
+def relations_of(row):
     """Sides and signs of a chain of relations."""
     sides, signs = divided(row, _RELATIONS)
     return [without_spaces(side) for side in sides], signs
 
 
-def is_name(row: Row) -> bool:
+def is_name(row):
     """Whether a formula is one name, which says nothing that could be false."""
     core = core_of(row[0]) if len(row) == 1 else None
     return isinstance(core, Accent) or getattr(core, "kind", "") in ("letter", "upright")
 
 
-def _condition(row: Row) -> tuple[Row, Row]:
+def _condition(row):
     for place, item in enumerate(row):
         if isinstance(item, Atom) and item.kind == "text":
             return without_spaces(row[:place]), without_spaces(_condition(row[place + 1 :])[0])
     return row, ()
 
 
-def _all_items(row: Row) -> Iterable[Item]:
+def _all_items(row):
     for item in row:
         yield item
         for value in vars(item).values():
             yield from _deep(value)
 
 
-def _deep(value: Any) -> Iterable[Item]:
+def _deep(value):
     if isinstance(value, tuple):
         for part in value:
             yield from _deep(part)
@@ -677,7 +675,7 @@ def _deep(value: Any) -> Iterable[Item]:
         yield from _all_items((value,))
 
 
-def _close(a: Any, b: Any) -> bool:
+def _close(a, b):
     for one, other in ((a, b), (b, a)):
         if isinstance(one, Unit):
             return _close(one.of(len(np.atleast_2d(other))), other)
@@ -691,5 +689,5 @@ def _close(a: Any, b: Any) -> bool:
     return a.shape == b.shape and np.allclose(a, b, rtol=1e-9, atol=1e-9)
 
 
-def _holds(sign: str, a: Any, b: Any) -> bool:
+def _holds(sign, a, b):
     return bool({"=": a == b, "<": a < b, ">": a > b, "≤": a <= b, "≥": a >= b}[sign])

@@ -2,28 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass, replace
-
-__all__ = [
-    "CLOSING",
-    "OPENING",
-    "PRIME",
-    "Accent",
-    "Atom",
-    "Fraction",
-    "Item",
-    "Root",
-    "Row",
-    "Script",
-    "Table",
-    "Unreadable",
-    "core_of",
-    "is_number",
-    "plain",
-    "row_of",
-    "scripted",
-]
 
 PRIME = "′"
 OPENING, CLOSING = {"(", "["}, {")", "]"}
@@ -85,12 +64,12 @@ Item = Atom | Script | Fraction | Root | Accent | Table
 Row = tuple[Item, ...]
 
 
-def core_of(item: Item | None) -> Item | None:
+def core_of(item):
     """An item without what stands below and above it."""
     return item.base if isinstance(item, Script) else item
 
 
-def row_of(items: Iterable[Item]) -> Row:
+def row_of(items):
     """A row as the eye takes it: digits side by side are one number, upright letters one word."""
     found: list[Item] = []
     for item in items:
@@ -104,7 +83,7 @@ def row_of(items: Iterable[Item]) -> Row:
     return tuple(found)
 
 
-def scripted(base: Row, below: Row, above: Row) -> Row:
+def scripted(base, below, above):
     """Scripts at the end of a row; what is in front of its last item has no part in them."""
     if not base:
         raise Unreadable("scripts without a base")
@@ -117,16 +96,16 @@ def scripted(base: Row, below: Row, above: Row) -> Row:
     return (*before, Script(last.base, last.below or below, last.above + above))
 
 
-def is_number(item: Item | None) -> bool:
+def is_number(item):
     return isinstance(item, Atom) and item.kind == "number"
 
 
-def plain(row: Iterable[Item]) -> str:
+def plain(row):
     """A row as text on one line, the same for the same row: for messages and as a name."""
     return "".join(map(_plain, row))
 
 
-def _plain(item: Item) -> str:
+def _plain(item):
     if isinstance(item, Atom):
         return {"word": f" {item.text} ", "upright": f"`{item.text}"}.get(item.kind, item.text)
     if isinstance(item, Script):

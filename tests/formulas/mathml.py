@@ -1,42 +1,34 @@
 """MathML as it stands on the page."""
 
-from __future__ import annotations
-
 import re
-from collections.abc import Iterable
-from xml.etree.ElementTree import Element
 
 from tests.formulas.layout import (
     PRIME,
     Accent,
     Atom,
     Fraction,
-    Item,
     Root,
-    Row,
     Table,
     Unreadable,
     row_of,
     scripted,
 )
 
-__all__ = ["read_element"]
-
 _LETTERS = set("ℓℳℰℛℝ")
 _MARKS = {"^": "hat", "~": "tilde", "˜": "tilde", "ˉ": "bar", "¯": "bar", "―": "bar"}
 _SAME = {"−": "-", "'": PRIME}
 
 
-def read_element(element: Element) -> Row:
+def read_element(element):
     """Items of an element."""
     return row_of(_items(element))
 
 
-def _row(elements: Iterable[Element]) -> Row:
+def _row(elements):
     return row_of(item for element in elements for item in _items(element))
 
 
-def _items(element: Element) -> Row:
+def _items(element):
     tag, parts = element.tag, list(element)
     if tag in ("math", "mrow", "mtd", "mstyle"):
         return _row(parts)
@@ -71,7 +63,7 @@ def _items(element: Element) -> Row:
     raise Unreadable(f"unknown element {tag}")
 
 
-def _atom(element: Element) -> Item:
+def _atom(element):
     text = _SAME.get(element.text or "", element.text or "")
     if element.tag == "mtext":
         return Atom("".join(text.split()), "text")

@@ -4,10 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator
-from typing import Any
 from xml.etree import ElementTree
-from xml.etree.ElementTree import Element
 
 from nonsmooth.derive.document.blocks import Document, Formula, Heading, Paragraph
 from nonsmooth.derive.document.hypertext import to_html, to_markdown
@@ -16,20 +13,18 @@ from tests.formulas.latex import read_latex
 from tests.formulas.layout import Row
 from tests.formulas.mathml import read_element
 
-__all__ = ["inline", "on_pages", "page_of", "read_page", "texts_of"]
-
 _INLINE = re.compile(r"\$([^$]+)\$")
 _MATRIX = re.compile(r"\\begin\{matrix\}.*?\\end\{matrix\}", re.DOTALL)
 _BREAK = re.compile(r" \\\\\*?\n")
 _ENDS = re.compile(r"\s*(?:\\tag\{[\d.]+\})?\s*$", re.DOTALL)
 
 
-def inline(text: str) -> list[str]:
+def inline(text):
     """LaTeX of the formulas in running text."""
     return _INLINE.findall(text)
 
 
-def texts_of(block: Any) -> list[str]:
+def texts_of(block):
     """The texts of a block."""
     if isinstance(block, Heading | Paragraph):
         return [block.text]
@@ -38,7 +33,7 @@ def texts_of(block: Any) -> list[str]:
     return [cell for row in (block.header, *block.rows) for cell in row]
 
 
-def _own(document: Document) -> Counter[Row]:
+def _own(document):
     found: Counter[Row] = Counter()
     for block in document.blocks:
         found.update(read_latex(f) for text in texts_of(block) for f in inline(text))
@@ -47,7 +42,7 @@ def _own(document: Document) -> Counter[Row]:
     return found
 
 
-def _markdown(document: Document) -> Counter[Row]:
+def _markdown(document):
     text = to_markdown(document).replace("&#124;", "|")
     found: Counter[Row] = Counter()
     for body in re.findall(r"\\begin\{aligned\}\n(.*?)\n\\end\{aligned\}", text, re.DOTALL):
@@ -57,7 +52,7 @@ def _markdown(document: Document) -> Counter[Row]:
     return found
 
 
-def _latex(document: Document) -> Counter[Row]:
+def _latex(document):
     text = to_latex(document).replace(r"\\[3pt]", r"\\")
     found: Counter[Row] = Counter()
     displays = re.findall(r"\\begin\{align\*\}\n(.*?)\n\\end\{align\*\}", text, re.DOTALL)
@@ -68,18 +63,18 @@ def _latex(document: Document) -> Counter[Row]:
     return found
 
 
-def page_of(document: Document) -> Element:
+def page_of(document):
     """The HTML page, which has to be well formed."""
     return ElementTree.fromstring(re.sub("<!DOCTYPE html>|<meta [^>]*>", "", to_html(document)))
 
 
-def read_page(latex: str) -> Row:
+def read_page(latex):
     """Items of a formula on an HTML page."""
     (element,) = page_of(Document("", (Paragraph(f"${latex}$"),))).iter("math")
     return read_element(element)
 
 
-def _html(document: Document) -> Counter[Row]:
+def _html(document):
     found: Counter[Row] = Counter()
     for element in page_of(document).iter("math"):
         if element.get("display") == "block":
@@ -89,7 +84,7 @@ def _html(document: Document) -> Counter[Row]:
     return found
 
 
-def _sides(body: str) -> Iterator[Row]:
+def _sides(body):
     for row in _BREAK.split(body):
         whole = _MATRIX.sub(lambda m: m[0].replace("&", "\0"), _ENDS.sub("", row))
         left, _, right = whole.partition(" &")
@@ -97,7 +92,7 @@ def _sides(body: str) -> Iterator[Row]:
         yield read_latex(right.replace("\0", "&"))
 
 
-def on_pages(document: Document) -> dict[str, Counter[Row]]:
+def on_pages(document):
     """All formulas: of the document itself, and read from the page in each format."""
     return {
         "document": _own(document),

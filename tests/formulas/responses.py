@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from functools import partial
 from itertools import combinations
 from typing import Any
@@ -11,10 +10,8 @@ import numpy as np
 import sympy as sp
 from scipy.linalg import expm
 
-__all__ = ["response_functions"]
 
-
-def response_functions(known: Any, numbers: Mapping[sp.Symbol, Any]) -> dict[str, Any]:
+def response_functions(known, numbers):
     """Factors as polynomials and responses as functions of time, by their LaTeX."""
     found: dict[str, Any] = {}
     for factor in (sp.Tuple(0), *known.factors):
@@ -36,5 +33,5 @@ def response_functions(known: Any, numbers: Mapping[sp.Symbol, Any]) -> dict[str
     return found
 
 
-def _response(companion: np.ndarray, order: int, time: float) -> float:
+def _response(companion, order, time):
     return float(expm(companion * time)[order, -1])

@@ -32,8 +32,6 @@ from tests.formulas.layout import (
     plain,
 )
 
-__all__ = ["UNIT", "Reading", "divided", "name_of", "split", "without_spaces"]
-
 _FUNCTIONS: dict[str, Callable[..., Any]] = {
     "cos": np.cos,
     "sin": np.sin,
@@ -53,7 +51,7 @@ _MANY = 60
 _INDEX = re.compile(r"([ijk])(?:\(([ijk])\))?((?:[-+]\d+)?)(?![A-Za-z])")
 
 
-def name_of(latex: str) -> str:
+def name_of(latex):
     """A name as the readers know it."""
     return plain(read_latex(latex))
 
@@ -359,7 +357,7 @@ class _Walk:
         return letter, range(first, end + 1) if text == "∑" else range(first, end - 1, -1)
 
 
-def divided(row: Sequence[Item], signs: str) -> tuple[list[Row], list[str]]:
+def divided(row, signs):
     """Parts of a row between signs outside all brackets and bars, and those signs."""
     parts: list[list[Item]] = [[]]
     found, depth, within = [], 0, False
@@ -375,12 +373,12 @@ def divided(row: Sequence[Item], signs: str) -> tuple[list[Row], list[str]]:
     return [tuple(part) for part in parts], found
 
 
-def split(row: Row, signs: str) -> list[Row]:
+def split(row, signs):
     """Those parts alone."""
     return divided(row, signs)[0]
 
 
-def without_spaces(row: Row) -> Row:
+def without_spaces(row):
     """A row without spaces at its ends."""
     items = list(row)
     for place in (0, -1):
@@ -390,12 +388,12 @@ def without_spaces(row: Row) -> Row:
     return tuple(items)
 
 
-def _sign(item: Item | None) -> str:
+def _sign(item):
     core = core_of(item)
     return core.text if isinstance(core, Atom) and core.kind == "sign" else ""
 
 
-def _in_argument(item: Item) -> bool:
+def _in_argument(item):
     """Whether an item behind a function without brackets belongs to what it is of."""
     core = core_of(item)
     if isinstance(core, Atom):
@@ -403,11 +401,11 @@ def _in_argument(item: Item) -> bool:
     return isinstance(core, Accent)
 
 
-def _is_array(value: Any) -> bool:
+def _is_array(value):
     return isinstance(value, np.ndarray) and value.size > 1
 
 
-def _scalar(value: Any) -> Any:
+def _scalar(value):
     if isinstance(value, np.ndarray) and value.size == 1:
         value = value.ravel()[0]
     if isinstance(value, complex | np.complexfloating) and value.imag == 0:
@@ -415,7 +413,7 @@ def _scalar(value: Any) -> Any:
     return value
 
 
-def _times(left: Any, right: Any) -> Any:
+def _times(left, right):
     if isinstance(left, Unit) or isinstance(right, Unit):
         return left * right
     left, right = _one(left, right)
@@ -424,7 +422,7 @@ def _times(left: Any, right: Any) -> Any:
     return left * right
 
 
-def _one(left: Any, right: Any) -> tuple[Any, Any]:
+def _one(left, right):
     """A matrix of one entry that does not fit is a number."""
     if isinstance(left, np.ndarray) and isinstance(right, np.ndarray):
         if left.shape[1] == right.shape[0]:
@@ -433,7 +431,7 @@ def _one(left: Any, right: Any) -> tuple[Any, Any]:
     return left, right
 
 
-def _added(left: Any, right: Any) -> Any:
+def _added(left, right):
     left, right = _scalar(left), _scalar(right)
     for one, other in ((left, right), (right, left)):
         if isinstance(one, Unit) and isinstance(other, Unit):
@@ -445,7 +443,7 @@ def _added(left: Any, right: Any) -> Any:
     return left + right
 
 
-def _power(value: Any, above: Row, reading: Reading) -> Any:
+def _power(value, above, reading):
     if plain(above) == "𝖳":
         return np.atleast_2d(value).T
     exponent = reading(above)

@@ -1,8 +1,6 @@
 """Where two answers differ by more than rounding."""
 
 import math
-from collections.abc import Iterator
-from typing import Any
 
 # what changes from run to run, or with every digit of what stands beside it
 UNTOLD = {"seconds", "checksum", "sha256", "elapsed"}
@@ -10,7 +8,7 @@ UNTOLD = {"seconds", "checksum", "sha256", "elapsed"}
 OPTIMISED = {"fit": 1e-6, "design": 1e-5}
 
 
-def agreement(command: str, usual: float) -> float:
+def agreement(command, usual):
     """Give the relative difference that two answers of a command may have.
 
     Parameters
@@ -23,7 +21,7 @@ def agreement(command: str, usual: float) -> float:
     return OPTIMISED.get(command.split()[0], usual)
 
 
-def differences(old: Any, new: Any, relative: float, place: str = "") -> Iterator[str]:
+def differences(old, new, relative, place=""):
     """Give the places at which two JSON values differ.
 
     Parameters
@@ -49,7 +47,7 @@ def differences(old: Any, new: Any, relative: float, place: str = "") -> Iterato
         yield f"{place}: {_short(old)} became {_short(new)}"
 
 
-def _same(old: Any, new: Any, relative: float) -> bool:
+def _same(old, new, relative):
     if type(old) is type(new) and old == new:
         return True
     one, other = _number(old), _number(new)
@@ -58,7 +56,7 @@ def _same(old: Any, new: Any, relative: float) -> bool:
     return math.isclose(one, other, rel_tol=relative, abs_tol=relative)
 
 
-def _number(value: Any) -> float | None:
+def _number(value):
     if isinstance(value, bool) or not isinstance(value, int | float | str):
         return None
     try:
@@ -67,6 +65,6 @@ def _number(value: Any) -> float | None:
         return None
 
 
-def _short(value: Any) -> str:
+def _short(value):
     text = repr(value)
     return text if len(text) < 100 else text[:97] + "..."

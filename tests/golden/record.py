@@ -6,10 +6,8 @@ import shlex
 import shutil
 import sys
 import tempfile
-from collections.abc import Iterator
 from contextlib import chdir
 from pathlib import Path
-from typing import Any
 
 from typer.testing import CliRunner
 
@@ -33,13 +31,13 @@ ARRIVED = {
 }  # fmt: skip
 
 
-def commands() -> list[str]:
+def commands():
     """Give the commands that are recorded, in the order in which they run."""
     lines = (HERE / "commands.txt").read_text().splitlines()
     return [line for line in lines if line and not line.startswith("#")]
 
 
-def answers(listed: list[str], folder: Path) -> Iterator[dict[str, Any]]:
+def answers(listed, folder):
     """Run commands in a folder that holds the gallery, and give what each of them answers.
 
     An answer has the exit code, the message on stderr, and of the JSON document on stdout what
@@ -62,13 +60,13 @@ def answers(listed: list[str], folder: Path) -> Iterator[dict[str, Any]]:
             }
 
 
-def _looked_at(command: str, answer: dict[str, Any]) -> Any:
+def _looked_at(command, answer):
     """The part of a JSON document that is recorded."""
     named = ARRIVED.get(command, tuple(answer))
     return _shortened({name: value for name, value in answer.items() if name in named})
 
 
-def _shortened(value: Any) -> Any:
+def _shortened(value):
     """A JSON value with the length and the ends of each long list in its place."""
     if isinstance(value, dict):
         return {name: _shortened(entry) for name, entry in value.items()}
@@ -80,7 +78,7 @@ def _shortened(value: Any) -> Any:
     return {"length": len(value), "first": _shortened(value[0]), "last": _shortened(value[-1])}
 
 
-def main() -> None:
+def main():
     """Write the answers, or with ``--exact`` show where they differ from what is recorded."""
     recorded = {entry["command"]: entry for entry in json.loads(ANSWERS.read_text())}
     entries, found = [], 0

@@ -10,8 +10,6 @@ import signal
 import subprocess
 import sys
 import time
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -30,7 +28,7 @@ K = np.linspace(0.5, 2, 7)
 
 
 @pytest.fixture(scope="module")
-def library(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def library(tmp_path_factory):
     """A cache folder in which another process has put the compiled kernels."""
     folder = tmp_path_factory.mktemp("library")
     code = (
@@ -59,7 +57,7 @@ def library(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(autouse=True)
-def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def cache(tmp_path, monkeypatch):
     """A cache folder of the test's own, and a process that knows nothing yet."""
     monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path / "cache"))
     monkeypatch.delenv("NONSMOOTH_BACKEND", raising=False)
@@ -71,22 +69,20 @@ def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 @pytest.fixture
-def filled(library: Path, cache: Path) -> Path:
+def filled(library, cache):
     """The test's own folder with the compiled kernels in it; gives their file."""
     shutil.copytree(library, cache)
     (found,) = cache.glob("*.so")
     return found
 
 
-def compiled(orbit: str) -> bool:
+def compiled(orbit):
     return load_orbit(orbit).system.compiled is not None
 
 
 @pytest.mark.slow
 @compiler
-def test_tables_numpy_and_compiled_kernels_agree(
-    tmp_path: Path, filled: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_tables_numpy_and_compiled_kernels_agree(tmp_path, filled, monkeypatch):
     orbit = f"{declare(tmp_path)}:loop"
     assert compiled(orbit)
     rng = np.random.default_rng(3)
@@ -119,7 +115,7 @@ def test_tables_numpy_and_compiled_kernels_agree(
 
 
 @compiler
-def test_another_declaration_has_no_compiled_kernels(tmp_path: Path, filled: Path) -> None:
+def test_another_declaration_has_no_compiled_kernels(tmp_path, filled):
     assert compiled(f"{declare(tmp_path)}:loop")
     assert not compiled(f"{declare(tmp_path, KICKED.replace('[[4]]', '[[9]]'), 'other.py')}:loop")
     same = declare(tmp_path, f"# a comment\n{KICKED}", "same.py")
@@ -128,9 +124,7 @@ def test_another_declaration_has_no_compiled_kernels(tmp_path: Path, filled: Pat
 
 @compiler
 @pytest.mark.parametrize("damage", ["cut", "other", "written by others", "link"])
-def test_what_is_damaged_or_open_to_others_is_not_loaded(
-    tmp_path: Path, filled: Path, damage: str
-) -> None:
+def test_what_is_damaged_or_open_to_others_is_not_loaded(tmp_path, filled, damage):
     content = filled.read_bytes()
     if damage == "cut":
         filled.write_bytes(content[: len(content) // 2])
@@ -145,9 +139,7 @@ def test_what_is_damaged_or_open_to_others_is_not_loaded(
 
 
 @compiler
-def test_a_folder_that_others_can_write_is_not_used(
-    tmp_path: Path, filled: Path, monkeypatch: pytest.MonkeyPatch, capfd: Any
-) -> None:
+def test_a_folder_that_others_can_write_is_not_used(tmp_path, filled, monkeypatch, capfd):
     begun: list[str] = []
     monkeypatch.setattr(background.subprocess, "Popen", lambda *a, **k: begun.append("process"))
     filled.parent.chmod(0o777)
@@ -165,8 +157,8 @@ def test_a_folder_that_others_can_write_is_not_used(
 @posix
 @compiler
 def test_a_failed_compilation_is_told_once_and_nothing_else_changes(
-    tmp_path: Path, cache: Path, monkeypatch: pytest.MonkeyPatch, caplog: Any, capfd: Any
-) -> None:
+    tmp_path, cache, monkeypatch, caplog, capfd
+):
     monkeypatch.setenv("CC", "/bin/false")
     monkeypatch.setenv("NONSMOOTH_BACKEND", "c")
     orbit = f"{declare(tmp_path)}:loop"
@@ -182,9 +174,7 @@ def test_a_failed_compilation_is_told_once_and_nothing_else_changes(
     assert {path.suffix for path in cache.iterdir()} == {".py"}, "no library, nothing half made"
 
 
-def test_without_a_compiler_no_process_begins(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: Any, capfd: Any
-) -> None:
+def test_without_a_compiler_no_process_begins(tmp_path, monkeypatch, caplog, capfd):
     monkeypatch.setenv("CC", str(tmp_path / "none"))
     monkeypatch.setenv("NONSMOOTH_BACKEND", "c")
     monkeypatch.setattr(background.subprocess, "Popen", lambda *a, **k: pytest.fail("begun"))
@@ -194,15 +184,13 @@ def test_without_a_compiler_no_process_begins(
     assert capfd.readouterr().err == ""
 
 
-def test_few_points_are_not_worth_a_compilation(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_few_points_are_not_worth_a_compilation(tmp_path, monkeypatch):
     monkeypatch.setattr(background, "_begin", lambda *_: pytest.fail("begun"))
     assert solve(f"{declare(tmp_path)}:loop", {"k": K}).converged.all()
     assert solve(f"{tmp_path / 'mine.py'}:loop").converged
 
 
-def waiting(monkeypatch: pytest.MonkeyPatch, cache: Path) -> KernelLibrary:
+def waiting(monkeypatch, cache):
     """A library whose process makes its folder, and then does nothing."""
     cache.mkdir(mode=0o700)
     code = "import pickle, sys, time; pickle.load(sys.stdin.buffer)[1].mkdir(); time.sleep(600)"
@@ -219,7 +207,7 @@ def waiting(monkeypatch: pytest.MonkeyPatch, cache: Path) -> KernelLibrary:
 
 
 @posix
-def test_a_killed_compilation_leaves_nothing(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_killed_compilation_leaves_nothing(cache, monkeypatch):
     library = waiting(monkeypatch, cache)
     process = library._building.process  # it is building
     assert library.module() is None  # it goes on
@@ -232,9 +220,7 @@ def test_a_killed_compilation_leaves_nothing(cache: Path, monkeypatch: pytest.Mo
 
 
 @posix
-def test_who_interrupts_the_wait_ends_the_compilation(
-    cache: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_who_interrupts_the_wait_ends_the_compilation(cache, monkeypatch):
     library = waiting(monkeypatch, cache)
     process = library._building.process  # it is building
     wait, calls = process.wait, []
@@ -257,7 +243,7 @@ def test_who_interrupts_the_wait_ends_the_compilation(
     assert begun == ["again"]
 
 
-def test_libraries_of_one_key_are_told_apart_by_their_content(cache: Path) -> None:
+def test_libraries_of_one_key_are_told_apart_by_their_content(cache):
     for content in (b"one", b"two"):
         caching.store_library("key", "_kernels.abi3.so", content)
     assert len(list(cache.iterdir())) == 2

@@ -1,7 +1,5 @@
 """Modes that nearly meet: no digits cancel, however near they are, in motions and orbits."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np
@@ -10,7 +8,7 @@ import sympy as sp
 from numpy.testing import assert_allclose
 
 import nonsmooth as ns
-from nonsmooth.derive import Harmonic, Parameter, RigidStop, System, oscillator
+from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from tests.declared_motion import DeclaredMotion
 from tests.model.test_modes import SMALL
 
@@ -21,7 +19,7 @@ pytestmark = [
 k, b, c, w, s = sp.symbols("k b c w s")
 
 
-def in_front_of_a_stop(forced: bool) -> System:
+def in_front_of_a_stop(forced):
     lowest = {k: -1, b: -sp.oo, c: -1, **({w: 0} if forced else {}), s: 0}
     return oscillator(
         "soft-forced" if forced else "soft", ["x"], [[1]], [[k]], [[c]], load=[b],
@@ -35,7 +33,7 @@ FREE, FORCED = in_front_of_a_stop(False), in_front_of_a_stop(True)
 
 
 @pytest.mark.parametrize("small", SMALL[1::2])
-def test_an_impact(small: float) -> None:
+def test_an_impact(small):
     for system, parameters in (
         (FORCED, {"k": small, "b": 0, "c": 0, "w": 1.7, "s": 1}),
         (FORCED, {"k": small, "b": 1, "c": 0, "w": 1.7, "s": 1}),
@@ -55,7 +53,7 @@ def test_an_impact(small: float) -> None:
 
 
 @pytest.mark.parametrize("small", [1e-6, 1e-5, 1e-4])
-def test_a_composed_orbit(small: float) -> None:
+def test_a_composed_orbit(small):
     """The response of a soft spring about its equilibrium, whose closing is worth 1/k digits."""
     parameters = {"k": small, "b": 1, "c": 0, "w": 1.7, "s": 1e9}
     wanted = np.array([1 / small + 5 / (small - 1.7**2), 0, 1, 0])

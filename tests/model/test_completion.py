@@ -14,7 +14,7 @@ FRICTION = ["dry-friction/global-stick", "dry-friction/symmetric"]
 E, US, UR = "e1", "us1", "ur1"
 
 
-def forces(random: np.random.Generator) -> dict[str, Fraction]:
+def forces(random):
     """Random e1 = ur1 - us1 and e2 = ur2 - us2, all inside their domains."""
     found = {}
     for k in "12":
@@ -24,7 +24,7 @@ def forces(random: np.random.Generator) -> dict[str, Fraction]:
     return found
 
 
-def test_relations_hold_exactly_whatever_is_given_and_in_any_order() -> None:
+def test_relations_hold_exactly_whatever_is_given_and_in_any_order():
     random = np.random.default_rng(31)
     for name in FRICTION:
         kernels = load_orbit(name)
@@ -46,7 +46,7 @@ def test_relations_hold_exactly_whatever_is_given_and_in_any_order() -> None:
                 assert system.values[n].exact == every[n]
 
 
-def test_arrays_complete_to_the_same() -> None:
+def test_arrays_complete_to_the_same():
     random = np.random.default_rng(32)
     kernels = load_orbit(FRICTION[0])
     for pair in (("us1", "ur1"), ("e1", "us1"), ("e1", "ur1")):
@@ -62,7 +62,7 @@ def test_arrays_complete_to_the_same() -> None:
 
 
 @pytest.mark.parametrize("name", FRICTION)
-def test_a_contradiction_is_refused_on_one_line_that_names_both(name: str) -> None:
+def test_a_contradiction_is_refused_on_one_line_that_names_both(name):
     kernels = load_orbit(name)
     for order in permutations({"e2": 1, "us2": 1, "ur2": 3}.items()):
         with pytest.raises(InputError, match="e2 = 1 contradicts ur2 - us2 = 2") as caught:
@@ -70,7 +70,7 @@ def test_a_contradiction_is_refused_on_one_line_that_names_both(name: str) -> No
         assert "\n" not in str(caught.value)
 
 
-def test_what_is_chosen_exceeds_its_bound_and_is_a_short_decimal() -> None:
+def test_what_is_chosen_exceeds_its_bound_and_is_a_short_decimal():
     kernels = load_orbit("dry-friction/symmetric")
     point = complete(kernels, {})
     bounds = [0.0, 0.5, 0.89, 0.9, 1.0, 3.7, *np.random.default_rng(33).uniform(0, 50, 200)]
@@ -85,7 +85,7 @@ def test_what_is_chosen_exceeds_its_bound_and_is_a_short_decimal() -> None:
         assert float(value) <= max(1.0, 1.1 * bound + 0.1)
 
 
-def test_a_sum_that_is_open_too_takes_its_least_value() -> None:
+def test_a_sum_that_is_open_too_takes_its_least_value():
     kernels = load_orbit("dry-friction/symmetric")
     for given, us1, ur1 in (({}, 1, 1), ({US: 2}, 2, 2), ({UR: 3}, 3, 3), ({E: 3}, 1, 4)):
         point = complete(kernels, given)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
@@ -22,7 +21,7 @@ from tests.counting import calls_of
 from tests.two_masses import SYSTEMS
 
 
-def of(*texts: str, terms: tuple[str, ...] = (), names: str = "a b") -> Function:
+def of(*texts, terms=(), names="a b"):
     """A function of two numbers that gives one row."""
     return Function(
         takes=(names,),
@@ -35,7 +34,7 @@ def of(*texts: str, terms: tuple[str, ...] = (), names: str = "a b") -> Function
     )
 
 
-def flat(numbers: Any) -> Iterator[Any]:
+def flat(numbers):
     if isinstance(numbers, list | tuple):
         for entry in numbers:
             yield from flat(entry)
@@ -44,7 +43,7 @@ def flat(numbers: Any) -> Iterator[Any]:
 
 
 @pytest.mark.parametrize("name", SYSTEMS)
-def test_every_kernel_comes_back_to_the_last_bit(name: str) -> None:
+def test_every_kernel_comes_back_to_the_last_bit(name):
     module = load_system(name).module
     drawn = np.random.default_rng(1)
     for kernel, (taken, given) in module.KERNELS.items():
@@ -66,7 +65,7 @@ def test_every_kernel_comes_back_to_the_last_bit(name: str) -> None:
                 assert np.array_equal(wanted[: len(found)], found, equal_nan=True), kernel
 
 
-def test_one_text_serves_every_arithmetic() -> None:
+def test_one_text_serves_every_arithmetic():
     function = of("sqrt(_1)*pi/3", "(a - 1/3)**2/b", "-a**2", terms=("_1 = a*b",))
     assert function([2.0, 8.0], lib=FLOATS) == [4 * np.pi / 3, (2 - 1 / 3) ** 2 / 8, -4]
     sharp = Mpmath(50)
@@ -128,7 +127,7 @@ HOSTILE = {
 
 
 @pytest.mark.parametrize("text", HOSTILE)
-def test_what_is_no_expression_is_refused_in_one_line(text: str) -> None:
+def test_what_is_no_expression_is_refused_in_one_line(text):
     def read():
         with pytest.raises(InputError, match=HOSTILE[text]) as refused:
             of(text).check(exactly=True)
@@ -147,7 +146,7 @@ def test_what_is_no_expression_is_refused_in_one_line(text: str) -> None:
         ("x = (a + b + 1)**90",),
     ],
 )
-def test_what_would_expand_without_end_is_refused(terms: tuple[str, ...]) -> None:
+def test_what_would_expand_without_end_is_refused(terms):
     function = of("a", terms=("x0 = a + b", *terms))
     with pytest.raises(InputError, match="too large"):
         function.check(exactly=True)
@@ -168,13 +167,13 @@ def test_what_would_expand_without_end_is_refused(terms: tuple[str, ...]) -> Non
         (("x = y", "y = a"), "unknown name 'y'"),
     ],
 )
-def test_terms_are_named_once_and_in_order(terms: tuple[str, ...], match: str) -> None:
+def test_terms_are_named_once_and_in_order(terms, match):
     with pytest.raises(InputError, match=match):
         of("a", terms=terms).check(exactly=False)
 
 
 @pytest.mark.parametrize("shape", [(-1,), (1 << 40,), (2, 1 << 40), (1, 1, 1), (3,), (2, 2)])
-def test_shapes_are_those_of_the_texts(shape: tuple[int, ...]) -> None:
+def test_shapes_are_those_of_the_texts(shape):
     one = {"takes": ("a",), "names": ("given",), "since": (0,), "terms": ()}
     wrong = Function(**one, inputs=((1,),), outputs=(shape,), gives=("a, a",))
     with pytest.raises(InputError):
@@ -184,7 +183,7 @@ def test_shapes_are_those_of_the_texts(shape: tuple[int, ...]) -> None:
         wrong.check(exactly=False)
 
 
-def test_the_first_results_do_without_later_arguments() -> None:
+def test_the_first_results_do_without_later_arguments():
     def two(since: tuple[int, int], first: str = "a1") -> Function:
         return Function(
             takes=("a1", "b1"),
@@ -209,7 +208,7 @@ def test_the_first_results_do_without_later_arguments() -> None:
         replace(two((0, 1)), names=("one",)).check(exactly=False)
 
 
-def test_many_results_are_read_by_work_in_proportion_to_their_number() -> None:
+def test_many_results_are_read_by_work_in_proportion_to_their_number():
     def read(count):
         function = Function(
             takes=("a b",),
@@ -227,7 +226,7 @@ def test_many_results_are_read_by_work_in_proportion_to_their_number() -> None:
     assert calls_of(lambda: read(2000)) < 11 * calls_of(lambda: read(200))
 
 
-def test_the_first_results_need_no_work_for_later_ones() -> None:
+def test_the_first_results_need_no_work_for_later_ones():
     done = []
 
     class Counted:

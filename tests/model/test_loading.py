@@ -11,7 +11,6 @@ import subprocess
 import sys
 import traceback
 import weakref
-from collections.abc import Iterator
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from types import FunctionType, ModuleType
@@ -34,7 +33,7 @@ from tests.user_systems import DAMPED, KICKED, declare
 
 
 @pytest.fixture(autouse=True)
-def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def cache(tmp_path, monkeypatch):
     """A cache folder of the test's own, and a process that knows nothing yet."""
     folder = tmp_path / "cache"
     monkeypatch.setenv("NONSMOOTH_CACHE", str(folder))
@@ -42,7 +41,7 @@ def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return folder
 
 
-def forget(monkeypatch: pytest.MonkeyPatch) -> None:
+def forget(monkeypatch):
     """As in a new process."""
     monkeypatch.setattr(loading, "_MODULES", caching.Modules(9))
     monkeypatch.setattr(loading, "_FILES", {})
@@ -50,7 +49,7 @@ def forget(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture
-def derivations(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+def derivations(monkeypatch):
     """Names of the systems that are derived, one entry for each time."""
     names: list[str] = []
     derive = python_file.emit_python
@@ -63,11 +62,11 @@ def derivations(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     return names
 
 
-def read(path: Path) -> Any:
+def read(path):
     return declaration_in(path)
 
 
-def write_emitted(folder: Path, path: Path) -> Path:
+def write_emitted(folder, path):
     """The folder that `nonsmooth generate` would write."""
     folder.mkdir()
     for name, text in emitted_of(path.read_text()).items():
@@ -76,7 +75,7 @@ def write_emitted(folder: Path, path: Path) -> Path:
 
 
 @functools.cache
-def emitted_of(text: str) -> dict[str, str]:
+def emitted_of(text):
     """What is generated of a declaration, by the names of its files."""
     with TemporaryDirectory() as folder:
         path = declare(Path(folder), text)
@@ -88,7 +87,7 @@ def emitted_of(text: str) -> dict[str, str]:
 # --- the same system, whatever it is loaded from -----------------------------------------
 
 
-def test_an_orbit_of_a_folder_is_the_closed_form(tmp_path: Path) -> None:
+def test_an_orbit_of_a_folder_is_the_closed_form(tmp_path):
     path = declare(tmp_path)
     name = f"{write_emitted(tmp_path / 'kernels', path)}:loop"
     orbit = solve(name, {"k": 2, "r": "0.25"})
@@ -102,7 +101,7 @@ def test_an_orbit_of_a_folder_is_the_closed_form(tmp_path: Path) -> None:
     assert load_orbit(f"{path}:loop").table == load_orbit(name).table
 
 
-def test_a_motion_is_the_same_from_a_file_a_folder_and_a_system(tmp_path: Path) -> None:
+def test_a_motion_is_the_same_from_a_file_a_folder_and_a_system(tmp_path):
     path = declare(tmp_path)
     folder = write_emitted(tmp_path / "kernels", path)
     system: Any = read(path).system
@@ -119,7 +118,7 @@ def test_a_motion_is_the_same_from_a_file_a_folder_and_a_system(tmp_path: Path) 
         np.testing.assert_array_equal(motion.times, motions[0].times)
 
 
-def test_a_built_in_system_is_the_same_when_it_is_handed_over() -> None:
+def test_a_built_in_system_is_the_same_when_it_is_handed_over():
     own, generated = load_system(rigid_stop.system), load_system("rigid-stop")
     assert own.table == generated.table
     assert generated.built_in
@@ -131,9 +130,7 @@ def test_a_built_in_system_is_the_same_when_it_is_handed_over() -> None:
         )
 
 
-def test_a_system_is_found_again_by_its_name_from_the_cache(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, derivations: list[str]
-) -> None:
+def test_a_system_is_found_again_by_its_name_from_the_cache(tmp_path, monkeypatch, derivations):
     system: Any = read(declare(tmp_path)).system
     name = load_system(system).name
     assert name == f"kicked@{system.fingerprint()}"
@@ -146,12 +143,12 @@ def test_a_system_is_found_again_by_its_name_from_the_cache(
         load_system(name)
 
 
-def test_a_file_that_is_gone_is_named(tmp_path: Path) -> None:
+def test_a_file_that_is_gone_is_named(tmp_path):
     with pytest.raises(InputError, match="there is no file"):
         load_system(str(tmp_path / "gone" / "mine.py"))
 
 
-def test_names_are_whole_paths(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_names_are_whole_paths(tmp_path, monkeypatch):
     path = declare(tmp_path)
     monkeypatch.chdir(tmp_path)
     orbit = load_orbit("mine.py:loop")
@@ -163,7 +160,7 @@ def test_names_are_whole_paths(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
 # --- systems without closed forms --------------------------------------------------------
 
 
-def test_an_orbit_without_a_closed_form_is_kept_to_be_composed(tmp_path: Path) -> None:
+def test_an_orbit_without_a_closed_form_is_kept_to_be_composed(tmp_path):
     path = declare(tmp_path, DAMPED)
     for name in (f"{path}:loop", f"{write_emitted(tmp_path / 'kernels', path)}:loop"):
         orbit = load_orbit(name)
@@ -181,7 +178,7 @@ def test_an_orbit_without_a_closed_form_is_kept_to_be_composed(tmp_path: Path) -
 
 
 @pytest.mark.slow
-def test_the_second_process_derives_nothing(tmp_path: Path) -> None:
+def test_the_second_process_derives_nothing(tmp_path):
     path = declare(tmp_path)
     code = (
         "import sys; from nonsmooth.runtime.model.kernels import load_orbit;"
@@ -200,9 +197,7 @@ def test_the_second_process_derives_nothing(tmp_path: Path) -> None:
     assert outputs[1] == "[]"
 
 
-def test_a_declaration_is_derived_once(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, derivations: list[str], cache: Path
-) -> None:
+def test_a_declaration_is_derived_once(tmp_path, monkeypatch, derivations, cache):
     path = declare(tmp_path)
     first = load_system(str(path)).module.DERIVATION
     forget(monkeypatch)
@@ -221,12 +216,12 @@ def test_a_declaration_is_derived_once(
 
 @pytest.mark.parametrize("damage", ["cut", "changed", "binary", "empty", "folder", "pipe"])
 def test_a_damaged_cache_is_derived_anew(
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    derivations: list[str],
-    cache: Path,
-    damage: str,
-) -> None:
+    tmp_path,
+    monkeypatch,
+    derivations,
+    cache,
+    damage,
+):
     path = declare(tmp_path)
     expected = load_system(str(path)).table
     entry = max(cache.iterdir(), key=lambda entry: entry.stat().st_size)
@@ -249,9 +244,7 @@ def test_a_damaged_cache_is_derived_anew(
         assert entry.read_bytes() == content
 
 
-def test_without_a_cache_all_works(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, cache: Path
-) -> None:
+def test_without_a_cache_all_works(tmp_path, monkeypatch, cache):
     path = declare(tmp_path)
     monkeypatch.setenv("NONSMOOTH_CACHE", "")
     assert caching.cache_folder() is None
@@ -262,7 +255,7 @@ def test_without_a_cache_all_works(
     assert load_system(str(path)).table["name"] == "kicked"
 
 
-def test_the_cache_is_where_the_user_keeps_caches(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_cache_is_where_the_user_keeps_caches(monkeypatch):
     monkeypatch.delenv("NONSMOOTH_CACHE")
     monkeypatch.setenv("XDG_CACHE_HOME", "/somewhere")
     assert caching.cache_folder() == Path("/somewhere/nonsmooth")
@@ -271,7 +264,7 @@ def test_the_cache_is_where_the_user_keeps_caches(monkeypatch: pytest.MonkeyPatc
     assert caching.cache_folder() == Path("/home/someone/.cache/nonsmooth")
 
 
-def test_an_edited_file_is_read_again(tmp_path: Path, derivations: list[str]) -> None:
+def test_an_edited_file_is_read_again(tmp_path, derivations):
     path = declare(tmp_path)
     assert load_system(str(path)).parameters[1].upper == "1"
     declare(tmp_path, KICKED.replace("upper=1)", "upper=2)"))
@@ -303,9 +296,7 @@ def test_an_edited_file_is_read_again(tmp_path: Path, derivations: list[str]) ->
         ("from nonsmooth.derive.systems import import_module as a\na('os').name\n", 2),
     ],
 )  # fmt: skip
-def test_a_file_whose_text_says_all_is_not_executed_again(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, more: str, times: int
-) -> None:
+def test_a_file_whose_text_says_all_is_not_executed_again(tmp_path, monkeypatch, more, times):
     path, executed = declare(tmp_path, KICKED + more), []
     monkeypatch.setattr(
         loading, "declaration_in", lambda file: executed.append(file) or declaration_in(file)
@@ -325,9 +316,7 @@ def test_a_file_whose_text_says_all_is_not_executed_again(
     assert len(executed) == before + 1
 
 
-def test_kernels_are_compiled_of_the_declaration_that_was_loaded(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_kernels_are_compiled_of_the_declaration_that_was_loaded(tmp_path, monkeypatch):
     path, begun = declare(tmp_path), []
     monkeypatch.setattr(background, "_begin", lambda _, declared: begun.append(declared))
     declared = read(path)
@@ -351,15 +340,13 @@ def test_kernels_are_compiled_of_the_declaration_that_was_loaded(
         ('"0.5"', '"0.6"'), ("stiffness on", "spring on"), ("real=True", "real=True, finite=True"),
     ],
 )  # fmt: skip
-def test_every_change_of_a_declaration_changes_its_fingerprint(
-    tmp_path: Path, old: str, new: str
-) -> None:
+def test_every_change_of_a_declaration_changes_its_fingerprint(tmp_path, old, new):
     assert old in KICKED
     one, other = read(declare(tmp_path)), read(declare(tmp_path, KICKED.replace(old, new), "b.py"))
     assert one.system.fingerprint(one.orbits) != other.system.fingerprint(other.orbits)
 
 
-def test_equal_declarations_have_one_fingerprint(tmp_path: Path) -> None:
+def test_equal_declarations_have_one_fingerprint(tmp_path):
     one, other = read(declare(tmp_path)), read(declare(tmp_path, name="b.py"))
     assert one.system.fingerprint(one.orbits) == other.system.fingerprint(other.orbits)
     assert one.system.fingerprint() != one.system.fingerprint(one.orbits)
@@ -403,7 +390,7 @@ def test_equal_declarations_have_one_fingerprint(tmp_path: Path) -> None:
         ),
     ],
 )  # fmt: skip
-def test_a_wrong_file_is_told_in_one_line(tmp_path: Path, text: str, message: str) -> None:
+def test_a_wrong_file_is_told_in_one_line(tmp_path, text, message):
     path = declare(tmp_path, text)
     with pytest.raises(InputError, match=message) as caught:
         load_system(str(path))
@@ -411,7 +398,7 @@ def test_a_wrong_file_is_told_in_one_line(tmp_path: Path, text: str, message: st
     assert str(path) in str(caught.value)
 
 
-def test_names_that_stand_for_nothing(tmp_path: Path) -> None:
+def test_names_that_stand_for_nothing(tmp_path):
     path = declare(tmp_path)
     for name, message in (
         ("nothing", "unknown system 'nothing'"),
@@ -439,7 +426,7 @@ def test_names_that_stand_for_nothing(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "damage", ["cut", "missing", "pipe", "record cut", "record foreign", "record pipe"]
 )
-def test_a_damaged_folder_is_refused(tmp_path: Path, damage: str) -> None:
+def test_a_damaged_folder_is_refused(tmp_path, damage):
     folder = write_emitted(tmp_path / "kernels", declare(tmp_path))
     load_system(str(folder))
     emitted, record = folder / "kicked.py", folder / "PROVENANCE.json"
@@ -467,7 +454,7 @@ def test_a_damaged_folder_is_refused(tmp_path: Path, damage: str) -> None:
 
 
 @pytest.fixture
-def importing(tmp_path: Path) -> Iterator[list[Path]]:
+def importing(tmp_path):
     """Two folders whose declarations import a module of one name, which differ."""
     found = []
     for number in (1, 2):
@@ -480,13 +467,13 @@ def importing(tmp_path: Path) -> Iterator[list[Path]]:
     assert "my_numbers" not in sys.modules
 
 
-def test_a_file_may_import_its_neighbours(importing: list[Path]) -> None:
+def test_a_file_may_import_its_neighbours(importing):
     before = list(sys.path)
     assert [load_system(str(path)).parameters[1].upper for path in importing] == ["1", "2"]
     assert sys.path == before
 
 
-def test_the_package_may_lie_below_the_folder_of_a_file(tmp_path: Path) -> None:
+def test_the_package_may_lie_below_the_folder_of_a_file(tmp_path):
     """It is imported once, though what a file imports from its folder is forgotten."""
     (tmp_path / "lib").mkdir()
     (tmp_path / "lib" / "nonsmooth").symlink_to(Path(nonsmooth.__file__).parent)
@@ -502,7 +489,7 @@ def test_the_package_may_lie_below_the_folder_of_a_file(tmp_path: Path) -> None:
     subprocess.run(command, env=environment, check=True, timeout=60)
 
 
-def test_a_traceback_through_emitted_code_shows_its_lines(tmp_path: Path) -> None:
+def test_a_traceback_through_emitted_code_shows_its_lines(tmp_path):
     kernels = load_system(str(declare(tmp_path)))
     try:
         kernels.source("fields")(None, lib=None)
@@ -517,9 +504,7 @@ def test_a_traceback_through_emitted_code_shows_its_lines(tmp_path: Path) -> Non
 
 @pytest.mark.skipif(not hasattr(os, "getuid"), reason="access is not told by modes")
 @pytest.mark.parametrize("place", ["cache", ".", "cache/text"])
-def test_what_others_can_write_is_not_executed(
-    place: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: Any
-) -> None:
+def test_what_others_can_write_is_not_executed(place, tmp_path, monkeypatch, capfd):
     folder = tmp_path / "home" / "cache"
     monkeypatch.setenv("NONSMOOTH_CACHE", str(folder))
     assert caching.cached("text", lambda: "ours") == "ours"
@@ -539,9 +524,7 @@ def test_what_others_can_write_is_not_executed(
 
 
 @pytest.mark.skipif(getattr(os, "getuid", lambda: 1)() != 0, reason="only root gives files away")
-def test_a_cache_of_another_user_is_not_executed(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: Any
-) -> None:
+def test_a_cache_of_another_user_is_not_executed(tmp_path, monkeypatch, capfd):
     folder = tmp_path / "other"
     monkeypatch.setenv("NONSMOOTH_CACHE", str(folder))
     assert caching.cached("text", lambda: "ours") == "ours"
@@ -550,16 +533,14 @@ def test_a_cache_of_another_user_is_not_executed(
     assert "belongs to another user" in capfd.readouterr().err
 
 
-def test_a_folder_in_one_that_all_may_use_is_the_users_own(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_folder_in_one_that_all_may_use_is_the_users_own(tmp_path, monkeypatch):
     tmp_path.chmod(0o1777)  # as /tmp is
     monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path / "mine"))
     assert caching.cached("text", lambda: "ours") == "ours"
     assert caching.cached("text", lambda: "again") == "ours"
 
 
-def test_memory_does_not_grow_with_what_was_loaded() -> None:
+def test_memory_does_not_grow_with_what_was_loaded():
     """Of all systems but the last four a packed text is kept, which is shorter than the text."""
     text = "VALUE = {0}\n" + "".join(f"def f{i}(x):\n    return x * {i}\n" for i in range(30))
     known, lines, modules = caching.Modules(4), len(linecache.cache), []
@@ -574,7 +555,7 @@ def test_memory_does_not_grow_with_what_was_loaded() -> None:
     assert [known[str(i)].VALUE for i in range(32)] == list(range(32))
 
 
-def _bytes_of_texts(known: caching.Modules) -> int:
+def _bytes_of_texts(known):
     """Bytes of all texts that are reached from the known modules, but through these themselves."""
     seen: dict[int, object] = {}
     pending: list[object] = [vars(known)]
@@ -586,9 +567,7 @@ def _bytes_of_texts(known: caching.Modules) -> int:
     return sum(sys.getsizeof(text) for text in seen.values() if isinstance(text, str | bytes))
 
 
-def test_what_is_packed_solves_and_tells_its_lines(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_what_is_packed_solves_and_tells_its_lines(tmp_path, monkeypatch):
     monkeypatch.setattr(loading, "_MODULES", caching.Modules(1))
     one, other = (read(declare(tmp_path, text, f"{k}.py")).system
                   for k, text in (("one", KICKED), ("other", DAMPED)))  # fmt: skip
@@ -599,7 +578,7 @@ def test_what_is_packed_solves_and_tells_its_lines(
     assert linecache.getlines(f"<{name}>")
 
 
-def test_the_cache_is_bounded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_cache_is_bounded(tmp_path, monkeypatch):
     """What was not used for longest goes; what is not the cache's stays."""
     monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path))
     monkeypatch.setattr(caching, "MOST_BYTES", 3000)
@@ -617,9 +596,7 @@ def test_the_cache_is_bounded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
     assert foreign.is_file()
 
 
-def test_what_killed_processes_left_counts_and_goes(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_what_killed_processes_left_counts_and_goes(tmp_path, monkeypatch):
     monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path))
     monkeypatch.setattr(caching, "MOST_BYTES", 10_000)
     file, folder = tmp_path / ".12ab.partial", tmp_path / "12ab-7.partial"
@@ -634,7 +611,7 @@ def test_what_killed_processes_left_counts_and_goes(
     assert [path.name for path in tmp_path.iterdir()] == [f"{2:064x}.py"]
 
 
-def test_two_processes_remove_the_same(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_two_processes_remove_the_same(tmp_path, monkeypatch):
     monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path))
     keys = [f"{place:064x}" for place in range(2)]
     caching.cached(keys[0], lambda: "first")

@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 import weakref
 from itertools import product
-from typing import Any
 
 import numpy as np
 import pytest
@@ -33,18 +32,18 @@ pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without
 NUMERIC = "nonsmooth.runtime.model.modes.numeric_modes"
 
 
-def exponential(matrix: np.ndarray, t: float) -> np.ndarray:
+def exponential(matrix, t):
     """Each entry is rounded once."""
     with ctx.workprec(300):
         rows = (arb_mat(matrix.tolist()) * arb(t)).exp().tolist()
         return np.array([[float(entry) for entry in row] for row in rows])
 
 
-def whole(field: np.ndarray) -> np.ndarray:
+def whole(field):
     return np.vstack([field, np.zeros(field.shape[1])])
 
 
-def summed(modes: Any, t: float) -> np.ndarray:
+def summed(modes, t):
     """Flow (N, N + 1) after a time."""
     functions = np.array(functions_at(modes.shapes, modes.exponents, t))
     if hasattr(modes.flows, "at"):
@@ -52,13 +51,13 @@ def summed(modes: Any, t: float) -> np.ndarray:
     return np.tensordot(functions, modes.flows, axes=1)
 
 
-def missed(field: np.ndarray, modes: Any, t: float, least: float = 0.0) -> float:
+def missed(field, modes, t, least=0.0):
     """The largest error of a flow, in units of its largest entry, but of no smaller ones."""
     wanted = exponential(whole(field), t)[:-1]
     return float(np.abs(summed(modes, t) - wanted).max() / max(least, np.abs(wanted).max()))
 
 
-def keep_their_law(modes: Any, t: float) -> None:
+def keep_their_law(modes, t):
     """Functions of time solve their own linear system, and keep to their bounds."""
     shapes, exponents = modes.shapes, modes.exponents
     rates = derivative_matrix(shapes, exponents)
@@ -76,7 +75,7 @@ def keep_their_law(modes: Any, t: float) -> None:
 # --- fields
 
 
-def structure(mass, damping, stiffness, load, forced=None, frequency=1.0) -> np.ndarray:
+def structure(mass, damping, stiffness, load, forced=None, frequency=1.0):
     """M x'' + C x' + K x = f, and c f_2, with c and s turning, if there is a second force."""
     mass, damping, stiffness = (np.atleast_2d(m) for m in (mass, damping, stiffness))
     size = len(mass)
@@ -90,14 +89,14 @@ def structure(mass, damping, stiffness, load, forced=None, frequency=1.0) -> np.
     return field if forced is not None else np.delete(field[:-2], (-3, -2), axis=1)
 
 
-def links(count: int, ends: int = 2) -> np.ndarray:
+def links(count, ends=2):
     """Stiffness of a chain, between walls or of masses held by each other alone."""
     found = 2 * np.eye(count) - np.eye(count, k=1) - np.eye(count, k=-1)
     found[0, 0] = found[-1, -1] = ends
     return found
 
 
-def chain(count: int, damping: float, frequency: float, held: int | None = None) -> np.ndarray:
+def chain(count, damping, frequency, held=None):
     """Masses between walls, the first one forced; one may be held, under a load on the others."""
     stiffness = links(count)
     loads = np.full(count, 0.0 if held is None else 0.3)
@@ -108,13 +107,13 @@ def chain(count: int, damping: float, frequency: float, held: int | None = None)
     return field
 
 
-def turned(field: np.ndarray) -> np.ndarray:
+def turned(field):
     """The same motion in other coordinates: no entry is zero any more."""
     basis = np.linalg.qr(np.random.default_rng(5).normal(size=(len(field), len(field))))[0]
     return np.hstack([basis @ field[:, :-1] @ basis.T, basis @ field[:, -1:]])
 
 
-def free_masses(seed: int) -> np.ndarray:
+def free_masses(seed):
     """Full mass matrices, rigid-body modes, proportional damping, load.
 
     Of seeds 175 and 192 rounding takes the rigid body's eigenvalues apart, to a pair of 1e-8.
@@ -171,7 +170,7 @@ FIELDS: dict[str, tuple[np.ndarray, list[tuple[int, bool]] | None]] = {
 
 
 @pytest.mark.parametrize("name", FIELDS)
-def test_the_modes_sum_up_to_the_exponential(name: str) -> None:
+def test_the_modes_sum_up_to_the_exponential(name):
     field, known = FIELDS[name]
     modes = numeric_modes(field)
     assert known is None or [(s.length, s.oscillates) for s in modes.shapes] == known
@@ -197,7 +196,7 @@ SMALL = (
 )
 
 
-def nearly_met(small: float) -> list[tuple[np.ndarray, float, float]]:
+def nearly_met(small):
     """Fields with eigenvalues that are near each other; allowed errors, and times up to which."""
     found = [(structure(1, 2 * (1 + sign * small), 1, 0.7), 3e-13, 100.0) for sign in (1, -1)]
     critical = 2 * math.sqrt(small)
@@ -218,7 +217,7 @@ def nearly_met(small: float) -> list[tuple[np.ndarray, float, float]]:
 
 
 @pytest.mark.parametrize("small", SMALL)
-def test_where_modes_nearly_meet_no_digits_cancel(small: float) -> None:
+def test_where_modes_nearly_meet_no_digits_cancel(small):
     """In front of boundaries, which set the unit of time, and without a load without any."""
     joined = False
     for field, allowed, late in nearly_met(small):
@@ -233,7 +232,7 @@ def test_where_modes_nearly_meet_no_digits_cancel(small: float) -> None:
     assert joined or small in (0, 1)
 
 
-def test_eigenvalues_that_cannot_be_told_apart() -> None:
+def test_eigenvalues_that_cannot_be_told_apart():
     """A Jordan block of eleven, moved by 1e-13: eigenvalues 0.07 from each other."""
     field = np.diag(np.full(11, 1.0), 1)[:11]
     field[-1, 0] = 1e-13
@@ -242,7 +241,7 @@ def test_eigenvalues_that_cannot_be_told_apart() -> None:
 
 
 @pytest.mark.parametrize("rate", [1e-10, 1e-11, 1e-12, 1e-13])
-def test_what_decays_slowly_is_not_taken_for_a_constant(rate: float) -> None:
+def test_what_decays_slowly_is_not_taken_for_a_constant(rate):
     """Over the longest search its motion changes by more than rounding."""
     matrix = np.array([[-rate, 1.0, 0.0], [0.0, -rate, 0.0], [0.0, 0.0, -1.0]])
     quick = subspace_modes(matrix, np.ones((3, 3), dtype=bool))
@@ -256,9 +255,7 @@ def test_what_decays_slowly_is_not_taken_for_a_constant(rate: float) -> None:
 
 
 @pytest.mark.parametrize(("count", "which"), [(3, 2), (4, 1), (6, 0), (8, 7)])
-def test_a_held_mass_and_a_forcing_drive_the_rest(
-    count: int, which: int, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_held_mass_and_a_forcing_drive_the_rest(count, which, monkeypatch):
     """They are no reason to search for clusters in many digits."""
     numeric_modes(chain(2, 0.02, 0.7, 1))  # whose held mass and forcing are those of the others
     monkeypatch.setattr(f"{NUMERIC}.best_modes", None)
@@ -272,7 +269,7 @@ def test_a_held_mass_and_a_forcing_drive_the_rest(
 
 
 @pytest.mark.parametrize("seed", [0, 2, 3, 4, 6])
-def test_modes_in_a_stack_are_those_of_each_alone(seed: int) -> None:
+def test_modes_in_a_stack_are_those_of_each_alone(seed):
     """Whatever else is in it: numbers that are not finite, or equal eigenvalues."""
     random = np.random.default_rng(seed)
     size = int(random.integers(2, 8))
@@ -306,7 +303,7 @@ def test_modes_in_a_stack_are_those_of_each_alone(seed: int) -> None:
 # --- many states
 
 
-def test_factors_are_the_matrices_they_stand_for() -> None:
+def test_factors_are_the_matrices_they_stand_for():
     """And they are few: both sides of the eigenvectors, and a matrix."""
     rng = np.random.default_rng(1)
     for name in ("long", "long, sticking"):
@@ -333,8 +330,8 @@ def test_factors_are_the_matrices_they_stand_for() -> None:
 
 
 def test_of_many_fields_the_modes_are_remembered_that_fit_into_memory(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+    monkeypatch,
+):
     most = 1 << 20
     monkeypatch.setattr(f"{NUMERIC}._MOST", most)
     # no other test has fields of this size
@@ -347,9 +344,7 @@ def test_of_many_fields_the_modes_are_remembered_that_fit_into_memory(
 
 
 @pytest.mark.parametrize(("count", "bits"), [(2, None), (6, None), (3, 60)])
-def test_exponentials_are_right_to_the_last_digit(
-    count: int, bits: int | None, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_exponentials_are_right_to_the_last_digit(count, bits, monkeypatch):
     """Also where the first precision is not enough: it is told, and more is taken."""
     if bits is not None:
         monkeypatch.setattr("nonsmooth.runtime.model.modes.precise_modes._FEW_BITS", bits)

@@ -32,7 +32,7 @@ def function():
 
 
 @pytest.mark.parametrize("shape", [(), (1,), (4,), (2, 3), (0,)])
-def test_points_may_have_any_leading_axes(function, shape) -> None:
+def test_points_may_have_any_leading_axes(function, shape):
     points = np.random.default_rng(2).normal(size=(*shape, 2))
     matrix, number = function(points)
     x, y = points[..., 0], points[..., 1]
@@ -45,20 +45,20 @@ def test_points_may_have_any_leading_axes(function, shape) -> None:
     assert_array_equal(number, x + 1)
 
 
-def test_a_tiny_imaginary_part_is_a_derivative(function) -> None:
+def test_a_tiny_imaginary_part_is_a_derivative(function):
     x, tiny = np.array([0.7, -1.2]), 1e-30
     matrix, number = function(x + 1j * tiny * np.array([1.0, 0.0]))
     assert_allclose(matrix.imag / tiny, [[0, x[1], 0], [np.cos(x[0]), 0, 0]], rtol=1e-15)
     assert number.imag == tiny
 
 
-def test_an_argument_of_another_shape_is_refused(function) -> None:
+def test_an_argument_of_another_shape_is_refused(function):
     with pytest.raises(ValueError, match="does not end in"):
         function(np.zeros((4, 3)))
 
 
 @pytest.mark.parametrize("order", [slice(None), slice(None, None, -1), slice(None, None, 2)])
-def test_results_never_lie_in_the_memory_of_arguments(order) -> None:
+def test_results_never_lie_in_the_memory_of_arguments(order):
     function = function_of(lambda point, lib: (point, point[0]), [(2,)], [(2,), ()])
     points = np.random.default_rng(3).normal(size=(6, 2))
     before = points.copy()

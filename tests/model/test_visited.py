@@ -12,9 +12,7 @@ from tests.declared_documents import chain
 
 @pytest.mark.slow
 @pytest.mark.parametrize("visited", [(0,), (2, 0), (0, 1, 2, 3)])
-def test_modes_of_visited_configurations_are_the_same_and_no_others_are_found(
-    visited: tuple[int, ...], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_modes_of_visited_configurations_are_the_same_and_no_others_are_found(visited, monkeypatch):
     kernels = load_system(chain())
     points = np.array([[1.0, 20.0], [1.1, 25.0], [1.2, 31.0]])
     whole = numbers_at(kernels, points)
@@ -39,7 +37,7 @@ def test_modes_of_visited_configurations_are_the_same_and_no_others_are_found(
     assert len(calls) == (1 + len(points)) * len(visited)
 
 
-def test_what_a_cycle_needs_is_finite() -> None:
+def test_what_a_cycle_needs_is_finite():
     kernels = load_system(chain())
     points = np.array([[1.0, 20.0], [np.inf, 20.0]])
     phases = [("free-free", "left-reaches-stop"), ("contact-free", "left-leaves-stop")]

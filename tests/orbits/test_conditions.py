@@ -11,7 +11,7 @@ from tests.one_mass import one_mass
 ITINERARY = [("free", "wall-reaches-stop")]
 
 
-def test_an_orbit_follows_whichever_of_two_equal_transitions_applies() -> None:
+def test_an_orbit_follows_whichever_of_two_equal_transitions_applies():
     r = sp.Symbol("r")
     wall = RigidStop("x", at=0, restitution=r, name="wall")
     system = one_mass("one-stop", wall, forces={"12/5": 1})

@@ -39,16 +39,16 @@ BOXES: dict[str, dict[str, tuple[float, float]]] = {
 
 
 @pytest.fixture(autouse=True)
-def own_backend(monkeypatch: pytest.MonkeyPatch) -> None:
+def own_backend(monkeypatch):
     monkeypatch.delenv("NONSMOOTH_BACKEND", raising=False)
 
 
-def points_in(orbit: str, count: int, seed: int = 5) -> dict[str, np.ndarray]:
+def points_in(orbit, count, seed=5):
     rng = np.random.default_rng(seed)
     return {name: rng.uniform(*ends, count) for name, ends in BOXES[orbit].items()}
 
 
-def by_tables(orbit: Any, monkeypatch: pytest.MonkeyPatch, values: Any, **options: Any) -> Any:
+def by_tables(orbit, monkeypatch, values, **options):
     with monkeypatch.context() as elsewhere:
         elsewhere.setenv("NONSMOOTH_BACKEND", "numpy")
         assert declared_kernels(load_orbit(orbit)) is None
@@ -67,7 +67,7 @@ def by_tables(orbit: Any, monkeypatch: pytest.MonkeyPatch, values: Any, **option
         for orbit in BOXES
     ],
 )
-def test_verdicts_are_those_of_the_tables(orbit: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_verdicts_are_those_of_the_tables(orbit, monkeypatch):
     assert declared_kernels(load_orbit(orbit)) is not None
     values = points_in(orbit, 120)
     fast: Any = ns.solve(orbit, values)
@@ -96,7 +96,7 @@ def test_verdicts_are_those_of_the_tables(orbit: str, monkeypatch: pytest.Monkey
         pytest.param(SUBHARMONIC, id="tables too", marks=pytest.mark.slow),
     ],
 )
-def test_a_point_has_the_bits_of_itself(orbit: str) -> None:
+def test_a_point_has_the_bits_of_itself(orbit):
     """Not of the others, of their number, or of how often it was asked for."""
     values = points_in(orbit, 40)
     together: Any = ns.solve(orbit, values)
@@ -107,7 +107,7 @@ def test_a_point_has_the_bits_of_itself(orbit: str) -> None:
         assert together.trace[place].tobytes() == alone.trace.tobytes()
 
 
-def closed_form(w: np.ndarray, sigma: np.ndarray, r: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def closed_form(w, sigma, r):
     """Impact velocities of both orbits, as the file of the gallery derives them."""
     gain, cotangent = 1 / (1 - w**2), 1 / np.tan(np.pi / w)
     a, b = (1 + r) * cotangent / 2, (1 - r) / (2 * w)
@@ -115,7 +115,7 @@ def closed_form(w: np.ndarray, sigma: np.ndarray, r: np.ndarray) -> tuple[np.nda
     return (-a * sigma + root) / (a**2 + b**2), (-a * sigma - root) / (a**2 + b**2)
 
 
-def test_of_both_roots_the_motion_is_found() -> None:
+def test_of_both_roots_the_motion_is_found():
     values = points_in(ONE_PERIOD, 1000, seed=8)
     # beside the resonance w = 2 one impact is many times as hard as at the reference
     values["w"][:100] = np.random.default_rng(9).uniform(2.02, 2.06, 100)
@@ -143,7 +143,7 @@ def test_of_both_roots_the_motion_is_found() -> None:
 
 
 @pytest.mark.slow
-def test_where_kernels_find_no_motion_tables_look_for_one(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_where_kernels_find_no_motion_tables_look_for_one(monkeypatch):
     """Newton's method on fewer unknowns ends at another root there."""
     values = {"w": np.linspace(3.4, 3.9, 8), "gap": np.full(8, 0.2)}
     own = declared_kernels(load_orbit(SUBHARMONIC))
@@ -166,7 +166,7 @@ def test_where_kernels_find_no_motion_tables_look_for_one(monkeypatch: pytest.Mo
 
 
 @cache
-def two_stops() -> Itinerary:
+def two_stops():
     """The restitution of the stop that is far away decides nothing; C has both names."""
     far = Parameter("M_PI", "restitution of the other", lower=0, upper=1, upper_closed=True)
     w = Parameter("cos", "frequency")
@@ -186,8 +186,8 @@ def two_stops() -> Itinerary:
 @pytest.mark.slow
 @pytest.mark.parametrize("backend", [pytest.param("", marks=pytest.mark.slow), "numpy"])
 def test_parameters_that_decide_nothing_have_domains_and_names_of_functions_in_c(
-    backend: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
+    backend, monkeypatch
+):
     orbit: Any = two_stops()
     monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
     assert (declared_kernels(load_orbit(orbit)) is None) == (backend == "numpy")
@@ -214,9 +214,7 @@ def test_parameters_that_decide_nothing_have_domains_and_names_of_functions_in_c
         ({"nu": 2.4}, "unknown parameter 'nu'"),
     ],
 )
-def test_wrong_arrays_are_refused_in_the_same_words(
-    values: dict[str, Any], message: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_wrong_arrays_are_refused_in_the_same_words(values, message, monkeypatch):
     """And before kernels are compiled, which takes seconds."""
     with monkeypatch.context() as elsewhere:
         elsewhere.setattr("nonsmooth.runtime.orbits.solve.declared_kernels", None)
@@ -227,9 +225,7 @@ def test_wrong_arrays_are_refused_in_the_same_words(
     assert str(early.value) == str(late.value)
 
 
-def test_kernels_whose_tables_went_are_made_again(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_kernels_whose_tables_went_are_made_again(tmp_path, monkeypatch):
     """The cache is kept small file by file: one of the two may go alone."""
     assert declared_kernels(load_orbit(ONE_PERIOD)) is not None
     loaded = load_path(Path(ONE_PERIOD.rpartition(":")[0]), "one-period", compiled=False)
@@ -247,9 +243,7 @@ def test_kernels_whose_tables_went_are_made_again(
     assert not found()
 
 
-def test_a_chart_keeps_the_kernels_that_it_began_with(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_chart_keeps_the_kernels_that_it_began_with(tmp_path, monkeypatch):
     store, w = tmp_path / "F.zarr", np.linspace(2.3, 2.5, 6)
     before = ns.chart(ONE_PERIOD, store=store, chunk=2, w=w)
     problem, _ = chart_problem(ONE_PERIOD, {"w": w}, False, None, 0)

@@ -5,7 +5,6 @@ import pickle
 import re
 from dataclasses import replace
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -22,12 +21,12 @@ STIFF = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "k3": 1}
 
 
 @pytest.fixture(autouse=True)
-def installed(monkeypatch: pytest.MonkeyPatch) -> None:
+def installed(monkeypatch):
     """The hand-made system and its orbit under names that are loaded."""
     install(monkeypatch, declared())
 
 
-def install(monkeypatch: pytest.MonkeyPatch, kernels: Any) -> None:
+def install(monkeypatch, kernels):
     def orbit(name: str) -> Any:
         return kernels if name == NAME else load_orbit(name)
 
@@ -35,7 +34,7 @@ def install(monkeypatch: pytest.MonkeyPatch, kernels: Any) -> None:
 
 
 @cache
-def orbit(digits: int = 15) -> Any:
+def orbit(digits=15):
     found = nonsmooth.solve(NAME)
     return replace(found if digits == 15 else nonsmooth.refine(found, digits))
 
@@ -43,7 +42,7 @@ def orbit(digits: int = 15) -> Any:
 # --- solve
 
 
-def test_solve_composes() -> None:
+def test_solve_composes():
     found = orbit()
     assert list(found.unknowns) == ["ta", "tb", "x0", "v0", "c0", "s0"]
     assert found.unknowns["ta"] == pytest.approx(np.pi / 1.7, abs=1e-13)
@@ -52,7 +51,7 @@ def test_solve_composes() -> None:
     assert {name: value.text for name, value in found.given.items()} == DATA
 
 
-def test_another_point_is_followed_from_the_reference() -> None:
+def test_another_point_is_followed_from_the_reference():
     # from the guess of the dwell times alone Newton's method finds an unstable orbit here
     found = nonsmooth.solve(NAME, {"Omega": "1.75"})
     assert found.stability.verdict == "stable"
@@ -62,7 +61,7 @@ def test_another_point_is_followed_from_the_reference() -> None:
     assert other.admissibility.verdict is True
 
 
-def test_guesses_by_name_and_in_order() -> None:
+def test_guesses_by_name_and_in_order():
     values = orbit().unknowns
     for guess in (
         dict(values),
@@ -74,7 +73,7 @@ def test_guesses_by_name_and_in_order() -> None:
         assert found.period == pytest.approx(orbit().period, rel=1e-13)
 
 
-def test_a_period_may_be_given(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_period_may_be_given(monkeypatch):
     found = nonsmooth.solve(NAME, given={"period": "2*pi/1.7"})
     assert found.converged
     assert found.given["period"].text == "2*pi/1.7"
@@ -103,12 +102,12 @@ def test_a_period_may_be_given(monkeypatch: pytest.MonkeyPatch) -> None:
         ({"given": {"period": -1}}, "positive"),
     ],
 )
-def test_bad_input(arguments: dict[str, Any], match: str) -> None:
+def test_bad_input(arguments, match):
     with pytest.raises(InputError, match=match):
         nonsmooth.solve(NAME, **arguments)
 
 
-def test_without_a_guess(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_without_a_guess(monkeypatch):
     install(monkeypatch, declared(reference=None))
     with pytest.raises(InputError, match="declares no guess of ta, tb: give one"):
         nonsmooth.solve(NAME)
@@ -119,7 +118,7 @@ def test_without_a_guess(monkeypatch: pytest.MonkeyPatch) -> None:
         nonsmooth.solve(NAME, {"d": 1}, {"ta": 1.8, "tb": 1.8})
 
 
-def test_no_orbit() -> None:
+def test_no_orbit():
     with pytest.raises(NoConvergence, match=NAME):
         nonsmooth.solve(NAME, {"F": "1e-3"})
     assert not nonsmooth.solve(NAME, {"F": "1e-3"}, throw=False).converged
@@ -128,7 +127,7 @@ def test_no_orbit() -> None:
 # --- commands
 
 
-def test_notebooks_and_names() -> None:
+def test_notebooks_and_names():
     text = orbit()._repr_html_()
     assert "two-stops/left-right" in text
     assert "ta = 1.8479956" in text
@@ -144,26 +143,26 @@ def test_notebooks_and_names() -> None:
 # --- files
 
 
-def symmetric() -> Any:
+def symmetric():
     return nonsmooth.solve(
         two_stops(), DATA, [1.85], itinerary=[("free", "reaches-right")], symmetry=MIRROR, digits=25
     )
 
 
-def timed() -> Any:
+def timed():
     phases = [("contact", "first-leaves-stop"), ("free", "first-reaches-stop")]
     return nonsmooth.solve(
         "elastic-stop", STIFF, [2.1, 4.2], itinerary=phases, given={"period": "2*pi"}
     )
 
 
-def shown(name: str) -> str:
+def shown(name):
     """A name without the hash of the data."""
     return re.sub("@[0-9a-f]{16}", "", name).replace(":", "/")
 
 
 @pytest.mark.parametrize("make", [orbit, lambda: orbit(40), symmetric, timed])
-def test_every_digit_comes_back(make: Any, tmp_path: Path) -> None:
+def test_every_digit_comes_back(make, tmp_path):
     path, given = tmp_path / "orbit.json", make()
     given.save(path)
     found = nonsmooth.load(path)
@@ -188,7 +187,7 @@ def test_every_digit_comes_back(make: Any, tmp_path: Path) -> None:
 
 
 @pytest.fixture
-def path(tmp_path: Path) -> Path:
+def path(tmp_path):
     target = tmp_path / "orbit.json"
     orbit().save(target)
     return target
@@ -223,14 +222,14 @@ def path(tmp_path: Path) -> Path:
         (lambda c: c["given"].update(period="two"), "period"),
     ],
 )
-def test_what_is_no_orbit_is_refused(path: Path, change: Any, match: str) -> None:
+def test_what_is_no_orbit_is_refused(path, change, match):
     path.write_text(json.dumps(edited(path, change)))
     with pytest.raises(InputError, match=match) as caught:
         nonsmooth.load(path)
     assert "\n" not in str(caught.value)
 
 
-def test_what_has_not_converged_is_not_saved(tmp_path: Path) -> None:
+def test_what_has_not_converged_is_not_saved(tmp_path):
     lost = nonsmooth.solve(NAME, {"F": "1e-3"}, throw=False)
     with pytest.raises(InputError, match="not saved"):
         lost.save(tmp_path / "orbit.json")

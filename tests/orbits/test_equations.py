@@ -24,7 +24,7 @@ DECLARED: dict[str, tuple[dict[str, Any], str]] = {
 }
 
 
-def records(name: str) -> list[Any]:
+def records(name):
     """An orbit by its kernels, if it has some, and by the tables of its system."""
     if name == "half":
         right = [("free", "reaches-right")]
@@ -33,13 +33,13 @@ def records(name: str) -> list[Any]:
     return [orbit, orbit.problem.by_tables(orbit)] if name in NAMES else [orbit]
 
 
-def branch_of(orbit: Any, parameter: str, width: float = 0.01) -> Any:
+def branch_of(orbit, parameter, width=0.01):
     value = float(orbit.given[parameter])
     return ns.continue_orbit(orbit, parameter, (value * (1 - width), value * (1 + width)), points=4)
 
 
 @pytest.mark.parametrize("name", [*NAMES, *DECLARED])
-def test_a_branch_tells_of_each_point_what_its_orbit_tells(name: str) -> None:
+def test_a_branch_tells_of_each_point_what_its_orbit_tells(name):
     parameter = (NAMES | DECLARED)[name][1]
     for orbit in records(name):
         branch = branch_of(orbit, parameter)
@@ -56,7 +56,7 @@ def test_a_branch_tells_of_each_point_what_its_orbit_tells(name: str) -> None:
             assert sizes == pytest.approx(np.sort(others)[-len(sizes) :], abs=1e-6)
 
 
-def test_a_branch_is_admissible_where_given_forces_hold_its_orbits() -> None:
+def test_a_branch_is_admissible_where_given_forces_hold_its_orbits():
     """The sliding force of the first mass, which is given, is enough on one side alone."""
     fast = {"chi": 0.63, "eta": 0.66, "V": 3.45, "e1": 3.16, "e2": 0.82}
     bounds = ns.solve(STICK, {name: [value] for name, value in fast.items()}).bounds
@@ -68,7 +68,7 @@ def test_a_branch_is_admissible_where_given_forces_hold_its_orbits() -> None:
 
 
 @pytest.mark.parametrize("name", [*NAMES, f"{GALLERY}/backlash_gear.py:rattle"])
-def test_linearised_equations_tell_how_an_orbit_moves(name: str) -> None:
+def test_linearised_equations_tell_how_an_orbit_moves(name):
     """By the implicit function theorem; sixty digits hold an orbit's derivatives elsewhere."""
     for orbit in records(name):
         by = (NAMES | DECLARED)[name][1]
@@ -81,7 +81,7 @@ def test_linearised_equations_tell_how_an_orbit_moves(name: str) -> None:
         assert moved == pytest.approx(wanted, rel=1e-8, abs=1e-8)
 
 
-def test_a_point_of_a_family_whose_phases_do_not_last_is_no_motion() -> None:
+def test_a_point_of_a_family_whose_phases_do_not_last_is_no_motion():
     for orbit in records(STICK):
         equations = equations_of(orbit)
         short = [-1.0 if name in equations.dwell_names else 1.0 for name in equations.unknowns]

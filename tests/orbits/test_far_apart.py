@@ -1,11 +1,7 @@
 """Masses and stiffnesses that are far apart: digits that are claimed are right, or none are."""
 
-from __future__ import annotations
-
 import functools
 import sys
-from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 import pytest
@@ -30,12 +26,12 @@ VARIED = {
         pytest.param("numpy", marks=pytest.mark.slow),
     ]
 )
-def backend(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> str:
+def backend(request, monkeypatch):
     monkeypatch.setenv("NONSMOOTH_BACKEND", request.param)
     return request.param
 
 
-def points(name: str, count: int, decades: float) -> Iterator[dict[str, float]]:
+def points(name, count, decades):
     """Parameters over so many decades each; periods near one of a mode's."""
     rng = np.random.default_rng([*name.encode()])
     for _ in range(count):
@@ -51,7 +47,7 @@ def points(name: str, count: int, decades: float) -> Iterator[dict[str, float]]:
 
 
 @pytest.mark.parametrize("name", VARIED)
-def test_the_digits_of_one_orbit_are_those_of_fifty(name: str, backend: str) -> None:
+def test_the_digits_of_one_orbit_are_those_of_fifty(name, backend):
     solved, fewer = 0, backend == "numpy" and "friction" in name  # a search of seconds
     for point in [*points(name, 3, 8)][1:] if fewer else points(name, 12, 8):
         try:
@@ -71,7 +67,7 @@ def test_the_digits_of_one_orbit_are_those_of_fifty(name: str, backend: str) -> 
 
 
 @pytest.mark.parametrize("name", VARIED)
-def test_orbits_of_a_batch_have_six_digits(name: str, backend: str) -> None:
+def test_orbits_of_a_batch_have_six_digits(name, backend):
     every = list(points(name, 2 if backend == "numpy" else 12, 8))
     found = ns.solve(name, {key: np.array([p[key] for p in every]) for key in every[0]})
     for i in np.flatnonzero(found.converged):
@@ -84,7 +80,7 @@ def test_orbits_of_a_batch_have_six_digits(name: str, backend: str) -> None:
 
 
 @pytest.mark.parametrize("tiny", [1e-200, sys.float_info.min, 5e-324])
-def test_what_is_beyond_doubles_is_told(tiny: float, backend: str) -> None:
+def test_what_is_beyond_doubles_is_told(tiny, backend):
     """Without the second spring nothing holds both masses: no orbit, or a family of them."""
     name, point = "elastic-stop/one-contact", dict(m1=1, m2=1, k1=1, k2=tiny, k3=1, T=3)
     with pytest.raises(NoConvergence):
@@ -108,7 +104,7 @@ STRUCK = [("free", "stop-reaches-stop")]
 
 
 @functools.cache
-def masses() -> Any:
+def masses():
     w, m1, m2, k1, k2, c = (Parameter(name, name) for name in ("w", "m1", "m2", "k1", "k2", "c"))
     gap = Parameter("gap", "place of the stop", lower=-sp.oo)
     r = Parameter("r", "restitution", upper=1)
@@ -124,7 +120,7 @@ def masses() -> Any:
     )
 
 
-def table_points(count: int, decades: float) -> list[dict[str, float]]:
+def table_points(count, decades):
     rng = np.random.default_rng(5)
     found = []
     for _ in range(count):
@@ -138,7 +134,7 @@ def table_points(count: int, decades: float) -> list[dict[str, float]]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("decades", [0, 8, 14, 20])
-def test_digits_of_composed_orbits_are_those_of_fifty(decades: float, backend: str) -> None:
+def test_digits_of_composed_orbits_are_those_of_fifty(decades, backend):
     every = table_points(20 if backend == "c" else 3, decades)
     guess = [[2 * np.pi / point["w"]] for point in every]
     given = {name: np.array([point[name] for point in every]) for name in TABLES}
@@ -165,7 +161,7 @@ def test_digits_of_composed_orbits_are_those_of_fifty(decades: float, backend: s
 
 
 @pytest.mark.parametrize("tiny", [1e-200, 1e-308, 5e-324, 1e200, 1e307])
-def test_composed_orbits_beyond_doubles_are_told(tiny: float, backend: str) -> None:
+def test_composed_orbits_beyond_doubles_are_told(tiny, backend):
     given = {name: np.full(len(TABLES), value, float) for name, value in TABLES.items()}
     for place, name in enumerate(TABLES):
         given[name][place] = tiny

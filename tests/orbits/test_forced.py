@@ -1,7 +1,6 @@
 """Forced systems: orbits at amplitude 1 of the forcing, with the stroboscopic map's multipliers."""
 
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
@@ -17,7 +16,7 @@ DATA = {"zeta": "0.05", "Omega": 2, "r": "0.8"}
 
 
 @cache
-def impact(second: float = 0.0) -> System:
+def impact(second=0.0):
     """A damped mass in front of a stop, forced at Omega and, if asked for, at 2 Omega."""
     zeta = Parameter("zeta", "damping", lower=0, closed=True)
     speed = Parameter("Omega", "frequency")
@@ -28,11 +27,11 @@ def impact(second: float = 0.0) -> System:
     return one_mass("forced", stop, forces=forces, damping=2 * zeta.symbol, parameters=known)
 
 
-def settled(system: System, data: dict, transitions: int = 800) -> Any:
+def settled(system, data, transitions=800):
     return ns.simulate(system, data, {"x": "-0.5", "v": 0}, transitions=transitions)
 
 
-def test_the_forcing_starts_at_its_maximum_where_nothing_is_said() -> None:
+def test_the_forcing_starts_at_its_maximum_where_nothing_is_said():
     def begin(system: System, start: dict[str, float]) -> list[float]:
         motion = ns.simulate(system, DATA, start, until=1.0)
         return list(motion.states[0].tolist())
@@ -46,7 +45,7 @@ def test_the_forcing_starts_at_its_maximum_where_nothing_is_said() -> None:
 
 
 @pytest.mark.parametrize("guided", [False, True])
-def test_an_orbit_is_where_the_motion_settles(guided: bool) -> None:
+def test_an_orbit_is_where_the_motion_settles(guided):
     motion = settled(impact(), DATA)
     period = np.diff(motion.times)[-1]
     guess = motion.states[-1] if guided else ()
@@ -59,7 +58,7 @@ def test_an_orbit_is_where_the_motion_settles(guided: bool) -> None:
     assert not orbit.tables.family
 
 
-def test_frequencies_keep_the_phase_they_began_with() -> None:
+def test_frequencies_keep_the_phase_they_began_with():
     """At 2 Omega the second forcing is at c = 1 whenever the first is."""
     system = impact(0.5)
     motion = settled(system, DATA)
@@ -75,7 +74,7 @@ def test_frequencies_keep_the_phase_they_began_with() -> None:
     assert abs(precise.period - precise.arithmetic.mp.pi) < 1e-38
 
 
-def test_the_start_of_an_orbit_is_one_of_a_motion() -> None:
+def test_the_start_of_an_orbit_is_one_of_a_motion():
     """At a stop at zero a position is 1e-29: it has no size of its own."""
     orbit = ns.solve(impact(), DATA, [3.14], itinerary=ONE)
     for position in (orbit.states[0, 0], 1e-25, -1e-25):
@@ -87,9 +86,7 @@ def test_the_start_of_an_orbit_is_one_of_a_motion() -> None:
 
 
 @pytest.mark.parametrize("backend", ["", "numpy"])
-def test_a_mass_that_nothing_moves_does_not_hide_the_orbit(
-    monkeypatch: pytest.MonkeyPatch, backend: str
-) -> None:
+def test_a_mass_that_nothing_moves_does_not_hide_the_orbit(monkeypatch, backend):
     """Its state goes to zero by itself: it has no size that a step could be compared with."""
     monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
 

@@ -1,7 +1,5 @@
 """The symmetric friction orbit (Sec. 3.2) and the border collision at ta = 0 (Sec. 3.3)."""
 
-from __future__ import annotations
-
 import mpmath
 import numpy as np
 import pytest
@@ -16,14 +14,14 @@ BORDER = "dry-friction/solution-ii"
 MULTIPLIERS = (-1.44546317, -0.12198051)
 
 
-def test_the_symmetric_orbit_is_unstable() -> None:
+def test_the_symmetric_orbit_is_unstable():
     orbit = solve(SYMMETRIC)
     assert orbit.stability.verdict == "unstable"
     found = [complex(m.real, m.imaginary) for m in orbit.stability.multipliers]
     assert_allclose(found, MULTIPLIERS, atol=1e-8)
 
 
-def test_forces_on_the_first_mass_decide_nothing() -> None:
+def test_forces_on_the_first_mass_decide_nothing():
     plain = solve(SYMMETRIC)
     paper = {"us1": "0.0127", "ur1": "0.0255", "us2": "0.5", "ur2": "1"}
     assert solve(SYMMETRIC, paper).admissibility.verdict is True
@@ -42,7 +40,7 @@ def test_forces_on_the_first_mass_decide_nothing() -> None:
 # --- the border collision ---------------------------------------------------------------
 
 
-def test_both_boundaries_are_met_at_one_instant() -> None:
+def test_both_boundaries_are_met_at_one_instant():
     for parameters in ({}, {"eta": "1.2", "V": "0.9"}, {"chi": "0.4", "e2": "0.6"}):
         orbit = solve(BORDER, parameters)
         values = orbit.values
@@ -60,7 +58,7 @@ def test_both_boundaries_are_met_at_one_instant() -> None:
     assert solve(STICK).stability.one_sided == ""
 
 
-def test_the_excess_is_solved_for_and_may_be_exchanged() -> None:
+def test_the_excess_is_solved_for_and_may_be_exchanged():
     kernels = load_orbit(BORDER)
     assert kernels.solved_for == ("e1",)
     plain = solve(BORDER)
@@ -80,7 +78,7 @@ def test_the_excess_is_solved_for_and_may_be_exchanged() -> None:
 
 
 @pytest.mark.parametrize("side", [1, -1])
-def test_a_dwell_time_within_its_error_is_none(side: int) -> None:
+def test_a_dwell_time_within_its_error_is_none(side):
     """Beside the border an orbit is told where its short phase is longer than its own error."""
     border = refine(solve(BORDER), 40).unknowns
     near = {name: float(x) for name, x in border.items() if name != "e1"} | {"ta": 1e-3}

@@ -1,16 +1,13 @@
 """What impacts take along an orbit: against the work balance over a period, and differences."""
 
-from __future__ import annotations
-
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 import pytest
 import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, System, oscillator
+from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
 from tests.differences import in_doubles
 from tests.places import GALLERY
 
@@ -18,7 +15,7 @@ DATA = {"m": 2.0, "F": 1.0, "w": 1.3, "g": 0.1, "r": 0.6, "d": 0.3}
 COUPLED = sp.Rational(1, 4)
 
 
-def two_masses(place: Any, *more: Any, coupled: bool) -> System:
+def two_masses(place, *more, coupled):
     """A forced pair; a stop at a mass, or between both; the mass matrix couples them or not."""
     found = [Parameter(name, name) for name in DATA]
     m, force, w, gap, r, d = (parameter.symbol for parameter in found)
@@ -35,14 +32,14 @@ def two_masses(place: Any, *more: Any, coupled: bool) -> System:
     )
 
 
-def settled(system: System) -> Any:
+def settled(system):
     """The orbit on which a motion from rest settles."""
     start = dict.fromkeys(("x1", "x2", "v1", "v2"), 0.0)
     motion = ns.simulate(system, DATA, start, until=400)
     return ns.solve(system, DATA, itinerary=ns.itinerary_of(motion))
 
 
-def lost(orbit: Any) -> float:
+def lost(orbit):
     """What the forcing brings over a period, without what the dampers take."""
     motion, total = orbit.trajectory(), 0.0
     nodes, weights = np.polynomial.legendre.leggauss(40)
@@ -60,7 +57,7 @@ def lost(orbit: Any) -> float:
 
 @pytest.mark.parametrize("place", ["x2", {"x2": 1, "x1": -1}], ids=["wall", "between"])
 @pytest.mark.parametrize("coupled", [False, pytest.param(True, marks=pytest.mark.slow)])
-def test_friction_and_impacts_add_up(place: Any, coupled: bool) -> None:
+def test_friction_and_impacts_add_up(place, coupled):
     """To what the work balance over a period tells."""
     rub = Friction("x1", sp.Rational(1, 10), sp.Rational(1, 10), name="rub")
     orbit = settled(two_masses(place, rub, coupled=coupled))
@@ -72,7 +69,7 @@ def test_friction_and_impacts_add_up(place: Any, coupled: bool) -> None:
     assert sum(parts) == pytest.approx(lost(orbit), rel=1e-10)
 
 
-def test_losses_have_derivatives() -> None:
+def test_losses_have_derivatives():
     orbit = settled(two_masses({"x2": 1, "x1": -1}, coupled=True))
     function = ns.orbit_function(orbit, by=tuple(DATA), of="dissipation")
     point = function.reference
@@ -80,12 +77,12 @@ def test_losses_have_derivatives() -> None:
     np.testing.assert_allclose(function.jacobian(point), expected, rtol=1e-6, atol=1e-8)
 
 
-def test_elastic_impacts_take_nothing() -> None:
+def test_elastic_impacts_take_nothing():
     orbit = ns.solve("rigid-stop/one-impact", {"r": 1})
     assert orbit.derivatives().quantity("dissipation")[0] == pytest.approx(0, abs=1e-13)
 
 
-def test_each_of_two_stops_of_a_mass_has_its_own() -> None:
+def test_each_of_two_stops_of_a_mass_has_its_own():
     found = ns.solve(f"{GALLERY}/two_stops.py:broken").derivatives()
     left, right = (found.quantity(f"dissipation:{side}-stop")[0] for side in ("left", "right"))
     assert min(left, right) > 1e-3

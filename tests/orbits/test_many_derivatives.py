@@ -17,7 +17,7 @@ from tests.places import GALLERY
 from tests.shifting_systems import GEARED, TURNED, settled_orbit
 
 
-def scattered(values: dict[str, float], count: int, width: float = 1e-4) -> dict[str, np.ndarray]:
+def scattered(values, count, width=1e-4):
     random = np.random.default_rng(5)
     return {
         name: value * (1 - width * random.uniform(0, 1, count)) for name, value in values.items()
@@ -25,7 +25,7 @@ def scattered(values: dict[str, float], count: int, width: float = 1e-4) -> dict
 
 
 @pytest.mark.compiled  # its orbit is found by simulation
-def test_a_direction_that_turns_with_a_parameter_has_its_share() -> None:
+def test_a_direction_that_turns_with_a_parameter_has_its_share():
     """Wheels with teeth turn freely along (i, 1), where i is the ratio of their gear."""
     orbit = settled_orbit(GEARED, TURNED)
     data, guess = {"i": TURNED["i"]}, [*orbit.dwell_times, *orbit.states[0]]
@@ -47,7 +47,7 @@ def test_a_direction_that_turns_with_a_parameter_has_its_share() -> None:
 
 
 @pytest.mark.parametrize("rate", [1, 10**12])
-def test_a_forcing_out_of_tune_has_no_derivative_in_any_unit(rate: int) -> None:
+def test_a_forcing_out_of_tune_has_no_derivative_in_any_unit(rate):
     """The orbit of two forcings whose frequencies have the ratio 3 is lost where one changes."""
     w, w2, r = sp.symbols("w w2 r")
     system = one_mass(
@@ -62,9 +62,7 @@ def test_a_forcing_out_of_tune_has_no_derivative_in_any_unit(rate: int) -> None:
 
 @pytest.mark.parametrize("engine", [pytest.param("c", marks=pytest.mark.compiled), "numpy"])
 @pytest.mark.parametrize("rate", [1, 10**12])
-def test_a_family_that_is_lost_has_no_derivative_in_any_unit(
-    engine: str, rate: int, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_family_that_is_lost_has_no_derivative_in_any_unit(engine, rate, monkeypatch):
     """Of a mass that loses nothing at its stop: no period is left where it is damped."""
     monkeypatch.setenv("NONSMOOTH_BACKEND", engine)
     k = sp.Symbol("k")
@@ -81,7 +79,7 @@ def test_a_family_that_is_lost_has_no_derivative_in_any_unit(
     assert have_derivatives(orbit, data) == {"c": False, "k": True}
 
 
-def have_derivatives(orbit: Any, data: dict[str, float]) -> dict[str, bool]:
+def have_derivatives(orbit, data):
     """Of many orbits, of which this is one, by parameters; the last one is given as an array."""
     *_, (name, value) = data.items()
     found = ns.solve(
@@ -103,7 +101,7 @@ def have_derivatives(orbit: Any, data: dict[str, float]) -> dict[str, bool]:
     ],
     ids=["kernels", "tables", "rattle", "symmetric"],
 )
-def test_no_point_depends_on_its_neighbours(name: str, tables: bool, by: list[str]) -> None:
+def test_no_point_depends_on_its_neighbours(name, tables, by):
     orbit, options = ns.solve(name), {}
     system, given = name, orbit.given
     if tables:
@@ -125,7 +123,7 @@ def test_no_point_depends_on_its_neighbours(name: str, tables: bool, by: list[st
 
 
 @pytest.mark.compiled
-def test_arrays_that_do_not_fit_are_refused() -> None:
+def test_arrays_that_do_not_fit_are_refused():
     engine = compiled_engine()
     places = [[0, 1, 1, 2, 2], [0, 14], [0, 1], []]  # two phases, two directions, two states
     sizes = [2, 2, 12, 6, 12, 2, 4, 4, 2, 4, 8]

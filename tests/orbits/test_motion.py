@@ -1,7 +1,6 @@
 """The motion along an orbit, against exponentials of the phases' vector fields."""
 
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
@@ -23,23 +22,23 @@ POINTS = [
 
 
 @cache
-def orbit(name: str = ORBIT, point: int | None = None) -> Any:
+def orbit(name=ORBIT, point=None):
     return nonsmooth.solve(name, {} if point is None else POINTS[point][1])
 
 
 @pytest.fixture
-def motion() -> Any:
+def motion():
     return orbit().motion()
 
 
 @pytest.fixture(params=orbit_names())
-def each(request: pytest.FixtureRequest) -> Any:
+def each(request):
     """The motion along every orbit."""
     return orbit(request.param).motion()
 
 
 @pytest.mark.parametrize("point", range(len(POINTS)))
-def test_motion_solves_the_equations_of_each_phase(point: int, backend: str) -> None:
+def test_motion_solves_the_equations_of_each_phase(point, backend):
     found = orbit(POINTS[point][0], point)
     motion, sharp = found.motion(), nonsmooth.refine(found, 40).motion()
     assert sharp.starts.dtype == float
@@ -53,7 +52,7 @@ def test_motion_solves_the_equations_of_each_phase(point: int, backend: str) -> 
         assert_allclose(sharp(times), exact, atol=1e-10 * max(1, np.abs(exact).max()))
 
 
-def test_motion_passes_transitions_by_their_resets(each: Any) -> None:
+def test_motion_passes_transitions_by_their_resets(each):
     pieces = Declared(orbit(each.name)).pieces
     for index, time in enumerate(each.breaks):
         left, here, right = each([np.nextafter(time, -np.inf), time, np.nextafter(time, np.inf)])
@@ -70,7 +69,7 @@ def test_motion_passes_transitions_by_their_resets(each: Any) -> None:
         assert_allclose(behind, (pieces[phase].jump @ np.append(before, 1))[:-1], atol=1e-13)
 
 
-def test_motion_is_periodic(each: Any) -> None:
+def test_motion_is_periodic(each):
     # not at an impact, where a rounded time may be on either side
     motion, times = each, np.linspace(1e-3, each.period - 1e-3, 101)
     for shift in (-3, -1, 1, 2, 1000):
@@ -79,7 +78,7 @@ def test_motion_is_periodic(each: Any) -> None:
     assert_array_equal(motion(-motion.period), motion(0))
 
 
-def test_motion_broadcasts(motion: Any) -> None:
+def test_motion_broadcasts(motion):
     times = np.random.default_rng(1).uniform(-20, 20, (3, 5, 2))
     states = motion(times)
     assert states.shape == (3, 5, 2, 4)
@@ -90,7 +89,7 @@ def test_motion_broadcasts(motion: Any) -> None:
     assert motion([1, 2]).dtype == float
 
 
-def test_a_phase_that_takes_no_time_is_passed_over() -> None:
+def test_a_phase_that_takes_no_time_is_passed_over():
     motion = orbit("dry-friction/solution-ii").motion()
     assert motion.breaks[:2].tolist() == [0, 0]
     assert motion.configurations[:2] == ("stick-stick", "slip-stick")
@@ -103,7 +102,7 @@ def test_a_phase_that_takes_no_time_is_passed_over() -> None:
     assert_allclose(samples.states, motion(samples.times), atol=1e-11)
 
 
-def test_phases_and_configurations(motion: Any) -> None:
+def test_phases_and_configurations(motion):
     assert motion.names == ("z1", "z2", "v1", "v2")
     assert motion.configurations == ("stick-stick", "slip-stick", "slip-slip", "stick-slip")
     assert_allclose(np.diff(motion.breaks), orbit().dwell_times.tolist(), atol=1e-15)
@@ -120,7 +119,7 @@ def test_phases_and_configurations(motion: Any) -> None:
 
 
 @pytest.mark.parametrize("periods", [1, 2, 7])
-def test_samples_have_each_transition_twice(motion: Any, periods: int) -> None:
+def test_samples_have_each_transition_twice(motion, periods):
     samples = motion.sample(200, periods)
     assert samples.times.shape == samples.phases.shape == samples.states.shape[:1]
     assert samples.times[0] == 0
@@ -139,19 +138,19 @@ def test_samples_have_each_transition_twice(motion: Any, periods: int) -> None:
 
 
 @pytest.mark.parametrize("time", [np.nan, np.inf, [0, -np.inf], "later", [1, None], 1j])
-def test_wrong_times(motion: Any, time: object) -> None:
+def test_wrong_times(motion, time):
     for ask in (motion, motion.phase, motion.configuration):
         with pytest.raises(InputError, match="time"):
             ask(time)
 
 
 @pytest.mark.parametrize("counts", [(0,), (-3,), (100, 0), (10**9,)])
-def test_wrong_counts(motion: Any, counts: tuple[object, ...]) -> None:
+def test_wrong_counts(motion, counts):
     with pytest.raises(InputError, match=r"not an integer from 1|more than \d+ points"):
         motion.sample(*counts)
 
 
-def test_no_motion_without_an_orbit() -> None:
+def test_no_motion_without_an_orbit():
     lost = nonsmooth.solve(ORBIT, {"eta": "1e300"}, throw=False)
     with pytest.raises(InputError, match="has no motion: "):
         lost.motion()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import shutil
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -17,7 +16,7 @@ from tests.two_masses import STICKING
 from tests.user_systems import DAMPED, KICKED, declare
 
 
-def told(orbit: Any) -> dict[str, Any]:
+def told(orbit):
     """What is asked of a live record: anew, for nothing of it is kept between two calls."""
     again = type(orbit)(**{name: getattr(orbit, name) for name in orbit.__dataclass_fields__})
     motion = again.motion()
@@ -35,7 +34,7 @@ def told(orbit: Any) -> dict[str, Any]:
     }
 
 
-def declared(folder: Path, text: str, *, derived: bool) -> str:
+def declared(folder, text, *, derived):
     """Declare the orbit in a file, or as a folder of generated kernels; its name."""
     path = declare(folder, text)
     if not derived:
@@ -50,9 +49,7 @@ def declared(folder: Path, text: str, *, derived: bool) -> str:
 
 @pytest.mark.parametrize(("text", "derived"), [(KICKED, True), (DAMPED, False)])
 @pytest.mark.parametrize("change", ["edited", "deleted"])
-def test_a_live_record_does_not_read_its_file_again(
-    tmp_path: Path, text: str, derived: bool, change: str
-) -> None:
+def test_a_live_record_does_not_read_its_file_again(tmp_path, text, derived, change):
     name = declared(tmp_path, text, derived=derived)
     orbit, many = ns.solve(name, {"r": "0.4"}), ns.solve(name, {"r": [0.3, 0.5]})
     assert (orbit.problem.kernels is not None) == derived
@@ -68,7 +65,7 @@ def test_a_live_record_does_not_read_its_file_again(
     assert many.dwell_times.tolist() == times
 
 
-def test_a_record_by_kernels_and_one_by_tables_are_asked_alike() -> None:
+def test_a_record_by_kernels_and_one_by_tables_are_asked_alike():
     kernels = ns.solve("dry-friction/global-stick")
     tables = ns.solve("dry-friction", STICKING, kernels.dwell_times, itinerary=kernels.itinerary)
     assert type(kernels) is type(tables)
@@ -102,8 +99,6 @@ def test_a_record_by_kernels_and_one_by_tables_are_asked_alike() -> None:
         (("residual", "trace"), "gives residual and trace; .*trace"),
     ],
 )
-def test_what_is_no_quantity_of_the_equations_is_refused_with_those_that_are(
-    asked: tuple[str, ...], told: str
-) -> None:
+def test_what_is_no_quantity_of_the_equations_is_refused_with_those_that_are(asked, told):
     with pytest.raises(ns.InputError, match=told):
         ns.solve("dry-friction/global-stick").evaluate(*asked)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import math
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
@@ -38,17 +37,17 @@ c = sp.Symbol("c")
 
 
 @cache
-def sled() -> Any:
+def sled():
     return settled_orbit(SLED, PULLED, [0, 1, 0, 0.4])
 
 
 @cache
-def capsule() -> Any:
+def capsule():
     return settled_orbit(CAPSULE, SHAKEN)
 
 
 @cache
-def gear() -> Any:
+def gear():
     return ns.solve(f"{GEAR}:rattle")
 
 
@@ -106,7 +105,7 @@ def test_where_the_guess_lies_along_the_direction_does_not_matter():
     assert again.states[0, 0] == 0
 
 
-def gear_field(data: dict[str, float]) -> Any:
+def gear_field(data):
     def field(time: float, y: np.ndarray) -> np.ndarray:
         gap = y[0] - y[1]
         teeth = data["k"] * (max(gap - data["b"], 0) + min(gap + data["b"], 0))

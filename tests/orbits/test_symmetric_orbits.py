@@ -16,7 +16,7 @@ TURN = {"x": "y", "y": "-x", "v": "w", "w": "-v", "c": "s", "s": "-c"}
 
 
 @cache
-def half(digits: int = 15):
+def half(digits=15):
     return solve(two_stops(), DATA, [1.85], itinerary=RIGHT, symmetry=MIRROR, digits=digits)
 
 
@@ -32,7 +32,7 @@ def broken():
     return one, other, between
 
 
-def test_half_of_an_orbit_is_the_whole() -> None:
+def test_half_of_an_orbit_is_the_whole():
     orbit = half()
     whole = solve(two_stops(), DATA, [*orbit.dwell_times, *orbit.states[0]], itinerary=BOTH)
     assert orbit.converged
@@ -45,7 +45,7 @@ def test_half_of_an_orbit_is_the_whole() -> None:
     assert orbit.stability.verdict == "stable"
 
 
-def test_multipliers_are_squares_of_the_half_maps() -> None:
+def test_multipliers_are_squares_of_the_half_maps():
     orbit = half()
     part = [complex(m.real, m.imaginary) for m in orbit.part_stability.multipliers]
     squares = sorted((m**2 for m in part), key=lambda m: m.imag)
@@ -57,7 +57,7 @@ def test_multipliers_are_squares_of_the_half_maps() -> None:
     assert np.prod(orbit.multipliers) == pytest.approx(area, rel=1e-12)
 
 
-def test_forty_digits_and_their_symmetry() -> None:
+def test_forty_digits_and_their_symmetry():
     orbit, rough = half(40), half()
     pi = orbit.arithmetic.mp.pi
     assert abs(orbit.period - 2 * pi / orbit.arithmetic.mp.mpf("1.7")) < 1e-40
@@ -71,7 +71,7 @@ def test_forty_digits_and_their_symmetry() -> None:
     assert max(abs(x) for x in difference) < 1e-40
 
 
-def test_a_pair_of_orbits_without_the_symmetry() -> None:
+def test_a_pair_of_orbits_without_the_symmetry():
     one, other, between = broken()
     assert one.converged
     assert other.converged
@@ -91,7 +91,7 @@ def test_a_pair_of_orbits_without_the_symmetry() -> None:
         assert orbit.period == pytest.approx(2 * np.pi / 1.48, rel=1e-13)
 
 
-def test_a_quarter_of_an_orbit() -> None:
+def test_a_quarter_of_an_orbit():
     # x and y are each a mass between two stops, a quarter of a period apart
     orbit = solve(box(), DATA, [0.92], itinerary=[("free", "right")], symmetry=TURN)
     assert orbit.converged
@@ -108,7 +108,7 @@ def test_a_quarter_of_an_orbit() -> None:
     np.testing.assert_allclose(np.sort_complex(np.round(orbit.multipliers, 10)), wanted, atol=1e-9)
 
 
-def test_a_given_period_is_that_of_the_whole_orbit() -> None:
+def test_a_given_period_is_that_of_the_whole_orbit():
     orbit = solve(
         two_stops(),
         DATA,
@@ -122,7 +122,7 @@ def test_a_given_period_is_that_of_the_whole_orbit() -> None:
     assert abs(orbit.period - 2 * orbit.arithmetic.mp.pi / orbit.arithmetic.mp.mpf("1.7")) < 1e-20
 
 
-def test_the_motion_along_a_symmetric_orbit() -> None:
+def test_the_motion_along_a_symmetric_orbit():
     orbit = half()
     motion = orbit.trajectory(2)
     times = np.linspace(0, orbit.period / 2, 9)
@@ -130,7 +130,7 @@ def test_the_motion_along_a_symmetric_orbit() -> None:
     assert motion.boundaries[1:] == (("reaches-right",), ("reaches-left",)) * 2
 
 
-def test_an_unstable_orbit_is_not_left() -> None:
+def test_an_unstable_orbit_is_not_left():
     between = broken()[2]
     motion = between.trajectory(200)
     np.testing.assert_array_equal(motion.states[-1], between.states[0])
@@ -152,12 +152,12 @@ def test_an_unstable_orbit_is_not_left() -> None:
         (2 * np.eye(4), "4 x 4"),
     ],
 )
-def test_what_is_no_symmetry(symmetry, match) -> None:
+def test_what_is_no_symmetry(symmetry, match):
     with pytest.raises(InputError, match=match):
         solve(two_stops(), DATA, [1.85], itinerary=RIGHT, symmetry=symmetry)
 
 
-def test_a_matrix_says_the_same() -> None:
+def test_a_matrix_says_the_same():
     orbit = solve(two_stops(), DATA, [1.85], itinerary=RIGHT, symmetry=-np.eye(4))
     np.testing.assert_array_equal(orbit.states, half().states)
 
@@ -188,7 +188,7 @@ def altered(system, rows):
          r"right\+up and left\+down.* in different ways"),
     ],
 )  # fmt: skip
-def test_stops_and_resets_have_to_follow_a_symmetry(system, boundary, digits, match) -> None:
+def test_stops_and_resets_have_to_follow_a_symmetry(system, boundary, digits, match):
     made = system()
     mirror = {name: f"-{name}" for name in made.table["states"]}
     options = {"itinerary": [("free", boundary)], "symmetry": mirror, "digits": digits}
@@ -199,7 +199,7 @@ def test_stops_and_resets_have_to_follow_a_symmetry(system, boundary, digits, ma
         solve(made, DATA, [1.85], **options)
 
 
-def test_only_a_part_has_a_part() -> None:
+def test_only_a_part_has_a_part():
     with pytest.raises(InputError, match="from a part"):
         _ = broken()[0].part_stability
 
@@ -216,7 +216,7 @@ def together(boundary="right+up"):
 
 
 @pytest.mark.parametrize("boundary", ["right+up", ("up", "right")])
-def test_boundaries_that_are_reached_together(boundary) -> None:
+def test_boundaries_that_are_reached_together(boundary):
     orbit = together(boundary)
     assert orbit.converged
     np.testing.assert_allclose(orbit.states[:, [0, 2, 4, 5]], half().states, atol=1e-12)
@@ -226,7 +226,7 @@ def test_boundaries_that_are_reached_together(boundary) -> None:
     assert orbit.trajectory().boundaries[1:] == (("right", "up"), ("left", "down"))
 
 
-def test_boundaries_that_are_not_reached_together_after_all() -> None:
+def test_boundaries_that_are_not_reached_together_after_all():
     orbit = together()
     later = replace(orbit, starts=orbit.states - np.array([0, 1e-3, 0, 0, 0, 0]))
     violations = {(v.phase, v.boundary) for v in later.admissibility.violations}
@@ -242,6 +242,6 @@ def test_boundaries_that_are_not_reached_together_after_all() -> None:
         (("right", 3), "itinerary takes"),
     ],
 )
-def test_sets_without_a_transition(boundary, match) -> None:
+def test_sets_without_a_transition(boundary, match):
     with pytest.raises(InputError, match=match):
         solve(pair(), DATA, [1.0], itinerary=[("free", boundary)])

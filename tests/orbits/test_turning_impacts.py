@@ -1,8 +1,6 @@
 """A transition that keeps energy and not volume: its multipliers are no reciprocal pair."""
 
 from functools import cache
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -27,7 +25,7 @@ GIVEN = {"p": "1", "T": "6.26574158"}
 
 
 @cache
-def turned(reverse: bool = False) -> Any:
+def turned(reverse=False):
     """Two masses, one with a stop that is a spring; behind it the velocities are turned.
 
     The same motion run backwards is one of the system that turns them back in front of the stop.
@@ -56,7 +54,7 @@ def turned(reverse: bool = False) -> Any:
     return ns.solve(Itinerary("loop", system, phases, period=period, reference=reference))
 
 
-def test_an_orbit_is_unstable_though_its_trace_is_small() -> None:
+def test_an_orbit_is_unstable_though_its_trace_is_small():
     orbit = turned()
     assert orbit.admissibility.verdict is True
     assert orbit.kernels.table["conservative"] is True
@@ -74,7 +72,7 @@ def test_an_orbit_is_unstable_though_its_trace_is_small() -> None:
         assert float(found.stability.margin) == pytest.approx(1 - largest)
 
 
-def test_backwards_it_is_stable_on_its_level_of_energy() -> None:
+def test_backwards_it_is_stable_on_its_level_of_energy():
     orbit, forward = turned(reverse=True), turned()
     assert orbit.admissibility.verdict is True
     assert orbit.kernels.table["reciprocal_pair"] is False
@@ -88,7 +86,7 @@ def test_backwards_it_is_stable_on_its_level_of_energy() -> None:
 
 
 @pytest.mark.parametrize("reverse", [False, True])
-def test_a_chart_has_the_margin_of_the_orbit(reverse: bool, tmp_path: Path) -> None:
+def test_a_chart_has_the_margin_of_the_orbit(reverse, tmp_path):
     orbit = turned(reverse)
     file = tmp_path / "turned.json"
     orbit.save(file)
@@ -97,13 +95,13 @@ def test_a_chart_has_the_margin_of_the_orbit(reverse: bool, tmp_path: Path) -> N
     assert orbit.stability.margin < -1 or reverse
 
 
-def test_no_criterion_of_its_trace_is_proved(tmp_path: Path) -> None:
+def test_no_criterion_of_its_trace_is_proved(tmp_path):
     turned().save(tmp_path / "turned.json")
     found = told("verify", str(tmp_path / "turned.json"), "--digits", "30")
     assert found["proof"]["statement"] is None
 
 
-def test_beside_the_trivial_multiplier_alone_an_orbit_is_neutral(tmp_path: Path) -> None:
+def test_beside_the_trivial_multiplier_alone_an_orbit_is_neutral(tmp_path):
     place = Parameter("p", "place of the stop", lower=-sp.oo)
     free = Configuration("free", SecondOrder([[1]], [[1]]), (Boundary("hits", X - place.symbol),))
     bounce = Transition("free", {"hits"}, "free", (), {V: -V})
@@ -119,7 +117,7 @@ def test_beside_the_trivial_multiplier_alone_an_orbit_is_neutral(tmp_path: Path)
 
 
 @cache
-def mirrored(period: float) -> Any:
+def mirrored(period):
     """Return an orbit that is its own time reversal, of two masses whose impact mirrors velocities.
 
     Between impacts x = a cos(t - T/2), y = b cos(sqrt(5) (t - T/2)): the velocities in front of an
@@ -143,7 +141,7 @@ def mirrored(period: float) -> Any:
 
 
 @pytest.mark.parametrize("beyond", [1e-11, 1e-9, 1e-3])
-def test_a_time_reversal_has_a_reciprocal_pair_where_no_derivation_tells_it(beyond: float) -> None:
+def test_a_time_reversal_has_a_reciprocal_pair_where_no_derivation_tells_it(beyond):
     meeting = 5.183679393061944  # there the trace is 3: all multipliers are 1
     inside, outside = mirrored(meeting - beyond), mirrored(meeting + beyond)
     assert outside.kernels.table["reciprocal_pair"] is False

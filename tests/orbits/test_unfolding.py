@@ -16,7 +16,6 @@ from nonsmooth.derive import (
     Itinerary,
     Reference,
     RigidStop,
-    System,
     dry_friction,
     oscillator,
 )
@@ -31,7 +30,7 @@ DATA = Reference({"r": "0.7"}, {"T": "2.6"})
 
 
 @cache
-def between(place: float = 1) -> System:
+def between(place=1):
     """A damped, forced mass between a stop at 1 and one at -1 or elsewhere."""
     r = sp.Symbol("r", nonnegative=True)
     stops = [RigidStop("x", 1, r, name="right"), RigidStop("x", -place, r, "lower", name="left")]
@@ -40,12 +39,12 @@ def between(place: float = 1) -> System:
     return oscillator("between", ["x"], [[1]], [[1]], damping, forcing=forcing, elements=stops)
 
 
-def symmetric(system: System, **changes: object) -> Itinerary:
+def symmetric(system, **changes):
     half = {s: -s for s in system.states}
     return replace(Itinerary("half", system, HALF, symmetry=half, reference=DATA), **changes)
 
 
-def test_a_symmetry_of_order_four() -> None:
+def test_a_symmetry_of_order_four():
     """Two equal masses on springs of their own, turned into each other by quarters."""
     stops = [
         RigidStop(x, place, 1, side, name=f"{x}-{side}")
@@ -67,7 +66,7 @@ def test_a_symmetry_of_order_four() -> None:
     )
 
 
-def test_it_is_solved_by_its_name_and_agrees_with_the_motion() -> None:
+def test_it_is_solved_by_its_name_and_agrees_with_the_motion():
     kernels = load_orbit(symmetric(between()))
     orbit = ns.solve(kernels.name)
     assert list(orbit.unknowns)[:2] == ["T", "T_2"]
@@ -80,14 +79,14 @@ def test_it_is_solved_by_its_name_and_agrees_with_the_motion() -> None:
     assert_allclose(half[1], -half[0], atol=1e-12)
 
 
-def test_its_document_has_all_phases() -> None:
+def test_its_document_has_all_phases():
     text = to_markdown(describe_orbit(symmetric(between())))
     assert "right-reaches-stop" in text
     assert "left-reaches-stop" in text
     assert "T_{2}" in text
 
 
-def test_what_is_no_symmetry() -> None:
+def test_what_is_no_symmetry():
     with pytest.raises(DeclarationError, match="maps configuration 'free-free'"):
         unfolded(symmetric(between(2)))
     x = between().states[0]
@@ -99,7 +98,7 @@ def test_what_is_no_symmetry() -> None:
         ns.solve(load_orbit(symmetric(between(2))).name)
 
 
-def test_an_itinerary_from_a_motion_of_a_built_in_system() -> None:
+def test_an_itinerary_from_a_motion_of_a_built_in_system():
     data = dict(chi="0.5", eta=1, V=1, us1=1, us2=1, ur1="4.0195", ur2="1.4831")
     motion = ns.simulate("dry-friction", data, [0, 0, 0, 0], transitions=400)
     found = Itinerary.from_trajectory(motion, dry_friction.system, "again")
@@ -110,12 +109,12 @@ def test_an_itinerary_from_a_motion_of_a_built_in_system() -> None:
     assert orbit.period == pytest.approx(7.8686, abs=1e-4)
 
 
-def test_a_motion_that_does_not_come_back() -> None:
+def test_a_motion_that_does_not_come_back():
     motion = ns.simulate("rigid-stop", dict(m1=1, m2=2, k1=1, k2=5, r="0.8"), [0, 0, 2, 1], until=9)
     with pytest.raises(InputError, match="does not come back"):
         Itinerary.from_trajectory(motion, dry_friction.system)
 
 
-def test_many_points_are_none_of_a_part() -> None:
+def test_many_points_are_none_of_a_part():
     with pytest.raises(InputError, match="a part and a symmetry"):
         ns.solve(load_orbit(symmetric(between())).name, {"r": [0.6, 0.7]})

@@ -112,7 +112,7 @@ COMPOSED = [
         *((TABLES, *row) for row in COMPOSED),
     ],
 )
-def test_what_is_wrong_is_named_on_one_line(base: Any, changes: Any, told: str) -> None:
+def test_what_is_wrong_is_named_on_one_line(base, changes, told):
     with pytest.raises(ns.InputError, match=told) as caught:
         ns.solve(**(base | changes))
     assert "\n" not in str(caught.value)

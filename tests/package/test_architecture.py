@@ -19,7 +19,7 @@ COMMANDS = [name for name in NAMED if name.startswith("nonsmooth ")]
 NAMES = [name for name in NAMED if name not in WORDS and name not in COMMANDS]
 
 
-def found(name: str) -> object:
+def found(name):
     """What a dotted name stands for: a module, or what is in one."""
     whole = name if name.startswith("nonsmooth") else f"nonsmooth.runtime.{name}"
     whole = f"nonsmooth.{name}" if name.startswith("derive") else whole
@@ -36,7 +36,7 @@ def found(name: str) -> object:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_what_the_page_names_is_there(name: str) -> None:
+def test_what_the_page_names_is_there(name):
     if "/" in name:
         place = CHECKOUT / name
         assert place.exists() or (CHECKOUT / "runtime" / name).exists()
@@ -49,6 +49,6 @@ def test_what_the_page_names_is_there(name: str) -> None:
 
 
 @pytest.mark.parametrize("command", COMMANDS)
-def test_the_commands_of_the_page_are_answered(command: str) -> None:
+def test_the_commands_of_the_page_are_answered(command):
     result = CliRunner().invoke(app, [*command.split()[1:], "--json"])
     assert result.exit_code == 0, result.output

@@ -3,8 +3,6 @@
 import re
 import sys
 from importlib.util import module_from_spec, spec_from_file_location
-from pathlib import Path
-from types import ModuleType
 
 import pytest
 
@@ -15,7 +13,7 @@ PAGE = (CHECKOUT / "CONTRIBUTING.md").read_text(encoding="utf-8")
 ELEMENT = "nonsmooth.derive.building.backlash"
 
 
-def executed(name: str, text: str, folder: Path) -> ModuleType:
+def executed(name, text, folder):
     """A module of that name, from a file."""
     path = folder / f"{name.rpartition('.')[2]}.py"
     path.write_text(text, encoding="utf-8")
@@ -26,7 +24,7 @@ def executed(name: str, text: str, folder: Path) -> ModuleType:
     return module
 
 
-def test_the_element_of_the_page_passes_its_test(tmp_path, monkeypatch) -> None:
+def test_the_element_of_the_page_passes_its_test(tmp_path, monkeypatch):
     element, check = re.findall(r"```python\n(.*?)```", PAGE, flags=re.DOTALL)
     for name in (ELEMENT, "check_of_the_page"):  # forgotten afterwards
         monkeypatch.setitem(sys.modules, name, None)
@@ -39,7 +37,7 @@ def test_the_element_of_the_page_passes_its_test(tmp_path, monkeypatch) -> None:
         )
 
 
-def test_files_of_the_page_are_there() -> None:
+def test_files_of_the_page_are_there():
     named = set(re.findall(r"`((?:\.?\w[\w.-]*/)+[\w.-]*)`", PAGE))
     named -= {"derive/building/backlash.py"}  # it is the reader's
     named |= set(re.findall(r"\]\(([\w./]+)\)", PAGE))

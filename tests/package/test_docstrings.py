@@ -9,11 +9,8 @@ import ast
 import inspect
 import re
 import textwrap
-from collections.abc import Callable, Iterator
 from dataclasses import fields, is_dataclass
 from functools import cache, cached_property
-from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -26,7 +23,7 @@ from tests.places import CHECKOUT, records
 ERRORS = {"DeclarationError", "DerivationError", "InputError", "MissingExtra", "NoConvergence"}
 
 
-def public() -> Iterator[tuple[str, str, Any]]:
+def public():
     """Kind, name and object of each public class, function, method and property."""
     for package in (nonsmooth, nonsmooth.derive, nonsmooth.jax, nonsmooth.torch):
         for name in package.__all__:
@@ -44,7 +41,7 @@ def public() -> Iterator[tuple[str, str, Any]]:
             yield from members(name, found)
 
 
-def members(name: str, found: type) -> Iterator[tuple[str, str, Any]]:
+def members(name, found):
     """Kind, name and object of a class and of its public methods and properties."""
     yield "class", name, found
     for attribute, member in vars(found).items():
@@ -62,19 +59,19 @@ KNOWN = {name for kind, name, _ in PUBLIC if kind == "class"} | {*records()}
 KNOWN |= {"Any", "Callable", "Dataset", "None"}
 
 
-def sections(docstring: str) -> dict[str, str]:
+def sections(docstring):
     """Text of each section of a docstring, that of the summary under an empty name."""
     parts = re.split(r"^(\w+)\n-{3,}$", inspect.cleandoc(docstring), flags=re.MULTILINE)
     return {"": parts[0]} | dict(zip(parts[1::2], parts[2::2], strict=True))
 
 
-def entries(section: str) -> set[str]:
+def entries(section):
     """Names that a section of parameters or attributes describes."""
     heads = (line.partition(" : ")[0] for line in section.splitlines() if line[:1].strip())
     return {name.strip().lstrip("*") for head in heads for name in head.split(",")}
 
 
-def raised(function: Callable[..., Any]) -> set[str]:
+def raised(function):
     """Errors of the package that the body of a function raises by itself."""
     tree = ast.parse(textwrap.dedent(inspect.getsource(function)))
     calls = (n.exc for n in ast.walk(tree) if isinstance(n, ast.Raise))
@@ -82,7 +79,7 @@ def raised(function: Callable[..., Any]) -> set[str]:
 
 
 @pytest.mark.parametrize(("kind", "name", "found"), PUBLIC, ids=[name for _, name, _ in PUBLIC])
-def test_docstrings_are_complete(kind: str, name: str, found: Any) -> None:
+def test_docstrings_are_complete(kind, name, found):
     told = sections(found.__doc__ or "")
     summary = told[""].strip().partition("\n")[0]
     assert summary.endswith((".", ":")), f"no summary in one line: {summary!r}"
@@ -111,14 +108,14 @@ QUOTED = re.compile(r'"""(.*?)"""', re.DOTALL)
 
 
 @cache
-def texts() -> dict[Path, str]:
+def texts():
     """Sources of the package by their files."""
     files = [p for room in ("runtime", "derive") for p in (CHECKOUT / room).rglob("*.py")]
     return {file.relative_to(CHECKOUT): file.read_text(encoding="utf-8") for file in files}
 
 
 @pytest.mark.slow
-def test_docstrings_name_what_exists() -> None:
+def test_docstrings_name_what_exists():
     known = {part for file in texts() for part in file.with_suffix("").parts}
     for text in texts().values():
         known.update(re.findall(r"\w+", re.sub("#.*", "", QUOTED.sub("", text))))
@@ -132,7 +129,7 @@ def test_docstrings_name_what_exists() -> None:
     assert not stale
 
 
-def test_a_class_name_has_one_meaning() -> None:
+def test_a_class_name_has_one_meaning():
     places: dict[str, list[str]] = {}
     for file, text in texts().items():
         if file.parts[0] == "runtime":

@@ -21,7 +21,7 @@ COMPILED = {
 SLOW = {"certify_basin", "certify_branch", "certify_doubling", "certify_graph"}
 
 
-def with_examples() -> list[str]:
+def with_examples():
     """Names of the modules whose sources show a prompt; importing all would take seconds."""
     names = []
     for module in pkgutil.walk_packages(nonsmooth.__path__, "nonsmooth."):
@@ -31,7 +31,7 @@ def with_examples() -> list[str]:
     return names
 
 
-def examples() -> list[object]:
+def examples():
     """Give the examples of all docstrings, those of one docstring together."""
     finder = doctest.DocTestFinder(exclude_empty=True)
     found = [test for name in with_examples() for test in finder.find(import_module(name))]
@@ -42,7 +42,7 @@ def examples() -> list[object]:
     ]
 
 
-def marks_of(example: doctest.DocTest) -> list[pytest.MarkDecorator]:
+def marks_of(example):
     """What an example asks for."""
     name = example.name.rpartition(".")[2]
     engine = pytest.mark.skipif(compiled_engine() is None, reason="no compiled engine")
@@ -51,9 +51,7 @@ def marks_of(example: doctest.DocTest) -> list[pytest.MarkDecorator]:
 
 
 @pytest.mark.parametrize("example", examples())
-def test_examples(
-    example: doctest.DocTest, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_examples(example, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path / "cache"))
     report: list[str] = []

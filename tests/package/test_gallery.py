@@ -1,12 +1,8 @@
 """The gallery: every file through the public face, against closed forms and other routes."""
 
-from __future__ import annotations
-
 import math
 import shlex
-from collections.abc import Iterator
 from fractions import Fraction
-from typing import Any
 
 import mpmath
 import numpy as np
@@ -41,41 +37,41 @@ ORBITS = [
 
 
 @pytest.fixture(autouse=True, scope="module")
-def cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+def cache(tmp_path_factory):
     """What is derived is kept for this file's tests alone."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("NONSMOOTH_CACHE", str(tmp_path_factory.mktemp("cache")))
         yield
 
 
-def page(name: str) -> str:
+def page(name):
     return str(GALLERY / f"{name}.py")
 
 
-def solved(name: str, orbit: str, *arguments: Any, **options: Any) -> Any:
+def solved(name, orbit, *arguments, **options):
     return ns.solve(f"{page(name)}:{orbit}", *arguments, **options)
 
 
-def eigenvalues(trace: float, determinant: float) -> list[complex]:
+def eigenvalues(trace, determinant):
     """Of a 2 x 2 matrix, in the order of their real and imaginary parts."""
     return sorted(np.roots([1, -trace, determinant]), key=lambda m: (m.real, m.imag))
 
 
-def multipliers(orbit: Any) -> list[complex]:
+def multipliers(orbit):
     return sorted(orbit.multipliers.tolist(), key=lambda m: (m.real, m.imag))
 
 
 # --- all ----------------------------------------------------------------------------------
 
 
-def test_the_number_of_oscillators_is_that_of_the_gallery() -> None:
+def test_the_number_of_oscillators_is_that_of_the_gallery():
     rows = (GALLERY / "README.md").read_text(encoding="utf-8").count("| [![")
     told = ["fifteen", "sixteen", "seventeen", "eighteen", "nineteen", "twenty"][rows - 15]
     for page in (CHECKOUT / "README.md", CHECKOUT / "docs" / "tutorial.md"):
         assert f"{told} oscillators" in page.read_text(encoding="utf-8"), page
 
 
-def test_the_index_names_every_file() -> None:
+def test_the_index_names_every_file():
     index = (GALLERY / "README.md").read_text(encoding="utf-8")
     files = sorted(GALLERY.glob("*.py"))
     assert len(files) >= 10
@@ -84,7 +80,7 @@ def test_the_index_names_every_file() -> None:
         assert f"docs/gallery/{file.name}" in index
 
 
-def commands() -> list[str]:
+def commands():
     text = (GALLERY / "README.md").read_text(encoding="utf-8")
     return [line for line in text.splitlines() if line.startswith("nonsmooth ")]
 
@@ -102,7 +98,7 @@ COMMANDS = [
 
 
 @pytest.mark.parametrize("command", COMMANDS)
-def test_the_commands_of_the_index_run(command: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_commands_of_the_index_run(command, monkeypatch):
     monkeypatch.chdir(GALLERY.parents[1])
     # a smooth worst needs no more looks
     monkeypatch.setattr("nonsmooth.runtime.explore.design.worst_over._LOOKS", 9)
@@ -112,9 +108,7 @@ def test_the_commands_of_the_index_run(command: str, monkeypatch: pytest.MonkeyP
     assert len(out) > 100
 
 
-def test_the_python_of_the_index_runs(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_the_python_of_the_index_runs(monkeypatch, capsys):
     monkeypatch.chdir(GALLERY.parents[1])
     text = (GALLERY / "README.md").read_text(encoding="utf-8")
     exec(text.partition("```python\n")[2].partition("```")[0], {})
@@ -124,7 +118,7 @@ def test_the_python_of_the_index_runs(
 
 
 @pytest.mark.parametrize(("name", "orbit"), ORBITS)
-def test_declared_orbits_are_motions(name: str, orbit: str) -> None:
+def test_declared_orbits_are_motions(name, orbit):
     found = solved(name, orbit)
     assert found.converged
     assert found.digits >= 10
@@ -143,7 +137,7 @@ def test_declared_orbits_are_motions(name: str, orbit: str) -> None:
 # --- the impact oscillator ----------------------------------------------------------------
 
 
-def one_impact(n: int, w: Any, r: Any, sigma: Any, lib: Any = math) -> list[tuple[Any, Any]]:
+def one_impact(n, w, r, sigma, lib=math):
     """Impact velocity and trace of the orbits that strike once in n periods of the forcing."""
     period, g = 2 * lib.pi * n / w, 1 / (1 - w * w)
     C = 1 / lib.tan(period / 2)
@@ -158,7 +152,7 @@ def one_impact(n: int, w: Any, r: Any, sigma: Any, lib: Any = math) -> list[tupl
     return found
 
 
-def impact_start(n: int, w: float, r: float, sigma: float, U: float) -> dict[str, float]:
+def impact_start(n, w, r, sigma, U):
     """Dwell time and state behind the impact."""
     g, C = 1 / (1 - w * w), 1 / math.tan(math.pi * n / w)
     phase = ((sigma + (1 + r) * C * U / 2) / g, -(1 - r) * U / (2 * g * w))
@@ -171,7 +165,7 @@ NAMES = {1: ("one-period", 2.4), 2: ("two-periods", 4.4), 3: ("three-periods", 6
 
 @pytest.mark.parametrize("n", NAMES)
 @pytest.mark.parametrize("place", [0.0, 0.3, -2.0])
-def test_orbits_of_one_impact_have_closed_forms(n: int, place: float) -> None:
+def test_orbits_of_one_impact_have_closed_forms(n, place):
     (name, w), r = NAMES[n], 0.8
     sigma = place / (w * w - 1)
     found = one_impact(n, w, r, sigma)
@@ -195,7 +189,7 @@ def test_orbits_of_one_impact_have_closed_forms(n: int, place: float) -> None:
 
 
 @pytest.mark.parametrize(("e", "V"), [("0.3", "0.5"), ("2", "0.1"), ("0.05", "3")])
-def test_stick_slip_on_a_belt_to_forty_digits(e: str, V: str) -> None:
+def test_stick_slip_on_a_belt_to_forty_digits(e, V):
     orbit = ns.refine(solved("mass_on_belt", "stick-slip", {"e": e, "V": V}), 40)
     with mpmath.workdps(60):
         excess, speed = mpmath.mpf(e), mpmath.mpf(V)
@@ -209,7 +203,7 @@ def test_stick_slip_on_a_belt_to_forty_digits(e: str, V: str) -> None:
 # --- two stops ----------------------------------------------------------------------------
 
 
-def symmetric(w: float, r: float, d: float, n: int = 1) -> tuple[float, float]:
+def symmetric(w, r, d, n=1):
     """Impact velocity of the symmetric orbit, and the trace of its half map."""
     half, g = math.pi * n / w, 1 / (1 - w * w)
     C = math.tan(half / 2)
@@ -219,14 +213,14 @@ def symmetric(w: float, r: float, d: float, n: int = 1) -> tuple[float, float]:
     return U, 2 * r * math.cos(half) + (1 + r) * math.sin(half) * force / U
 
 
-def half_orbit(d: float, w: float = 1.5) -> Any:
+def half_orbit(d, w=1.5):
     data = {"d": repr(d), "r": "0.8", "w": repr(w)}
     phases = [("free-free", "right-reaches-stop")]
     return ns.solve(page("two_stops"), data, [math.pi / w], itinerary=phases, symmetry=FORCED)
 
 
 @pytest.mark.parametrize("d", [0.45, 0.54, 0.6])
-def test_the_symmetric_orbit_from_its_half(d: float) -> None:
+def test_the_symmetric_orbit_from_its_half(d):
     orbit, (U, trace) = half_orbit(d), symmetric(1.5, 0.8, d)
     assert orbit.states[0, 1] == pytest.approx(0.8 * U, rel=1e-12)
     assert orbit.period == pytest.approx(4 * math.pi / 3, rel=1e-13)
@@ -245,7 +239,7 @@ def test_the_symmetric_orbit_from_its_half(d: float) -> None:
 # --- friction under forcing ---------------------------------------------------------------
 
 
-def den_hartog(S: str, W: str, digits: int = 15) -> Any:
+def den_hartog(S, W, digits=15):
     w = float(Fraction(W))
     R = 1 / (1 - w * w)
     guess = [abs(R), 0, math.copysign(1, R), 0]
@@ -260,7 +254,7 @@ def den_hartog(S: str, W: str, digits: int = 15) -> Any:
 
 
 @pytest.mark.parametrize(("S", "W"), [("0.2", "0.6"), ("0.1", "0.7"), ("0.3", "1.4"), ("0.2", "2")])
-def test_den_hartogs_amplitude(S: str, W: str) -> None:
+def test_den_hartogs_amplitude(S, W):
     R, U = 1 / (1 - float(W) ** 2), math.tan(math.pi / (2 * float(W))) / float(W)
     orbit = den_hartog(S, W)
     assert orbit.states[0, 0] == pytest.approx(math.sqrt(R**2 - (float(S) * U) ** 2), rel=1e-12)
@@ -271,7 +265,7 @@ def test_den_hartogs_amplitude(S: str, W: str) -> None:
     assert np.prod(orbit.multipliers) == pytest.approx(jump**2, rel=1e-11)
 
 
-def test_den_hartogs_oscillator_at_half_its_frequency() -> None:
+def test_den_hartogs_oscillator_at_half_its_frequency():
     orbit = den_hartog("0.2", "1/2", digits=30)
     with mpmath.workdps(50):
         assert abs(orbit.states[0, 0] - mpmath.mpf(4) / 3) < mpmath.mpf(10) ** -30
@@ -286,7 +280,7 @@ def test_den_hartogs_oscillator_at_half_its_frequency() -> None:
     assert_allclose(motion.states[2], shifted, rtol=0, atol=1e-12)
 
 
-def test_a_jenkins_element_takes_the_area_of_its_loop() -> None:
+def test_a_jenkins_element_takes_the_area_of_its_loop():
     orbit = solved("jenkins", "yielding-both-ways")
     slide, turn = orbit.dwell_times[:2]
     half = ns.solve(
@@ -314,7 +308,7 @@ def test_a_jenkins_element_takes_the_area_of_its_loop() -> None:
 # --- the brake pad ------------------------------------------------------------------------
 
 
-def test_no_claim_holds_where_the_load_of_a_pad_is_negative() -> None:
+def test_no_claim_holds_where_the_load_of_a_pad_is_negative():
     lifting, pressed = (solved("brake_pad", name) for name in ("lifting", "pressed"))
     height = 4 / math.hypot(4 - 1.3**2, 1.3 / 5)
     assert lifting.dwell_times[0] == pytest.approx(2 / 1.3 * math.acos(0.5 / height), abs=1e-14)
@@ -332,6 +326,6 @@ def test_no_claim_holds_where_the_load_of_a_pad_is_negative() -> None:
 
 
 @pytest.mark.slow  # its kernels are compiled first
-def test_those_of_many_hold_where_the_load_of_a_pad_is_positive() -> None:
+def test_those_of_many_hold_where_the_load_of_a_pad_is_positive():
     many = ns.solve(f"{page('brake_pad')}:pressed", {"A": np.array([1.15, 1.17, 4.0])})
     assert many.admissible.tolist() == [True, False, False]

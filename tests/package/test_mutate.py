@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import subprocess
-from pathlib import Path
 
 import mutate
 import pytest
@@ -106,7 +105,7 @@ BUGS_IN_C = {
 @pytest.mark.parametrize(
     ("file", "text", "bugs"), [("a.py", PYTHON, BUGS), ("a.c", C, BUGS_IN_C)], ids=["Python", "C"]
 )
-def test_each_operator_has_its_places(file: str, text: str, bugs: dict[str, list[str]]) -> None:
+def test_each_operator_has_its_places(file, text, bugs):
     wanted = {
         f"{file}::{kind}[{count}]": piece
         for kind, pieces in bugs.items()
@@ -118,7 +117,7 @@ def test_each_operator_has_its_places(file: str, text: str, bugs: dict[str, list
     assert [piece for piece in wanted.values() if piece in text] == []
 
 
-def test_addresses_lead_back_to_their_places(capsys: pytest.CaptureFixture[str]) -> None:
+def test_addresses_lead_back_to_their_places(capsys):
     room = "runtime/core/workload.py"
     assert mutate.main([room, "--list", "--only", "factor", "--only", "term", "--sample", "3"]) == 0
     lines = capsys.readouterr().out.splitlines()
@@ -131,9 +130,7 @@ def test_addresses_lead_back_to_their_places(capsys: pytest.CaptureFixture[str])
     assert mutate.chosen(["runtime/core/nothing.py"]) == []
 
 
-def test_a_difference_can_be_applied(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_difference_can_be_applied(tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(mutate, "CHECKOUT", tmp_path)
     file = tmp_path / "runtime" / "a.py"
     file.parent.mkdir()
@@ -152,7 +149,7 @@ def test_a_difference_can_be_applied(
     assert {bug.change.function for bug in mutate.chosen(revision="HEAD")} == {"two"}
 
 
-def test_a_probe_says_which_functions_run() -> None:
+def test_a_probe_says_which_functions_run():
     text = '''
 class One:
     """A class."""
@@ -181,9 +178,7 @@ def two(): """Nothing else."""
 @pytest.mark.parametrize(
     ("expression", "outcome"), [("less(1, 1)", mutate.NOTICED), ("less(2, 1)", mutate.SURVIVED)]
 )
-def test_a_survivor_is_tried_with_the_slow_tests(
-    expression: str, outcome: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_survivor_is_tried_with_the_slow_tests(expression, outcome, tmp_path, monkeypatch):
     monkeypatch.setattr(mutate, "CHECKOUT", tmp_path)
     settings = "[pytest]\naddopts = -m 'not slow'\nmarkers = slow: long ones\n"
     (tmp_path / "pytest.ini").write_text(settings)

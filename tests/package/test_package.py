@@ -21,7 +21,7 @@ HEAVY = [
 ]
 
 
-def run(*command: object, cwd: Path, **environment: str) -> str:
+def run(*command, cwd, **environment):
     """Run a command without the network; on failure show what it said."""
     inherited = {name: text for name, text in os.environ.items() if name != "PYTHONPATH"}
     done = subprocess.run(
@@ -36,7 +36,7 @@ def run(*command: object, cwd: Path, **environment: str) -> str:
     return done.stdout
 
 
-def build(kind: str, source: Path, out: Path, **environment: str) -> Path:
+def build(kind, source, out, **environment):
     """Build an sdist or a wheel from a source tree and give its path."""
     options = ("--no-isolation", "--skip-dependency-check", f"--{kind}", "--outdir", out)
     run(sys.executable, "-m", "build", *options, source, cwd=out.parent, **environment)
@@ -44,7 +44,7 @@ def build(kind: str, source: Path, out: Path, **environment: str) -> Path:
     return built
 
 
-def contents(wheel: Path) -> set[str]:
+def contents(wheel):
     """Names of the files in a wheel, without its metadata."""
     with zipfile.ZipFile(wheel) as archive:
         names = {name for name in archive.namelist() if not name.endswith("/")}
@@ -52,7 +52,7 @@ def contents(wheel: Path) -> set[str]:
 
 
 @pytest.fixture(scope="module")
-def source(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def source(tmp_path_factory):
     """Copy the checkout without what was built in it."""
     copy = tmp_path_factory.mktemp("source") / "checkout"
     unwanted = (".*_cache", ".git", ".hypothesis", ".venv", "*.egg-info", "*.pyc", "*.so", "build")
@@ -61,13 +61,13 @@ def source(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def wheel(source: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def wheel(source, tmp_path_factory):
     """Build the wheel of the checkout, without the extension."""
     out = tmp_path_factory.mktemp("wheel") / "dist"
     return build("wheel", source, out, NONSMOOTH_WITHOUT_EXTENSION="1")
 
 
-def install(wheel: Path, target: Path) -> Path:
+def install(wheel, target):
     """Install a wheel, without its dependencies, into a folder of its own."""
     options = ("--no-deps", "--no-index", "--quiet", "--target", target)
     run(sys.executable, "-m", "pip", "install", *options, wheel, cwd=target.parent)
@@ -76,7 +76,7 @@ def install(wheel: Path, target: Path) -> Path:
 
 @pytest.mark.slow
 @pytest.mark.packaging
-def test_wheel_has_one_top_level_name(wheel: Path) -> None:
+def test_wheel_has_one_top_level_name(wheel):
     assert {name.partition("/")[0] for name in contents(wheel)} == {"nonsmooth"}
     # The face is the package itself and appears nowhere else.
     assert not any(name.startswith("nonsmooth/runtime/face") for name in contents(wheel))
@@ -84,7 +84,7 @@ def test_wheel_has_one_top_level_name(wheel: Path) -> None:
 
 
 @pytest.mark.packaging
-def test_wheel_is_complete(source: Path, wheel: Path) -> None:
+def test_wheel_is_complete(source, wheel):
     suffixes = {".py", ".h", ".c", ".md", ".json", ".html", ".toml"}
     face = source / "runtime" / "face"
     expected = {f"nonsmooth/{path.name}" for path in (*face.glob("*.py"), face / "py.typed")}
@@ -99,9 +99,7 @@ def test_wheel_is_complete(source: Path, wheel: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.packaging
-def test_sdist_is_complete_and_gives_the_same_wheel(
-    source: Path, wheel: Path, tmp_path: Path
-) -> None:
+def test_sdist_is_complete_and_gives_the_same_wheel(source, wheel, tmp_path):
     sdist = build("sdist", source, tmp_path / "dist")
     with tarfile.open(sdist) as archive:
         archive.extractall(tmp_path, filter="data")
@@ -117,7 +115,7 @@ def test_sdist_is_complete_and_gives_the_same_wheel(
 
 @pytest.mark.slow
 @pytest.mark.packaging
-def test_installed_wheel_works_outside_the_checkout(wheel: Path, tmp_path: Path) -> None:
+def test_installed_wheel_works_outside_the_checkout(wheel, tmp_path):
     target = install(wheel, tmp_path / "site")
     program = (
         "import nonsmooth, nonsmooth.derive, nonsmooth.runtime, nonsmooth.generated;"
@@ -129,7 +127,7 @@ def test_installed_wheel_works_outside_the_checkout(wheel: Path, tmp_path: Path)
     assert "verify" in run(sys.executable, script, "--help", cwd=tmp_path, PYTHONPATH=str(target))
 
 
-def imported_by(statement: str, tmp_path: Path) -> set[str]:
+def imported_by(statement, tmp_path):
     """Top-level modules that a fresh process holds after a statement."""
     program = (
         "import sys\n"
@@ -151,20 +149,18 @@ def imported_by(statement: str, tmp_path: Path) -> set[str]:
          ("typer", "flint", "mpmath", "numpy")),
     ],
 )  # fmt: skip
-def test_nothing_heavy_is_imported(
-    statement: str, allowed: tuple[str, ...], tmp_path: Path
-) -> None:
+def test_nothing_heavy_is_imported(statement, allowed, tmp_path):
     modules = imported_by(statement, tmp_path)
     assert "nonsmooth" in modules
     assert not modules & {*HEAVY} - {*allowed}
 
 
 @pytest.mark.parametrize("name", nonsmooth.__all__)
-def test_public_names_exist(name: str) -> None:
+def test_public_names_exist(name):
     assert name in dir(nonsmooth)
     assert getattr(nonsmooth, name) is not None
 
 
-def test_unknown_public_name_is_an_attribute_error() -> None:
+def test_unknown_public_name_is_an_attribute_error():
     with pytest.raises(AttributeError, match="module 'nonsmooth' has no attribute 'sovle'"):
         _ = nonsmooth.sovle

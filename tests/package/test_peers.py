@@ -1,9 +1,5 @@
 """What the benchmark compares with is right: its closed forms and its peers' own equations."""
 
-from __future__ import annotations
-
-from typing import Any
-
 import numpy as np
 import pytest
 from benchmarking import peers
@@ -12,18 +8,18 @@ from benchmarking.responses import our_motion, settled
 
 
 @pytest.fixture(scope="module")
-def orbit() -> Any:
+def orbit():
     return settled()
 
 
-def test_the_ball_of_the_closed_form_is_the_one_that_is_simulated() -> None:
+def test_the_ball_of_the_closed_form_is_the_one_that_is_simulated():
     _, error = peers.our_ball()
     assert error < 1e-13
 
 
 # a free bar in SI units: its motion as a whole beside vibrations of 1e6 radians a second
 @pytest.mark.parametrize("elements", [4, pytest.param(12, marks=pytest.mark.slow)])
-def test_elements_touch_as_long_as_the_first_zero_of_their_reaction_says(elements: int) -> None:
+def test_elements_touch_as_long_as_the_first_zero_of_their_reaction_says(elements):
     _, _, times, kept = peers.our_bar(elements, None)
     expected = peers.contact_of_elements(elements)
     assert len(times) == 4
@@ -32,7 +28,7 @@ def test_elements_touch_as_long_as_the_first_zero_of_their_reaction_says(element
     assert kept < 1
 
 
-def test_a_motion_shoots_onto_itself_and_has_the_orbits_multipliers(orbit: Any) -> None:
+def test_a_motion_shoots_onto_itself_and_has_the_orbits_multipliers(orbit):
     states = our_motion(orbit, np.zeros(1))[:, 0]
     shooting, omega = Shooting(1e-9), 0.635
     unknowns = np.array([*states[:2], *(states[2:] / omega), omega])
@@ -44,7 +40,7 @@ def test_a_motion_shoots_onto_itself_and_has_the_orbits_multipliers(orbit: Any) 
     np.testing.assert_allclose(jacobian[:, 4], (ahead - behind) / 2e-6, atol=1e-5)
 
 
-def test_harmonics_tend_to_the_orbit_and_follow_it_through_its_fold(orbit: Any) -> None:
+def test_harmonics_tend_to_the_orbit_and_follow_it_through_its_fold(orbit):
     phases = 2 * np.pi * np.arange(512) / 512
     motion = our_motion(orbit, phases)[:2]
     errors = []

@@ -4,7 +4,6 @@ import re
 import shutil
 import subprocess
 import sysconfig
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -28,7 +27,7 @@ FOREIGN = ["-fgnuc-version=0", "-Wno-literal-range"]
 EXTENSIONS = re.compile(r"__attribute__|__builtin_|__extension__|__typeof__|__restrict|\bM_PI\b")
 
 
-def compilers() -> list[list[str]]:
+def compilers():
     """Clang, also as if it were not GNU's; GCC where there is none."""
     if clang := shutil.which("clang"):
         return [[clang], [clang, *FOREIGN]]
@@ -38,7 +37,7 @@ def compilers() -> list[list[str]]:
     return []
 
 
-def unguarded(text: str) -> list[str]:
+def unguarded(text):
     """Lines with extensions of GNU that stand outside of what is compiled by GNU's alone."""
     guards: list[bool] = []
     found = []
@@ -56,14 +55,14 @@ def unguarded(text: str) -> list[str]:
 
 
 @pytest.mark.parametrize("path", [*SOURCES, *HEADERS], ids=str)
-def test_extensions_stand_in_guards(path: Path) -> None:
+def test_extensions_stand_in_guards(path):
     assert unguarded((CHECKOUT / path).read_text(encoding="utf-8")) == []
 
 
 @pytest.mark.slow
 @pytest.mark.skipif(not compilers(), reason="there is no C compiler")
 @pytest.mark.parametrize("path", SOURCES, ids=str)
-def test_compilers_have_nothing_to_say(path: Path) -> None:
+def test_compilers_have_nothing_to_say(path):
     include = ["-I", "runtime/engine", "-I", "generated", "-I", "derive/codegen/support"]
     for folder in (sysconfig.get_path("include"), np.get_include()):
         include += ["-isystem", folder]

@@ -15,7 +15,7 @@ MODULES = [
 
 
 @pytest.mark.slow
-def test_a_module_says_in_one_sentence_what_it_is() -> None:
+def test_a_module_says_in_one_sentence_what_it_is():
     first: dict[str, list[str]] = {}
     for path in MODULES:
         said = re.match(r'r?"""(.*?)(?:"""|$)', path.read_text(encoding="utf-8"), re.MULTILINE)
@@ -26,7 +26,7 @@ def test_a_module_says_in_one_sentence_what_it_is() -> None:
 
 
 @pytest.mark.parametrize("room", ["derive", "runtime"])
-def test_no_modules_import_each_other_in_a_circle(room: str) -> None:
+def test_no_modules_import_each_other_in_a_circle(room):
     graph = grimp.build_graph("nonsmooth", exclude_type_checking_imports=True)
     modules = sorted(name for name in graph.modules if name.startswith(f"nonsmooth.{room}."))
     place = {name: k for k, name in enumerate(modules)}

@@ -18,7 +18,7 @@ PROJECT = tomllib.loads((CHECKOUT / "pyproject.toml").read_text(encoding="utf-8"
 DEPENDENCIES = ("flint", "mpmath", "numpy", "rich", "scipy", "sympy", "typer")
 
 
-def environment_without_compiler(place: Path) -> Path:
+def environment_without_compiler(place):
     """Python of a fresh environment that has the dependencies and nothing else."""
     venv.create(place, with_pip=False)
     python = place / "bin" / "python"
@@ -30,7 +30,7 @@ def environment_without_compiler(place: Path) -> Path:
     return python
 
 
-def built_wheel(place: Path) -> Path:
+def built_wheel(place):
     """The compiled wheel of the sdist: that of .ci/run, or one that is built here."""
     if built := os.environ.get("NONSMOOTH_WHEEL"):
         return Path(built)
@@ -49,7 +49,7 @@ def built_wheel(place: Path) -> Path:
 @pytest.mark.packaging
 @pytest.mark.compiled
 @pytest.mark.skipif(sys.platform != "linux", reason="auditwheel repairs wheels of Linux")
-def test_repaired_wheel_works_without_a_compiler(tmp_path: Path) -> None:
+def test_repaired_wheel_works_without_a_compiler(tmp_path):
     pytest.importorskip("auditwheel")
     wheel = built_wheel(tmp_path)
     tools = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
@@ -68,7 +68,7 @@ def test_repaired_wheel_works_without_a_compiler(tmp_path: Path) -> None:
     assert all(str(tmp_path / "fresh") in line for line in told[:2])
 
 
-def test_recipe_and_citation_say_what_the_project_says() -> None:
+def test_recipe_and_citation_say_what_the_project_says():
     recipe = yaml.safe_load((CHECKOUT / "recipe/recipe.yaml").read_text(encoding="utf-8"))
     citation = yaml.safe_load((CHECKOUT / "CITATION.cff").read_text(encoding="utf-8"))
     project = PROJECT["project"]
@@ -82,7 +82,7 @@ def test_recipe_and_citation_say_what_the_project_says() -> None:
     assert citation["abstract"].rstrip(".") == project["description"]
 
 
-def test_workflows_are_read_and_run_what_is_there() -> None:
+def test_workflows_are_read_and_run_what_is_there():
     folder = CHECKOUT / ".github" / "workflows"
     flows = {path.stem: yaml.safe_load(path.read_text("utf-8")) for path in folder.glob("*.yml")}
     assert set(flows) == {"docs", "release", "tests"}

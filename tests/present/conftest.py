@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import io
 import json
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -38,7 +37,7 @@ class Paper:
         return (self.folder / name).read_text(encoding="utf-8")
 
 
-def written(folder: Path, formulas: Callable[..., Any], *, certified: bool = False) -> Paper:
+def written(folder, formulas, *, certified=False):
     """Reproduce the paper with a few of its pictures, which take most of the time."""
     figure = pytest.importorskip("matplotlib.figure")
     drawn: list[Any] = []
@@ -66,7 +65,7 @@ def written(folder: Path, formulas: Callable[..., Any], *, certified: bool = Fal
 
 
 @pytest.fixture(scope="session")
-def paper(tmp_path_factory: pytest.TempPathFactory) -> Paper:
+def paper(tmp_path_factory):
     """The whole report, drawn by someone whose paper is black."""
     matplotlib = pytest.importorskip("matplotlib")
     for name in ("jinja2", "latex2mathml", "mdit_py_plugins"):
@@ -76,6 +75,6 @@ def paper(tmp_path_factory: pytest.TempPathFactory) -> Paper:
 
 
 @pytest.fixture(scope="session")
-def orbits() -> dict[str, Any]:
+def orbits():
     """The orbits of the paper, to be put in the place of its computation."""
     return dict(writing.paper_orbits(lambda step: None))

@@ -1,7 +1,5 @@
 """Formulas and their meanings as a derivation may give them, with all that has to be escaped."""
 
-from __future__ import annotations
-
 import re
 
 ALIGNED = (
@@ -25,14 +23,14 @@ MEANINGS = {
 }
 
 
-def given_formulas(orbit: str, section: str) -> tuple[tuple[str, str], ...]:
+def given_formulas(orbit, section):
     """One formula with a note, and one for each meaning, of one section alone."""
     if (orbit, section) != ("rigid-stop/one-impact", "The reduction"):
         return ()
     return ((ALIGNED, "What $m$ is."), *(("x", text) for text in MEANINGS.values()))
 
 
-def notes(page: str) -> dict[str, str]:
+def notes(page):
     """The HTML of each meaning on the page, by its name."""
     shown = r'<div class="equation">(?:(?!</div>).)*</div>\s*<p>(.*?)</p>'
     return dict(zip(("aligned", *MEANINGS), re.findall(shown, page, re.DOTALL), strict=False))

@@ -1,11 +1,8 @@
 """Branches in files, pictures, tables and on the command line."""
 
-from __future__ import annotations
-
 import json
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -19,17 +16,17 @@ STICK = "dry-friction/global-stick"
 
 
 @cache
-def branch() -> Any:
+def branch():
     return nonsmooth.load(file_of("nonsmooth branch"))
 
 
-def test_no_other_file_is_gone_on_with(tmp_path: Path) -> None:
+def test_no_other_file_is_gone_on_with(tmp_path):
     locus = str(file_of("nonsmooth locus"))
     code, _, err = run("continue", STICK, "V=0.9:1.1", "--resume", locus)
     assert (code, f"{locus}: not a saved branch" in err) == (2, True)
 
 
-def test_as_dataset() -> None:
+def test_as_dataset():
     pytest.importorskip("xarray")
     found = branch().to_xarray()
     np.testing.assert_array_equal(found["V"], branch().parameter_values)
@@ -37,7 +34,7 @@ def test_as_dataset() -> None:
     assert found["multiplier"].shape == branch().multipliers.shape
 
 
-def test_picture(tmp_path: Path) -> None:
+def test_picture(tmp_path):
     pytest.importorskip("matplotlib")
     orbit = nonsmooth.solve("dry-friction/symmetric")
     found = nonsmooth.continue_orbit(orbit, "V", (0.5, 1.3), step=0.05)
@@ -61,7 +58,7 @@ def test_picture(tmp_path: Path) -> None:
         found.plot([])
 
 
-def test_a_saved_branch_is_drawn_as_asked(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_saved_branch_is_drawn_as_asked(tmp_path, monkeypatch):
     pytest.importorskip("matplotlib")
     monkeypatch.chdir(tmp_path)
     branch().save("branch.json")
@@ -94,7 +91,7 @@ def test_a_saved_branch_is_drawn_as_asked(tmp_path: Path, monkeypatch: pytest.Mo
         assert not Path("never.png").exists()
 
 
-def test_a_picture_that_fails_loses_nothing(tmp_path: Path) -> None:
+def test_a_picture_that_fails_loses_nothing(tmp_path):
     pytest.importorskip("matplotlib")
     kept, picture = tmp_path / "kept.json", tmp_path / "branch.png"
     asked = f"continue {STICK} V=0.9:1.1 --points 5 --json --quantity energy --save {kept}"

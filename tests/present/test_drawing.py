@@ -3,7 +3,6 @@
 import itertools
 from dataclasses import replace
 from functools import cache, partial
-from typing import Any
 
 import numpy as np
 import pytest
@@ -19,7 +18,7 @@ from matplotlib.figure import Figure
 
 
 @pytest.mark.parametrize("kind", ["time", "phase"])
-def test_labels_of_near_levels_do_not_overlap(kind: str) -> None:
+def test_labels_of_near_levels_do_not_overlap(kind):
     """Those of positions are horizontal in a history, and upright in a portrait."""
     places = {"a": sp.Rational(1, 100), "b": -sp.Rational(1, 100), "c": sp.Rational(4, 5)}
     stops = [SoftStop("x", at=x, stiffness=1, name=name) for name, x in places.items()]
@@ -36,11 +35,11 @@ def test_labels_of_near_levels_do_not_overlap(kind: str) -> None:
 
 
 @cache
-def branch() -> Any:
+def branch():
     return ns.load(file_of("nonsmooth branch"))
 
 
-def drawn(middle: float, width: float) -> tuple[Figure, Any]:
+def drawn(middle, width):
     """A branch with other numbers, and its Axes."""
     parts = np.linspace(-1, 1, len(branch()))
     figure = replace(
@@ -51,7 +50,7 @@ def drawn(middle: float, width: float) -> tuple[Figure, Any]:
 
 @pytest.mark.parametrize("middle", [0.0, 1.0, -123.456])
 @pytest.mark.parametrize("width", [1e-9, 1e-5, 0.03, 40.0])
-def test_tick_labels_stand_apart_and_say_all(middle: float, width: float) -> None:
+def test_tick_labels_stand_apart_and_say_all(middle, width):
     """None touches another, and nothing is added or multiplied elsewhere."""
     figure, axes = drawn(middle, width)
     figure.draw_without_rendering()
@@ -68,7 +67,7 @@ def test_tick_labels_stand_apart_and_say_all(middle: float, width: float) -> Non
         assert numbers == pytest.approx(list(axis.get_majorticklocs()), abs=width / 50, rel=0)
 
 
-def test_tick_labels_stand_apart_at_every_draw() -> None:
+def test_tick_labels_stand_apart_at_every_draw():
     """Of a figure that is made narrower, and whose numbers are written longer, once drawn."""
     figure, axes = drawn(0, 0.5)
 
@@ -90,7 +89,7 @@ def test_tick_labels_stand_apart_at_every_draw() -> None:
     assert 2 <= len(labels()) < len(wide)
 
 
-def test_a_constant_is_drawn_as_one() -> None:
+def test_a_constant_is_drawn_as_one():
     sweep = ns.load(file_of("nonsmooth sweep"))
     noise = partial(np.random.default_rng(0).normal, 2, 1e-13)
     for figure in (

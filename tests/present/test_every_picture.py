@@ -3,7 +3,7 @@
 import itertools
 import os
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -30,12 +30,12 @@ from tests.two_masses import STICKING
 STICK = "dry-friction/global-stick"
 
 
-def gallery(name: str, **data: str) -> Any:
+def gallery(name, **data):
     return ns.solve(f"{GALLERY}/{name}", data)
 
 
 @cache
-def stop(length: float = 1.0) -> Any:
+def stop(length=1.0):
     """A machine before a stop in units of length: 1e-6 for micrometres that are metres."""
     F, w = sp.symbols("F w")
     size = sp.nsimplify(length)
@@ -47,18 +47,18 @@ def stop(length: float = 1.0) -> Any:
 
 
 @cache
-def found(length: float = 1.0, w: str = "1.3") -> Any:
+def found(length=1.0, w="1.3"):
     return ns.find_orbits(stop(length), {"F": "0.7", "w": w}, 12, transitions=120)
 
 
 @cache
-def branch(low: str, high: str, length: float = 1.0) -> Any:
+def branch(low, high, length=1.0):
     orbit = found(length, low).orbits[0].orbit
     return ns.continue_orbit(orbit, "w", (low, high), points=8)
 
 
 @cache
-def motion(count: int = 4) -> Any:
+def motion(count=4):
     return ns.simulate("dry-friction", STICKING, [5, 3, 1, 1], transitions=count)
 
 
@@ -128,7 +128,7 @@ CASES: dict[str, Callable[[], Any]] = {
 }
 
 
-def basins(known: Any, most: float, count: int) -> Any:
+def basins(known, most, count):
     """A chart of starts whose positions are at most so large."""
     folder = Path(tempfile.mkdtemp(dir=os.environ[FOLDER]))
     known.save(folder / "found.json")
@@ -138,7 +138,7 @@ def basins(known: Any, most: float, count: int) -> Any:
 
 
 @cache
-def chain_motion() -> Any:
+def chain_motion():
     """Five masses, two of them before stops: more curves than there are colours."""
     size = 5
     K = sp.Matrix(size, size, lambda i, j: 2 * (i == j) - (abs(i - j) == 1))
@@ -152,28 +152,28 @@ def chain_motion() -> Any:
 
 
 @cache
-def many_multipliers() -> Any:
+def many_multipliers():
     return with_multipliers(ns.solve(STICK), *(k * (-0.123456 + 0.01234567j) for k in range(1, 13)))
 
 
 @cache
-def symmetric_branch(high: str = "1.3") -> Any:
+def symmetric_branch(high="1.3"):
     return ns.continue_orbit(ns.solve("dry-friction/symmetric", {"V": "1.05"}), "V", (1.0, high))
 
 
 @cache
-def proved_branch() -> Any:
+def proved_branch():
     return ns.certify.branch(symmetric_branch("1.2"), interval=("1", "1.05"))
 
 
 @cache
-def flips() -> Any:
+def flips():
     (flip,) = (event for event in symmetric_branch().events if event.kind == "flip")
     return ns.continue_orbit(symmetric_branch(), "eta", (3.9, 4.1), event=flip)
 
 
 @cache
-def swept() -> Any:
+def swept():
     data = {name: value for name, value in STICKING.items() if name != "V"}
     return ns.sweep(
         "dry-friction",
@@ -189,7 +189,7 @@ def swept() -> Any:
 
 
 @cache
-def charted(count: int | None = None) -> Path:
+def charted(count=None):
     """The folder of a chart over one parameter, or over two."""
     folder = Path(tempfile.mkdtemp(dir=os.environ[FOLDER])) / "chart.zarr"
     other = {"eta": (0.8, 1.3, count)} if count else {}
@@ -198,7 +198,7 @@ def charted(count: int | None = None) -> Path:
 
 
 @cache
-def fitted() -> Any:
+def fitted():
     times = np.linspace(0.2, 9, 30)
     x = ns.simulate("dry-friction", STICKING, [5, 3, 1, 1], until=10)(times)[:, 0]
     data = {"t": times, "x1": x}
@@ -212,7 +212,7 @@ def fitted() -> Any:
     )
 
 
-def faults(figure: Figure) -> Iterator[str]:
+def faults(figure):
     """What is wrong with the labels and legends of a figure that is drawn as it is."""
     figure.draw_without_rendering()
     room = figure.bbox.padded(1)
@@ -262,13 +262,13 @@ SLOW = {  # whose kinds are drawn of other results too
 @pytest.mark.parametrize(
     "name", [pytest.param(name, marks=[pytest.mark.slow] * (name in SLOW)) for name in CASES]
 )
-def test_labels_stand_apart_and_legends_tell_apart(name: str) -> None:
+def test_labels_stand_apart_and_legends_tell_apart(name):
     drawn = CASES[name]()
     assert not list(faults(drawn if isinstance(drawn, Figure) else figure_of(drawn)))
     pyplot.close("all")
 
 
-def _labels(axis: Any) -> list[Text]:
+def _labels(axis):
     low, high = sorted(axis.get_view_interval())
     return [
         tick.label1
@@ -281,7 +281,7 @@ def _labels(axis: Any) -> list[Text]:
     ]
 
 
-def _hidden_tick(figure: Figure, text: Text) -> bool:
+def _hidden_tick(figure, text):
     """Of an axis that is not shown, or beyond its ends."""
     for axes in figure.axes:
         for axis in (axes.xaxis, axes.yaxis):
@@ -293,7 +293,7 @@ def _hidden_tick(figure: Figure, text: Text) -> bool:
     return False
 
 
-def _look(handle: Any) -> tuple[Any, ...]:
+def _look(handle):
     told = "color", "facecolor", "linestyle", "linewidth", "marker", "markerfacecolor"
     names = (*told, "alpha", "hatch")
     found = [str(getattr(handle, f"get_{name}", lambda: None)()) for name in names]

@@ -1,13 +1,8 @@
 """A file is as its schema says, and a format of files whose content changes has another version."""
 
-from __future__ import annotations
-
 import copy
 import json
-from collections.abc import Iterator
 from hashlib import sha256
-from pathlib import Path
-from typing import Any
 
 import pytest
 from jsonschema import Draft202012Validator
@@ -48,7 +43,7 @@ CHART = (
 )
 
 
-def unordered(entry: Any) -> Any:
+def unordered(entry):
     """A schema whose names of required entries are sorted, as the order of entries says nothing."""
     if isinstance(entry, list):
         return [unordered(part) for part in entry]
@@ -58,13 +53,13 @@ def unordered(entry: Any) -> Any:
     return found | {n: sorted(part) for n, part in found.items() if n == "required" and part}
 
 
-def digest(schema: dict[str, Any]) -> str:
+def digest(schema):
     """A hash of the names and types of all entries."""
     entries = {name: x for name, x in schema.items() if name not in ("title", "description")}
     return sha256(json.dumps(unordered(entries), sort_keys=True).encode()).hexdigest()[:12]
 
 
-def test_a_format_of_other_entries_has_another_version() -> None:
+def test_a_format_of_other_entries_has_another_version():
     found = {
         name: (schema["properties"]["version"]["const"], digest(schema))
         for name, schema in file_schemas().items()
@@ -72,7 +67,7 @@ def test_a_format_of_other_entries_has_another_version() -> None:
     assert found == KNOWN
 
 
-def test_a_motion_or_chart_of_other_entries_has_another_version(tmp_path: Path) -> None:
+def test_a_motion_or_chart_of_other_entries_has_another_version(tmp_path):
     ns.simulate("rigid-stop", TWO_MASSES, [0, 0, 1.5, 0], transitions=2).save(tmp_path / "m.csv")
     lines = (tmp_path / "m.csv").read_text().splitlines()
     header = dict(line[2:].split(": ", 1) for line in lines if line.startswith("# "))
@@ -84,7 +79,7 @@ def test_a_motion_or_chart_of_other_entries_has_another_version(tmp_path: Path) 
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_files_are_as_their_schemas_say(kind: str) -> None:
+def test_files_are_as_their_schemas_say(kind):
     schema = file_schemas()[kind]
     Draft202012Validator.check_schema(schema)
     checked, content = Draft202012Validator(schema), json.loads(text_of(kind))
@@ -93,7 +88,7 @@ def test_files_are_as_their_schemas_say(kind: str) -> None:
         assert not checked.is_valid(other)
 
 
-def misshapen(content: dict[str, Any]) -> Iterator[dict[str, Any]]:
+def misshapen(content):
     """Content without an entry, with one more, and with each entry of another type."""
     yield {**content, "unheard": 0}
     for name in content:

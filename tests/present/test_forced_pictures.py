@@ -1,10 +1,6 @@
 """Forced systems as they are drawn: strobed sweeps, and frequency responses by default."""
 
-from __future__ import annotations
-
 from functools import cache
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -18,7 +14,7 @@ PAGE = str(GALLERY / "impact_oscillator.py")
 
 
 @pytest.mark.parametrize("phase", [0.0, 1.0, 4.0])
-def test_without_contact_a_strobe_shows_the_closed_form(phase: float, tmp_path: Path) -> None:
+def test_without_contact_a_strobe_shows_the_closed_form(phase, tmp_path):
     """x'' + x = cos(w t) from x = g, v = 0 is x = g cos(w t), far from the stop."""
     values = np.array([1.7, 2.4])
     for place, w in enumerate(values):
@@ -46,7 +42,7 @@ def test_without_contact_a_strobe_shows_the_closed_form(phase: float, tmp_path: 
         ({"system": "rigid-stop", "parameters": {}, "start": {}}, "has no forcing"),
     ],
 )
-def test_wrong_strobes(changes: dict, match: str) -> None:
+def test_wrong_strobes(changes, match):
     arguments = {
         "system": PAGE,
         "parameters": {"r": "0.8", "sigma": 50},
@@ -61,13 +57,13 @@ def test_wrong_strobes(changes: dict, match: str) -> None:
 
 
 @cache
-def branch(name: str) -> Any:
+def branch(name):
     orbit = ns.solve(f"{PAGE}:one-period", {"w": "2.4"})
     interval = {"w": (2.38, 2.42), "sigma": (-0.01, 0.01)}[name]
     return ns.continue_orbit(orbit, name, interval, step=0.5)
 
 
-def test_a_frequency_response_is_drawn_by_default() -> None:
+def test_a_frequency_response_is_drawn_by_default():
     pytest.importorskip("matplotlib")
     response, other = branch("w"), branch("sigma")
     (angular,) = response.plot().axes
@@ -89,7 +85,7 @@ def test_a_frequency_response_is_drawn_by_default() -> None:
     assert free.get_ylabel().startswith("period")
 
 
-def test_a_slider_is_drawn_with_the_velocity_of_its_mass() -> None:
+def test_a_slider_is_drawn_with_the_velocity_of_its_mass():
     figures = pytest.importorskip("matplotlib.figure")
     orbit = ns.solve(f"{GALLERY / 'jenkins.py'}:yielding-both-ways")
     axes = orbit.plot("velocity", axes=figures.Figure().add_subplot())

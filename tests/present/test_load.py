@@ -6,7 +6,6 @@ import json
 import os
 import re
 import shutil
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -41,12 +40,12 @@ OF_KINDS = {"nonsmooth orbit", "nonsmooth found orbits"}
 WITH_ORBIT = {"nonsmooth orbit", "nonsmooth design"}
 
 
-def name_of(kind: str) -> str:
+def name_of(kind):
     return f"{kind.replace(' ', '-')}.json"
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def folder(tmp_path_factory):
     """Files of all kinds."""
     folder = tmp_path_factory.mktemp("results")
     for kind in KINDS:
@@ -58,17 +57,17 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-def told(command: str) -> tuple[int, str]:
+def told(command):
     code, _, err = run(*command.split())
     return code, err
 
 
-def test_every_kind_of_file_is_tried() -> None:
+def test_every_kind_of_file_is_tried():
     assert {*file_schemas()} == {*KINDS} == {*TYPES}
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_a_file_gives_what_was_saved(kind: str, folder: Path, tmp_path: Path) -> None:
+def test_a_file_gives_what_was_saved(kind, folder, tmp_path):
     path, again = folder / name_of(kind), tmp_path / "again.json"
     found: Any = ns.load(str(path))
     assert type(found).__name__ == TYPES[kind]
@@ -82,7 +81,7 @@ def test_a_file_gives_what_was_saved(kind: str, folder: Path, tmp_path: Path) ->
     assert type(ns.load(again)).__name__ == TYPES[kind]
 
 
-def test_motions_and_charts_are_read_too(folder: Path) -> None:
+def test_motions_and_charts_are_read_too(folder):
     for ending in ("npz", "csv"):
         motion = ns.load(folder / f"motion.{ending}")
         assert type(motion).__name__ == "Trajectory"
@@ -91,7 +90,7 @@ def test_motions_and_charts_are_read_too(folder: Path) -> None:
 
 
 @pytest.mark.parametrize("name", [*map(name_of, KINDS), "motion.npz", "motion.csv", "line.zarr"])
-def test_every_file_is_drawn_or_says_why_not(name: str, folder: Path, tmp_path: Path) -> None:
+def test_every_file_is_drawn_or_says_why_not(name, folder, tmp_path):
     picture = tmp_path / "picture.png"
     kind = "--kind time" if name in map(name_of, OF_KINDS) or "motion" in name else ""
     code, error = told(f"plot {folder / name} {kind} --out {picture}")
@@ -107,7 +106,7 @@ def test_every_file_is_drawn_or_says_why_not(name: str, folder: Path, tmp_path: 
 
 @pytest.mark.parametrize("kind", [kind for kind in KINDS if kind != "nonsmooth found orbits"])
 @pytest.mark.parametrize("command", ["list {}", "solve {}", "verify {} --digits 20", "certify {}"])
-def test_a_file_that_has_one_orbit_stands_for_it(command: str, kind: str, folder: Path) -> None:
+def test_a_file_that_has_one_orbit_stands_for_it(command, kind, folder):
     path = folder / name_of(kind)
     code, error = told(command.format(path))
     if kind in WITH_ORBIT:
@@ -119,7 +118,7 @@ def test_a_file_that_has_one_orbit_stands_for_it(command: str, kind: str, folder
         assert error.count("\n") == 1
 
 
-def test_a_design_is_solved_where_it_ends(folder: Path) -> None:
+def test_a_design_is_solved_where_it_ends(folder):
     path = folder / name_of("nonsmooth design")
     found, again = ns.load(path), ns.solve(str(path))
     assert float(again.given["V"]) == found.after["V"] == 1.05
@@ -148,9 +147,7 @@ def test_a_design_is_solved_where_it_ends(folder: Path) -> None:
         ('{"format": "nonsmooth orbit", "version": 5}', "is missing"),
     ],
 )
-def test_what_is_no_result_is_refused_in_one_line(
-    content: str, message: str, tmp_path: Path
-) -> None:
+def test_what_is_no_result_is_refused_in_one_line(content, message, tmp_path):
     path = tmp_path / "some.json"
     path.write_text(content, encoding="latin-1")
     with pytest.raises(InputError, match=re.escape(f"{path}: ")) as refused:
@@ -172,7 +169,7 @@ def test_what_is_no_result_is_refused_in_one_line(
         ("large.json", "too large for a saved"),
     ],
 )
-def test_what_is_not_there_or_foreign_is_refused(name: str, message: str, tmp_path: Path) -> None:
+def test_what_is_not_there_or_foreign_is_refused(name, message, tmp_path):
     (tmp_path / "empty").mkdir()
     (tmp_path / "data.csv").write_text("t,x\n0,1\n")
     (tmp_path / "large.json").write_bytes(b'{"format": "nonsmooth orbit"')
@@ -184,7 +181,7 @@ def test_what_is_not_there_or_foreign_is_refused(name: str, message: str, tmp_pa
 
 
 @pytest.mark.parametrize("kind", ["nonsmooth fit", "nonsmooth design"])
-def test_a_file_of_one_kind_is_not_read_as_another(kind: str, folder: Path, tmp_path: Path) -> None:
+def test_a_file_of_one_kind_is_not_read_as_another(kind, folder, tmp_path):
     content = json.loads((folder / name_of(kind)).read_text())
     path = tmp_path / "forged.json"
     for other in KINDS:

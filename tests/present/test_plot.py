@@ -2,11 +2,8 @@
 
 import re
 import sys
-from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import cache, partial
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -36,7 +33,6 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.figure import Figure
 from matplotlib.patches import StepPatch
-from matplotlib.transforms import Bbox
 
 PANELS = 5  # of "all"
 KINDS = ("time", "velocity", "phase", "strip", "multipliers", "all")
@@ -49,27 +45,27 @@ CONFIGURATIONS = ["stick-stick", "slip-stick", "slip-slip", "stick-slip"]
 
 
 @cache
-def orbit(name: str = ORBIT) -> Any:
+def orbit(name=ORBIT):
     return nonsmooth.solve(name)
 
 
 @cache
-def few() -> Any:
+def few():
     return simulate("dry-friction", STICKING, [5, 3, 1, 1], transitions=4)
 
 
 @cache
-def many() -> Any:
+def many():
     return simulate("dry-friction", STICKING, [0, 0, 0, 0], transitions=1500)
 
 
 @cache
-def impacts(count: int = 6) -> Any:
+def impacts(count=6):
     return simulate("rigid-stop", CHAIN | {"r": 1}, [0, 0.5, 3, 0], transitions=count)
 
 
 @cache
-def thermostat(lags: int) -> Any:
+def thermostat(lags):
     """A relay that switches by the last of some lags in a row: its states are no positions."""
     states = sp.symbols(f"a:{lags}", real=True)
     matrix = sp.Matrix(lags, lags, lambda i, j: {0: -1, 1: 1}.get(i - j, 0))
@@ -93,36 +89,36 @@ MOTIONS = {
 
 
 @pytest.fixture(autouse=True)
-def closed() -> Iterator[None]:
+def closed():
     yield
     pyplot.close("all")
 
 
-def axes_of(count: int = 1) -> list[Axes]:
+def axes_of(count=1):
     return list(np.ravel(Figure(layout="constrained").subplots(count, squeeze=False)))
 
 
-def curve(axes: Axes, label: str) -> np.ndarray:
+def curve(axes, label):
     """Points of the one curve of that label."""
     (line,) = [line for line in axes.get_lines() if line.get_label() == label]
     return np.array(line.get_xydata())
 
 
-def bars(axes: Axes) -> list[Bbox]:
+def bars(axes):
     """Where the bars of a strip are."""
     return [path.get_extents() for bars in axes.collections for path in bars.get_paths()]
 
 
-def symbols(axes: Axes) -> list[str]:
+def symbols(axes):
     """Symbols in a strip, without the shares of time."""
     return [text.get_text() for text in axes.texts if "%" not in text.get_text()]
 
 
-def legend(axes: Axes) -> list[str]:
+def legend(axes):
     return [text.get_text() for text in axes.get_legend().get_texts()]
 
 
-def levels(axes: Axes) -> list[str]:
+def levels(axes):
     return [text.get_text() for text in axes.texts if text.get_text() and "%" not in str(text)]
 
 
@@ -130,7 +126,7 @@ def levels(axes: Axes) -> list[str]:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_every_kind_draws_into_given_axes_or_a_figure_of_pyplot(kind: str) -> None:
+def test_every_kind_draws_into_given_axes_or_a_figure_of_pyplot(kind):
     places = axes_of(PANELS if kind == "all" else 1)
     given = places if kind == "all" else places[0]
     found = orbit().plot(kind, given)
@@ -145,7 +141,7 @@ def test_every_kind_draws_into_given_axes_or_a_figure_of_pyplot(kind: str) -> No
 
 
 @pytest.mark.parametrize("name", ["rigid-stop/one-impact", "elastic-stop/one-contact"])
-def test_the_stop_is_drawn_where_it_is(name: str) -> None:
+def test_the_stop_is_drawn_where_it_is(name):
     (axes,) = axes_of()
     orbit(name).plot("time", axes, periods=2)
     (stop,) = [line for line in axes.get_lines() if line.get_linestyle() == ":"]
@@ -158,7 +154,7 @@ def test_the_stop_is_drawn_where_it_is(name: str) -> None:
     assert "sticking" not in [*legend(places[0]), *legend(places[1])]
 
 
-def test_an_impact_is_drawn_before_and_behind() -> None:
+def test_an_impact_is_drawn_before_and_behind():
     (axes,) = axes_of()
     orbit("rigid-stop/one-impact").plot("velocity", axes, periods=2)
     points, u = curve(axes, "$x_{1}'$"), orbit("rigid-stop/one-impact").unknowns["u"]
@@ -167,7 +163,7 @@ def test_an_impact_is_drawn_before_and_behind() -> None:
 
 
 @pytest.mark.parametrize("masses", [[1], (1, 0)])
-def test_some_masses_alone(masses: Sequence[int]) -> None:
+def test_some_masses_alone(masses):
     (axes,) = axes_of()
     orbit().plot("time", axes, masses=masses)
     assert legend(axes)[: len(masses)] == [f"$z_{{{m + 1}}}$" for m in masses]
@@ -176,7 +172,7 @@ def test_some_masses_alone(masses: Sequence[int]) -> None:
 
 @pytest.mark.parametrize("kind", ["time", "velocity"])
 @pytest.mark.parametrize("of", MOTIONS)
-def test_histories_are_the_motion(of: str, kind: str) -> None:
+def test_histories_are_the_motion(of, kind):
     (axes,) = axes_of()
     drawn, moving = MOTIONS[of](), kind == "velocity"
     motion, end, breaks, options = drawn, getattr(drawn, "end", None), (), {}
@@ -202,7 +198,7 @@ def test_histories_are_the_motion(of: str, kind: str) -> None:
     assert_allclose(axes.get_xlim(), (0, end * options.get("periods", 1)))
 
 
-def test_pictures_of_states_that_are_no_positions_name_them() -> None:
+def test_pictures_of_states_that_are_no_positions_name_them():
     first, second = thermostat(3).plot("phase", axes_of(2))
     assert [first.get_xlabel(), first.get_ylabel()] == ["state $a_{0}$", "state $a_{1}$"]
     assert [second.get_xlabel(), second.get_ylabel()] == ["state $a_{1}$", "state $a_{2}$"]
@@ -210,7 +206,7 @@ def test_pictures_of_states_that_are_no_positions_name_them() -> None:
     assert [upper.get_ylabel(), lower.get_ylabel()] == ["state $a_{0}$", "state $a_{1}$"]
 
 
-def test_phase_portraits_are_the_motion_together_or_apart() -> None:
+def test_phase_portraits_are_the_motion_together_or_apart():
     (axes,), places = axes_of(), axes_of(2)
     orbit().plot("phase", axes)
     assert orbit().plot("phase", places) == tuple(places)
@@ -229,7 +225,7 @@ def test_phase_portraits_are_the_motion_together_or_apart() -> None:
     assert levels(axes) == ["$V$"]
 
 
-def test_sticking_parts_and_belt_are_drawn_at_its_velocity() -> None:
+def test_sticking_parts_and_belt_are_drawn_at_its_velocity():
     found = nonsmooth.solve(ORBIT, {"V": "0.9"})
     for kind in ("phase", "velocity"):
         (axes,) = axes_of()
@@ -252,7 +248,7 @@ def test_sticking_parts_and_belt_are_drawn_at_its_velocity() -> None:
 
 
 @pytest.mark.parametrize(("name", "shown"), [(ORBIT, 4), ("dry-friction/solution-ii", 3)])
-def test_dwell_times_are_named_in_the_strip(name: str, shown: int) -> None:
+def test_dwell_times_are_named_in_the_strip(name, shown):
     """Also of a phase that takes no time, and has no bar."""
     (axes,) = axes_of()
     orbit(name).plot("strip", axes, periods=2)
@@ -261,7 +257,7 @@ def test_dwell_times_are_named_in_the_strip(name: str, shown: int) -> None:
     assert symbols(axes) == [f"$t_{{a}}{none}$", "$\\tau$", "$\\tau_{1}$", "$\\tau_{2}$"] * 2
 
 
-def test_multipliers_stand_in_the_unit_circle() -> None:
+def test_multipliers_stand_in_the_unit_circle():
     (axes,) = axes_of()
     orbit().plot("multipliers", axes)
     circle = np.array(axes.get_lines()[0].get_xydata())
@@ -272,7 +268,7 @@ def test_multipliers_stand_in_the_unit_circle() -> None:
         assert_array_equal(curve(axes, label), [[multiplier.real, multiplier.imaginary]])
 
 
-def test_multipliers_outside_the_circle_small_and_trivial_ones() -> None:
+def test_multipliers_outside_the_circle_small_and_trivial_ones():
     axes = with_multipliers(orbit(), 1.7 + 2.4j, 1.7 - 2.4j, 2e-5 + 1.916322e-5j, 1).plot(
         "multipliers"
     )
@@ -287,7 +283,7 @@ def test_multipliers_outside_the_circle_small_and_trivial_ones() -> None:
     assert min(axes.get_ylim()) < -2.4 < 2.4 < max(axes.get_ylim())
 
 
-def test_a_configuration_has_one_colour_in_all_pictures() -> None:
+def test_a_configuration_has_one_colour_in_all_pictures():
     places = orbit().plot("all")
     time, velocity, strip = (
         [
@@ -304,7 +300,7 @@ def test_a_configuration_has_one_colour_in_all_pictures() -> None:
 # --- motions
 
 
-def test_the_background_is_the_configuration() -> None:
+def test_the_background_is_the_configuration():
     (axes,) = axes_of()
     few().plot("time", axes)
     colors = {}
@@ -323,7 +319,7 @@ def test_the_background_is_the_configuration() -> None:
         assert np.isin([box.x0, box.x1], [*few().times, few().end]).all()
 
 
-def test_many_transitions_become_ranges_and_shares() -> None:
+def test_many_transitions_become_ranges_and_shares():
     found = observe(many())
     (axes,) = axes_of()
     many().plot("time", axes)
@@ -344,7 +340,7 @@ def test_many_transitions_become_ranges_and_shares() -> None:
     assert len(axes.get_lines()) < 10
 
 
-def test_the_strip_shows_which_configuration_when() -> None:
+def test_the_strip_shows_which_configuration_when():
     (axes,) = axes_of()
     few().plot("strip", axes)
     assert [text.get_text() for text in axes.get_yticklabels()] == CONFIGURATIONS
@@ -357,7 +353,7 @@ def test_the_strip_shows_which_configuration_when() -> None:
     assert_allclose(parts, [100 * found[name] for name in CONFIGURATIONS], atol=0.051)
 
 
-def test_the_strip_of_many_transitions_is_as_high_as_the_share() -> None:
+def test_the_strip_of_many_transitions_is_as_high_as_the_share():
     (axes,) = axes_of()
     many().plot("strip", axes)
     names = [text.get_text() for text in axes.get_yticklabels()]
@@ -367,7 +363,7 @@ def test_the_strip_of_many_transitions_is_as_high_as_the_share() -> None:
         assert np.mean(data.values - data.baseline) == pytest.approx(0.8 * fractions[name])
 
 
-def test_portraits_are_the_motion_with_impacts_apart() -> None:
+def test_portraits_are_the_motion_with_impacts_apart():
     motion = impacts()
     first, second = motion.plot("phase")
     points = curve(first, "($x_{1}$, $x_{1}'$)")
@@ -388,7 +384,7 @@ def test_portraits_are_the_motion_with_impacts_apart() -> None:
     assert_allclose(curve(second, "end"), motion.states[-1:, [1, 3]])
 
 
-def test_a_level_is_the_parameter_that_moves_it() -> None:
+def test_a_level_is_the_parameter_that_moves_it():
     """V = us1 = us2 = 1 in these data, and the stop's 1 is no parameter."""
     (axes,) = axes_of()
     few().plot("velocity", axes)
@@ -400,7 +396,7 @@ def test_a_level_is_the_parameter_that_moves_it() -> None:
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("time $t$", "positions $x_{1}$, $x_{2}$")
 
 
-def test_dense_portraits_are_faint_pieces() -> None:
+def test_dense_portraits_are_faint_pieces():
     axes, _ = impacts(2000).plot("phase")
     lines = [c for c in axes.collections if isinstance(c, LineCollection)]
     assert len(lines) == 2
@@ -416,7 +412,7 @@ def test_dense_portraits_are_faint_pieces() -> None:
 # --- bifurcations
 
 
-def test_a_bifurcation_is_its_samples() -> None:
+def test_a_bifurcation_is_its_samples():
     data = {name: value for name, value in STICKING.items() if name != "V"}
     start = dict.fromkeys(("x1", "x2", "v1", "v2"), 0)
     diagram = sweep(
@@ -439,7 +435,7 @@ def test_a_bifurcation_is_its_samples() -> None:
 
 
 @pytest.mark.slow
-def test_files_are_reproducible(tmp_path: Path) -> None:
+def test_files_are_reproducible(tmp_path):
     """Those of the paper, .svg and .png, are looked at in test_schematics.py."""
     saved = tmp_path / "orbit.json"
     orbit().save(saved)
@@ -473,20 +469,20 @@ def test_files_are_reproducible(tmp_path: Path) -> None:
         (few, "time", {"axes": 3}, "given: 1 int"),
     ],
 )
-def test_wrong_input(of: Callable[[], Any], kind: str, options: dict[str, Any], part: str) -> None:
+def test_wrong_input(of, kind, options, part):
     with pytest.raises(InputError, match=part):
         of().plot(kind, **options)
     assert not pyplot.get_fignums()
 
 
-def test_no_picture_without_an_orbit() -> None:
+def test_no_picture_without_an_orbit():
     lost = nonsmooth.solve(ORBIT, {"eta": "1e300"}, throw=False)
     with pytest.raises(InputError, match="has no motion"):
         lost.plot()
 
 
 @pytest.mark.parametrize("large", [1e308, -1.7e308, 1e151])
-def test_no_picture_of_numbers_that_axes_do_not_hold(large: float) -> None:
+def test_no_picture_of_numbers_that_axes_do_not_hold(large):
     far = replace(few(), run=replace(few().run, states=few().states.copy()))
     far.run.states[3, 1] = large
     with pytest.raises(InputError, match=r"numbers of .*, beyond 1e\+150: no picture"):
@@ -498,7 +494,7 @@ def test_no_picture_of_numbers_that_axes_do_not_hold(large: float) -> None:
 
 
 @pytest.mark.parametrize("name", ORBITS)
-def test_notebooks_show_every_orbit(name: str) -> None:
+def test_notebooks_show_every_orbit(name):
     text = " ".join(Elements(orbit(name)._repr_html_()).texts)
     told = orbit(name).to_json()
     for number in (told["period"], *told["unknowns"].values()):
@@ -512,7 +508,7 @@ def test_notebooks_show_every_orbit(name: str) -> None:
     assert len(rows) == len(told["unknowns"])
 
 
-def test_html_says_what_is_wrong() -> None:
+def test_html_says_what_is_wrong():
     sharp = nonsmooth.refine(nonsmooth.solve(ORBIT, {"chi": "1/2", "us2": "0.8"}), 40)
     table = Elements(sharp._repr_html_())
     assert table.tags == {"table", "caption", "tr", "th", "td", "br"}
@@ -527,7 +523,7 @@ def test_html_says_what_is_wrong() -> None:
     assert lost.message in lost._repr_latex_()
 
 
-def test_latex_of_an_orbit() -> None:
+def test_latex_of_an_orbit():
     latex = nonsmooth.refine(orbit(), 30)._repr_latex_()
     assert latex.startswith("$$\\begin{aligned}\n")
     assert latex.endswith("\n\\end{aligned}$$")
@@ -541,7 +537,7 @@ def test_latex_of_an_orbit() -> None:
 
 
 @pytest.mark.slow
-def test_equations_in_a_notebook(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_equations_in_a_notebook(monkeypatch):
     equations = derive_equations(dry_friction.global_stick)
     latex = equations._repr_latex_()
     rows = latex.splitlines()[1:-1]

@@ -5,13 +5,12 @@ from pathlib import Path
 import pytest
 
 from tests.chromium import look_at
-from tests.present.conftest import Paper
 
 pytestmark = pytest.mark.browser
 
 
 @pytest.mark.slow
-def test_page_opens_offline_and_fits(paper: Paper) -> None:
+def test_page_opens_offline_and_fits(paper):
     """It is seen whole in wide and narrow windows, and asks for nothing."""
     path = paper.folder / "report.html"
     for width, seen in zip((1280, 390), look_at(path, 1280, 390), strict=True):
@@ -25,7 +24,7 @@ def test_page_opens_offline_and_fits(paper: Paper) -> None:
         ]
 
 
-def test_missing_browser_fails_only_where_it_is_needed(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_missing_browser_fails_only_where_it_is_needed(monkeypatch):
     monkeypatch.setenv("PATH", "")
     monkeypatch.setenv("NONSMOOTH_NEEDS_BROWSER", "1")
     with pytest.raises(pytest.fail.Exception, match="no browser"):

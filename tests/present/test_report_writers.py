@@ -5,35 +5,34 @@ import re
 from base64 import b64decode
 from collections import Counter
 from itertools import pairwise
-from pathlib import Path
-from typing import Any, NoReturn
+from typing import NoReturn
 from xml.etree import ElementTree
 
 import pytest
 
 from nonsmooth.runtime.present.paper import writing
-from tests.present.conftest import Paper, written
+from tests.present.conftest import written
 from tests.present.elements import Elements
 from tests.present.formulas import notes
 
 
 @pytest.fixture(scope="module")
-def page(paper: Paper) -> str:
+def page(paper):
     return paper.read("report.html")
 
 
 @pytest.fixture(scope="module")
-def elements(page: str) -> Elements:
+def elements(page):
     return Elements(page)
 
 
 @pytest.fixture(scope="module")
-def markdown(paper: Paper) -> str:
+def markdown(paper):
     return paper.read("report.md")
 
 
 @pytest.fixture(scope="module")
-def inline(page: str) -> dict[str, str]:
+def inline(page):
     """Meanings of formulas, as the page has them."""
     return notes(page)
 
@@ -41,7 +40,7 @@ def inline(page: str) -> dict[str, str]:
 # --- JSON and Markdown
 
 
-def test_json_is_that_of_every_reader(paper: Paper) -> None:
+def test_json_is_that_of_every_reader(paper):
     def refused(constant: str) -> NoReturn:
         raise AssertionError(f"{constant} is no JSON")
 
@@ -52,7 +51,7 @@ def test_json_is_that_of_every_reader(paper: Paper) -> None:
     assert text.isascii()
 
 
-def test_markdown_tables_have_equal_rows(markdown: str) -> None:
+def test_markdown_tables_have_equal_rows(markdown):
     blocks = [part.splitlines() for part in markdown.split("\n\n")]
     tables = [lines for lines in blocks if lines[0].startswith("|")]
     assert len(tables) > 10
@@ -63,7 +62,7 @@ def test_markdown_tables_have_equal_rows(markdown: str) -> None:
     assert "| Quantity | Where | Printed | Ours | Difference | Verdict |" in headers
 
 
-def test_markdown_has_every_text(markdown: str, paper: Paper) -> None:
+def test_markdown_has_every_text(markdown, paper):
     finding = paper.results["misprints"][0]
     for part in (
         "# Two models of nonsmooth dynamical systems, reproduced\n",
@@ -85,7 +84,7 @@ def test_markdown_has_every_text(markdown: str, paper: Paper) -> None:
 # --- HTML
 
 
-def test_page_is_well_formed_and_ordered(page: str, elements: Elements) -> None:
+def test_page_is_well_formed_and_ordered(page, elements):
     tags = [tag for tag, _ in elements.found]
     assert page.startswith('<!DOCTYPE html>\n<html lang="en">')
     assert tags.count("main") == tags.count("nav") == tags.count("h1") == 1
@@ -94,14 +93,14 @@ def test_page_is_well_formed_and_ordered(page: str, elements: Elements) -> None:
     assert all(deeper <= level + 1 for level, deeper in pairwise(levels))
 
 
-def test_every_chapter_is_linked(elements: Elements) -> None:
+def test_every_chapter_is_linked(elements):
     anchors = elements.attributes("id", "section")
     assert anchors[0] == "rigid-impact"
     assert anchors[-2:] == ["proofs", "misprints"]
     assert elements.attributes("href", "a") == [f"#{anchor}" for anchor in anchors]
 
 
-def test_page_loads_nothing(page: str, elements: Elements) -> None:
+def test_page_loads_nothing(page, elements):
     links = [link for name in ("src", "href", "data") for link in elements.attributes(name)]
     assert links
     assert all(link.startswith(("#", "data:")) for link in links)
@@ -109,13 +108,13 @@ def test_page_loads_nothing(page: str, elements: Elements) -> None:
     assert not re.search(r"@import|url\((?!#)", page)
 
 
-def test_names_are_unique_and_references_resolve(elements: Elements) -> None:
+def test_names_are_unique_and_references_resolve(elements):
     counts = Counter(elements.attributes("id"))
     assert max(counts.values()) == 1
     assert {link.removeprefix("#") for link in elements.attributes("href")} == set(counts)
 
 
-def test_pictures_scale_and_say_what_they_are(page: str, elements: Elements, paper: Paper) -> None:
+def test_pictures_scale_and_say_what_they_are(page, elements, paper):
     """Each is the file beside the page, and part of the page."""
     told = elements.attributes("alt", "img")
     assert len({*told}) == len(paper.figures)
@@ -128,14 +127,14 @@ def test_pictures_scale_and_say_what_they_are(page: str, elements: Elements, pap
     assert re.search(r"\.picture img \{[^}]*max-width: 100%", page)
 
 
-def test_text_is_escaped(page: str, elements: Elements, inline: dict[str, str]) -> None:
+def test_text_is_escaped(page, elements, inline):
     assert not {"b", "i"} & elements.tags
     assert "<b>no tag</b>" in elements.words
     assert "<i>none</i>" in elements.words
     assert inline["plain"].startswith("Plain &amp; <em>stressed</em> text")
 
 
-def test_formulas_are_mathml(page: str, elements: Elements) -> None:
+def test_formulas_are_mathml(page, elements):
     assert "$" not in elements.words
     assert "\\" not in elements.words
     assert "block" in elements.attributes("display", "math")
@@ -143,7 +142,7 @@ def test_formulas_are_mathml(page: str, elements: Elements) -> None:
     assert "<mi>m</mi>" in page
 
 
-def test_page_has_every_verdict(page: str, paper: Paper) -> None:
+def test_page_has_every_verdict(page, paper):
     tones = {"agrees": "good", "holds": "good", "misprint": "changed"}
     verdicts = [
         entry["verdict"] for name in ("comparisons", "claims", "misprints")
@@ -156,14 +155,14 @@ def test_page_has_every_verdict(page: str, paper: Paper) -> None:
 
 
 def test_long_formula_may_break_after_a_sign_outside_of_parentheses(
-    inline: dict[str, str],
-) -> None:
+    inline,
+):
     pieces = [Elements(f"{x}</math>").words for x in inline["long"].split("</math>")[:-1]]
     assert pieces == ["(a+b)2+", "|c−d|=", "e−", "f+", "g"]
     assert inline["short"].count("<math") == 1
 
 
-def test_formulas_are_mended(inline: dict[str, str]) -> None:
+def test_formulas_are_mended(inline):
     assert '<mo form="prefix">−</mo>' in inline["leading"]
     assert '<mo form="prefix">−</mo>' not in inline["between"]
     assert '<mo lspace="0.167em" rspace="0">tr</mo>' in inline["name"]
@@ -176,7 +175,7 @@ def test_formulas_are_mended(inline: dict[str, str]) -> None:
     assert closing.get("form") == "postfix"
 
 
-def test_full_stop_stays_with_its_formula(inline: dict[str, str]) -> None:
+def test_full_stop_stays_with_its_formula(inline):
     joined = re.findall(r'<span class="joined">(.*?)</span>', inline["stops"])
     assert [Elements(part).words for part in joined] == ["(x)", "y,"]
 
@@ -189,9 +188,7 @@ def test_full_stop_stays_with_its_formula(inline: dict[str, str]) -> None:
         pytest.param("a & b", marks=pytest.mark.slow),
     ],
 )
-def test_unknown_latex_is_refused(
-    latex: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, orbits: dict[str, Any]
-) -> None:
+def test_unknown_latex_is_refused(latex, tmp_path, monkeypatch, orbits):
     monkeypatch.setattr(writing, "paper_orbits", lambda begin: orbits)
     with pytest.raises(ValueError, match="latex2mathml does not know all of"):
         written(tmp_path / "paper", lambda orbit, section: ((latex, ""),))

@@ -7,7 +7,6 @@ import re
 import sys
 from decimal import Decimal
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -16,7 +15,7 @@ from mpmath import mp
 from nonsmooth import MissingExtra, refine, solve
 from nonsmooth.runtime.present.paper import writing
 from tests.cli.test_cli import run, told
-from tests.present.conftest import Paper, written
+from tests.present.conftest import written
 
 ORBITS = (
     *("rigid-stop/one-impact", "elastic-stop/one-contact", "dry-friction/symmetric"),
@@ -25,7 +24,7 @@ ORBITS = (
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def folder(tmp_path_factory):
     """What the command writes."""
     folder = tmp_path_factory.mktemp("paper") / "new" / "folder"
     answer = told("reproduce", "--out", str(folder))
@@ -34,11 +33,11 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def results(paper: Paper) -> dict[str, Any]:
+def results(paper):
     return paper.results
 
 
-def test_figures_show_the_spans_of_the_paper(results: dict[str, Any], paper: Paper) -> None:
+def test_figures_show_the_spans_of_the_paper(results, paper):
     assert {f"figure-{number:02}" for number in range(1, 12)} <= set(paper.figures)
     for number, name, mass, periods in (
         *((2, ORBITS[0], "x_{1}", 2), (3, ORBITS[0], "x_{2}", 2)),
@@ -51,7 +50,7 @@ def test_figures_show_the_spans_of_the_paper(results: dict[str, Any], paper: Pap
         assert axes.get_xlabel() == "time $t$"  # the paper has units there
 
 
-def test_every_printed_number_stands_beside_ours(results: dict[str, Any]) -> None:
+def test_every_printed_number_stands_beside_ours(results):
     printed = [entry["printed"] for entry in results["comparisons"]]
     assert sorted(set(printed)) == sorted(
         ["2.65", "2.2407", "1", "2", "1.568", "3.28", "1.1838", "-2.6715", "3.0195", "0.4831"]
@@ -71,9 +70,9 @@ def test_every_printed_number_stands_beside_ours(results: dict[str, Any]) -> Non
 
 
 def test_verdicts_are_those_of_the_numbers_and_not_written_down(
-    results: dict[str, Any], orbits: dict[str, Any], tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:  # fmt: skip
+    results, orbits, tmp_path,
+    monkeypatch,
+):  # fmt: skip
     """Of other data the printed digits are others, and a number agrees if it does in all rows."""
     for name, data in ((ORBITS[2], {"V": "0.68", "e2": "0.501"}), (ORBITS[3], {"V": "1.05"})):
         orbits = {**orbits, name: refine(solve(name, data), 35)}
@@ -94,7 +93,7 @@ def test_verdicts_are_those_of_the_numbers_and_not_written_down(
         assert (other[place]["table"]["rows"] == known[place]["table"]["rows"]) == same
 
 
-def test_the_appendix_gives_the_orbit_of_the_six_equations(results: dict[str, Any]) -> None:
+def test_the_appendix_gives_the_orbit_of_the_six_equations(results):
     conditions, starts = results["tables"][2:4]
     assert len(conditions["rows"]) == 6
     assert all(abs(float(side)) < 1e-30 for _, side in conditions["rows"])
@@ -106,8 +105,8 @@ def test_the_appendix_gives_the_orbit_of_the_six_equations(results: dict[str, An
 
 
 def test_contact_orbits_are_there_with_the_corrected_stiffness_alone(
-    results: dict[str, Any],
-) -> None:
+    results,
+):
     unknowns = solve("elastic-stop/one-contact").unknowns
     rows = results["misprints"][1]["table"]["rows"]
     printed, corrected = ([row for row in rows if k in row[0]] for k in ("k_3", "k_2"))
@@ -119,7 +118,7 @@ def test_contact_orbits_are_there_with_the_corrected_stiffness_alone(
     assert float(u) == pytest.approx(unknowns["u"], rel=1e-6)
 
 
-def test_claims_hold(results: dict[str, Any]) -> None:
+def test_claims_hold(results):
     assert [finding["verdict"] for finding in results["misprints"]] == ["misprint"] * 9
     limit, portraits, criterion = results["claims"]
     assert [claim["verdict"] for claim in results["claims"]] == ["holds"] * 3
@@ -131,7 +130,7 @@ def test_claims_hold(results: dict[str, Any]) -> None:
 
 
 @pytest.mark.slow
-def test_results_are_the_same_again(paper: Paper, folder: Path) -> None:
+def test_results_are_the_same_again(paper, folder):
     """Also a picture, byte by byte, and with all pictures; the command proves nothing unasked."""
     for number in range(1, 12):
         for ending in ("svg", "png"):
@@ -146,7 +145,7 @@ def test_results_are_the_same_again(paper: Paper, folder: Path) -> None:
         assert paper.again[name] == (folder / name).read_bytes()
 
 
-def test_markdown_and_html_have_every_number(paper: Paper, results: dict[str, Any]) -> None:
+def test_markdown_and_html_have_every_number(paper, results):
     for name in ("report.md", "report.html"):
         text = paper.read(name).replace("\N{NO-BREAK SPACE}", " ")
         for entry in results["comparisons"]:
@@ -156,9 +155,7 @@ def test_markdown_and_html_have_every_number(paper: Paper, results: dict[str, An
             assert finding["title"].partition("$")[0] in text
 
 
-def test_proofs_stand_before_the_last_chapter(
-    paper: Paper, results: dict[str, Any], orbits: dict[str, Any]
-) -> None:
+def test_proofs_stand_before_the_last_chapter(paper, results, orbits):
     chapters = re.findall(r"^## (.*)$", paper.read("report.md"), re.MULTILINE)
     assert chapters[-2] == "Proofs"
     certificates = results["certificates"]
@@ -178,7 +175,7 @@ def test_proofs_stand_before_the_last_chapter(
     assert "shrinks to zero" in paper.read("report.md")
 
 
-def test_a_file_in_the_way_and_a_folder_that_cannot_be_made(tmp_path: Path) -> None:
+def test_a_file_in_the_way_and_a_folder_that_cannot_be_made(tmp_path):
     file = tmp_path / "taken"
     file.write_text("mine", encoding="utf-8")
     for target in (file, file / "below"):
@@ -189,9 +186,7 @@ def test_a_file_in_the_way_and_a_folder_that_cannot_be_made(tmp_path: Path) -> N
 
 
 @pytest.mark.parametrize("module", ["matplotlib", "jinja2", "latex2mathml", "mdit_py_plugins"])
-def test_missing_extras_are_asked_for_first(
-    module: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
+def test_missing_extras_are_asked_for_first(module, monkeypatch, tmp_path):
     monkeypatch.setitem(sys.modules, module, None)
     with pytest.raises(MissingExtra, match=module):
         writing.reproduce(tmp_path / "paper", lambda orbit, section: ())

@@ -1,10 +1,8 @@
 """Orbits in files: every digit comes back, whatever is not such a file is refused."""
 
 import json
-from collections.abc import Callable
 from fractions import Fraction
 from functools import cache, partial
-from pathlib import Path
 from typing import Any
 
 import mpmath
@@ -19,37 +17,37 @@ ORBIT = "dry-friction/global-stick"
 
 
 @cache
-def orbit() -> Any:
+def orbit():
     return nonsmooth.solve(ORBIT, {"eta": "0.98", "us2": "4/5"})
 
 
 @cache
-def exchanged() -> Any:
+def exchanged():
     return nonsmooth.solve(
         ORBIT, {"chi": 0.5}, unknown=["e1", "e2"], given={"ta": 1, "tau": "2*pi/3"}
     )
 
 
-def sealed(path: Path, content: dict[str, Any]) -> Path:
+def sealed(path, content):
     """A file of changed content, its checksum made right."""
     path.write_text(json.dumps({**content, "sha256": checksum_of(content)}), encoding="utf-8")
     return path
 
 
 @pytest.fixture
-def path(tmp_path: Path) -> Path:
+def path(tmp_path):
     return tmp_path / "orbit.json"
 
 
 @pytest.fixture
-def content(path: Path) -> dict[str, Any]:
+def content(path):
     """What the file of an orbit holds."""
     orbit().save(path)
     found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
     return found
 
 
-def refusal(path: Path) -> str:
+def refusal(path):
     """The one line with which a file is refused."""
     with pytest.raises(InputError) as caught:
         nonsmooth.load(path)
@@ -63,14 +61,14 @@ def refusal(path: Path) -> str:
 
 
 @cache
-def collision() -> Any:
+def collision():
     return nonsmooth.solve(
         "dry-friction/solution-ii", {"us1": "1"}, unknown=["V"], given={"e1": "5/2"}
     )
 
 
 @cache
-def written() -> Any:
+def written():
     """Values as people write them, and one with more than a thousand digits."""
     with mpmath.workdps(900):
         long = 1 + mpmath.mpf(1) / 3**100
@@ -89,7 +87,7 @@ MADE |= {name: partial(nonsmooth.solve, name) for name in orbit_names()}
         *(("orbit", 1, "flint"), ("orbit", 50, "mpmath"), ("exchanged", 3000, "flint")),
     ],
 )
-def test_every_orbit_comes_back(name: str, digits: int | None, arithmetic: str, path: Path) -> None:
+def test_every_orbit_comes_back(name, digits, arithmetic, path):
     before = MADE[name]()
     if digits is not None:
         before = nonsmooth.refine(before, digits, arithmetic=arithmetic)
@@ -119,7 +117,7 @@ def test_every_orbit_comes_back(name: str, digits: int | None, arithmetic: str, 
     assert path.read_bytes() == written
 
 
-def put(where: str, entry: object) -> Callable[[dict[str, Any]], None]:
+def put(where, entry):
     """Change that replaces an entry; "unknowns/tau" is one of a mapping."""
     *outer, name = where.split("/")
 
@@ -131,7 +129,7 @@ def put(where: str, entry: object) -> Callable[[dict[str, Any]], None]:
     return change
 
 
-def test_the_file_tells_where_it_is_from(content: dict[str, Any]) -> None:
+def test_the_file_tells_where_it_is_from(content):
     assert content["format"] == "nonsmooth orbit"
     assert content["version"] == 5
     assert content["package"] == nonsmooth.__version__
@@ -145,7 +143,7 @@ def test_the_file_tells_where_it_is_from(content: dict[str, Any]) -> None:
 # --- files that are refused
 
 
-def moved(one: str, other: str, name: str) -> Callable[[dict[str, Any]], None]:
+def moved(one, other, name):
     return lambda content: content[other].update({name: content[one].pop(name)})
 
 
@@ -192,9 +190,7 @@ SYMMETRIC, LIMIT = "dry-friction/symmetric", "dry-friction/solution-ii"
         (SYMMETRIC, put("opened/ur2", "1/3"), "us2 is outside its domain"),
     ],
 )
-def test_wrong_content_is_refused(
-    name: str, change: Callable[[dict[str, Any]], None], part: str, path: Path
-) -> None:
+def test_wrong_content_is_refused(name, change, part, path):
     known = nonsmooth.refine(orbit(), 30) if name == "sharp" else MADE[name or "orbit"]()
     known.save(path)
     content = json.loads(path.read_text(encoding="utf-8"))
@@ -202,14 +198,12 @@ def test_wrong_content_is_refused(
     assert part in refusal(sealed(path, content))
 
 
-def test_kernels_of_another_derivation_serve_if_the_orbit_solves_them(
-    path: Path, content: dict[str, Any]
-) -> None:
+def test_kernels_of_another_derivation_serve_if_the_orbit_solves_them(path, content):
     content["derivation"] = "0123456789abcdef"
     assert nonsmooth.load(sealed(path, content)) == orbit()
 
 
-def test_no_orbit_is_not_saved(path: Path) -> None:
+def test_no_orbit_is_not_saved(path):
     lost = nonsmooth.solve(ORBIT, {"eta": "1e300"}, throw=False)
     with pytest.raises(InputError, match="is not saved: "):
         lost.save(path)

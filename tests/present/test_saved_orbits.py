@@ -1,11 +1,8 @@
 """Orbits in files, found or saved: every command takes them by name."""
 
-from __future__ import annotations
-
 import json
 import shutil
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -19,7 +16,7 @@ DATA = {"d": "1/2", "r": "0.8", "w": "1.5"}
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def folder(tmp_path_factory):
     """A folder with a declaration that names no orbit, and what was found of it."""
     folder = tmp_path_factory.mktemp("saved")
     text = (GALLERY / "two_stops.py").read_text()
@@ -31,11 +28,11 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(autouse=True)
-def there(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def there(folder, monkeypatch):
     monkeypatch.chdir(folder)
 
 
-def answered(*arguments: str) -> Any:
+def answered(*arguments):
     code, out, err = run(*arguments, "--json")
     assert code == 0, err
     return json.loads(out)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
@@ -43,31 +43,31 @@ TRAP = "from pathlib import Path\nPath(__file__).with_name('ran').touch()\n"
 START = {"x": -1, "v": 0}
 
 
-def solved(source: Path, *arguments: Any, **options: Any) -> Any:
+def solved(source, *arguments, **options):
     return ns.solve(f"{source}:one", *arguments, **options)
 
 
-def motion(source: Path) -> Any:
+def motion(source):
     return ns.simulate(source, DATA, START, transitions=5)
 
 
-def sweep(source: Path) -> Any:
+def sweep(source):
     values = {n: v for n, v in DATA.items() if n != "w"}
     options = {"state": "x", "phase": 0, "transient": 20, "samples": 4}
     return ns.sweep(source, values, "w", [1.9, 2.0], START, **options)
 
 
-def branch(source: Path) -> Any:
+def branch(source):
     return ns.continue_orbit(solved(source), "w", (1.98, 2.01))
 
 
-def fit(source: Path) -> Any:
+def fit(source):
     times = np.linspace(0.1, motion(source).end, 20)
     data, start = {"t": times, "x": motion(source)(times)[:, 0]}, START | {"x": -1.01}
     return ns.fit(source, data, parameters=DATA, free=["x0"], start=start, sigma=1e-3)
 
 
-def event(source: Path) -> Any:
+def event(source):
     found = ns.continue_orbit(solved(source, {"gap": "-0.332"}), "gap", (-0.335, -0.33))
     return ns.certify.event(found, found.events[-1])
 
@@ -118,7 +118,7 @@ COMMANDS = (
 
 
 @pytest.fixture(scope="module", autouse=True)
-def uncompiled() -> Iterator[None]:
+def uncompiled():
     """Kernels run on NumPy, whose compilation would take longer than all that is done here."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("CC", "none")
@@ -126,7 +126,7 @@ def uncompiled() -> Iterator[None]:
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def folder(tmp_path_factory):
     """Files of all kinds, whose declaration was replaced by one that leaves a trace."""
     folder = tmp_path_factory.mktemp("systems")
     source = folder / "own.py"
@@ -147,19 +147,19 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(autouse=True)
-def nothing_runs(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Any:
+def nothing_runs(folder, monkeypatch):
     monkeypatch.chdir(folder)
     yield
     assert not (folder / "ran").exists()
 
 
-def content(path: Path) -> dict[str, Any]:
+def content(path):
     found: dict[str, Any] = json.loads(path.read_text())
     return found
 
 
 @pytest.mark.parametrize("name", ["own", "found", "motions"])
-def test_a_chart_goes_on_to_the_same_bits(name: str, folder: Path) -> None:
+def test_a_chart_goes_on_to_the_same_bits(name, folder):
     place = folder / f"{name}.zarr"
     before = {f: f.read_bytes() for f in place.rglob("*") if f.is_file()}
     (place / "period" / "c" / "0").unlink()
@@ -167,7 +167,7 @@ def test_a_chart_goes_on_to_the_same_bits(name: str, folder: Path) -> None:
     assert {f: f.read_bytes() for f in place.rglob("*") if f.is_file()} == before
 
 
-def test_what_a_file_lists_can_be_typed(folder: Path) -> None:
+def test_what_a_file_lists_can_be_typed(folder):
     """An orbit with kernels of its own, and one that is composed."""
     source = declare(folder, name="kicked.py")
     ns.solve(f"{source}:loop").save(folder / "kicked.json")
@@ -180,7 +180,7 @@ def test_what_a_file_lists_can_be_typed(folder: Path) -> None:
             assert run("solve", orbit["name"]).code == 0
 
 
-def test_the_order_of_configurations_counts(folder: Path) -> None:
+def test_the_order_of_configurations_counts(folder):
     """Fields stand in their order, which a tool that sorts the entries changes."""
     source = declare(folder, name="kicked.py")
     options = {"state": "v", "configuration": "right", "transient": 20, "samples": 4}
@@ -193,14 +193,14 @@ def test_the_order_of_configurations_counts(folder: Path) -> None:
 
 
 @pytest.mark.parametrize("command", COMMANDS)
-def test_no_command_runs_what_a_file_names(command: str) -> None:
+def test_no_command_runs_what_a_file_names(command):
     # what takes a root of its parameters is not proved to be stable
     code = 1 if command == "certify orbit.json" else 0
     assert run(*command.split()).code == code
 
 
 @pytest.mark.parametrize("name", [name for name in (*MAKE, *PROVE) if name.endswith(".json")])
-def test_a_forged_name_runs_nothing(name: str, folder: Path) -> None:
+def test_a_forged_name_runs_nothing(name, folder):
     forged = folder / "forged.json"
     text = (folder / name).read_text()
     (system,) = {entry["system"] for entry in _with("system", json.loads(text))} or {"none"}
@@ -216,14 +216,14 @@ def test_a_forged_name_runs_nothing(name: str, folder: Path) -> None:
         assert run("plot", "forged.json", "--out", "a.png").code == 2
 
 
-def _with(name: str, entries: Any) -> list[dict[str, Any]]:
+def _with(name, entries):
     """The objects that have an entry, those inside others first."""
     parts = entries.values() if isinstance(entries, dict) else entries
     found = [e for part in parts if isinstance(part, dict | list) for e in _with(name, part)]
     return [*found, entries] if isinstance(entries, dict) and name in entries else found
 
 
-def resealed(content: dict[str, Any], change: Callable[[dict[str, Any]], None]) -> dict[str, Any]:
+def resealed(content, change):
     """A content with other data, whose name and checksum are made right again."""
     found = json.loads(json.dumps(content))
     change(found["tables"])
@@ -234,7 +234,7 @@ def resealed(content: dict[str, Any], change: Callable[[dict[str, Any]], None]) 
     return {**found, "sha256": checksum_of(found)}
 
 
-def put(path: str, entry: Any) -> Callable[[dict[str, Any]], None]:
+def put(path, entry):
     *outer, last = path.split("/")
 
     def change(tables: Any) -> None:
@@ -276,7 +276,7 @@ WRONG = {
 
 
 @pytest.mark.parametrize("where", WRONG)
-def test_data_that_are_not_in_order_are_refused_at_small_cost(where: str, folder: Path) -> None:
+def test_data_that_are_not_in_order_are_refused_at_small_cost(where, folder):
     sound, wrong = content(folder / "orbit.json"), folder / "wrong.json"
     assert resealed(sound, lambda tables: None)["system"] == sound["system"]
     most = 2 * calls_of(lambda: ns.load(folder / "orbit.json"))
@@ -293,24 +293,24 @@ def test_data_that_are_not_in_order_are_refused_at_small_cost(where: str, folder
 
 
 @pytest.fixture(scope="module")
-def kicked(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+def kicked(tmp_path_factory):
     """The file of an orbit with kernels of its own."""
     folder = tmp_path_factory.mktemp("kicked")
     ns.solve(f"{declare(folder)}:loop").save(folder / "kicked.json")
     return content(folder / "kicked.json")
 
 
-def exchanged(function: dict[str, Any]) -> None:
+def exchanged(function):
     function["names"][:2] = function["names"][1::-1]
 
 
-def longer(function: dict[str, Any]) -> None:
+def longer(function):
     """One more number of the last argument, which nothing needs."""
     function["inputs"][-1] = [len(function["takes"][-1].split()) + 1]
     function["takes"][-1] += " more"
 
 
-def higher(function: dict[str, Any]) -> None:
+def higher(function):
     """One more entry of the last result."""
     shape = function["outputs"][-1]
     function["gives"].append(", ".join("0" * shape[-1]) if len(shape) == 2 else "0")
@@ -321,14 +321,12 @@ def higher(function: dict[str, Any]) -> None:
         function["gives"][-2:] = [", ".join(function["gives"][-2:])]
 
 
-def sooner(function: dict[str, Any]) -> None:
+def sooner(function):
     function["since"] = [0] * len(function["since"])
 
 
 @pytest.mark.parametrize("change", [exchanged, longer, higher, sooner])
-def test_functions_of_an_orbit_have_the_names_and_shapes_of_its_table(
-    change: Callable[[dict[str, Any]], None], kicked: dict[str, Any], folder: Path
-) -> None:
+def test_functions_of_an_orbit_have_the_names_and_shapes_of_its_table(change, kicked, folder):
     wrong, seen = folder / "wrong.json", 0
     functions = kicked["tables"]["functions"]
     assert {"loop_equations", "loop_trace", "loop_passage", "loop_reduced"} <= functions.keys()
@@ -345,16 +343,14 @@ def test_functions_of_an_orbit_have_the_names_and_shapes_of_its_table(
 
 
 @pytest.mark.parametrize("name", ["loop_equations", "loop_reduced", "spectrum"])
-def test_a_function_that_an_orbit_needs_is_missed(
-    name: str, kicked: dict[str, Any], folder: Path
-) -> None:
+def test_a_function_that_an_orbit_needs_is_missed(name, kicked, folder):
     less = resealed(kicked, lambda tables: tables["functions"].pop(name))
     (folder / "wrong.json").write_text(json.dumps(less))
     with pytest.raises(InputError, match=f"'{name}' is missing among the functions"):
         ns.load(folder / "wrong.json")
 
 
-def test_a_system_comes_back_to_the_last_bit(folder: Path) -> None:
+def test_a_system_comes_back_to_the_last_bit(folder):
     source = folder / "again.py"
     source.write_text(SYSTEM)
     solved(source).save(folder / "again.json")
@@ -366,7 +362,7 @@ def test_a_system_comes_back_to_the_last_bit(folder: Path) -> None:
     assert [p.ends for p in back.parameters] == [p.ends for p in given.parameters]
 
 
-def test_a_change_of_the_declaration_is_told_where_it_is_named(folder: Path) -> None:
+def test_a_change_of_the_declaration_is_told_where_it_is_named(folder):
     source = folder / "changed.py"
     source.write_text(SYSTEM)
     known, diagram = branch(source), sweep(source)
@@ -389,7 +385,7 @@ def test_a_change_of_the_declaration_is_told_where_it_is_named(folder: Path) -> 
     assert ns.load("changed-branch.json").orbit.converged
 
 
-def test_an_orbit_with_kernels_of_its_own_comes_back_with_them(folder: Path) -> None:
+def test_an_orbit_with_kernels_of_its_own_comes_back_with_them(folder):
     declare(folder, name="kicked.py")
     assert run("generate", "kicked.py", "--out", "kicked").code == 0
     given = ns.solve("kicked:loop", digits=30)
@@ -412,7 +408,7 @@ def test_an_orbit_with_kernels_of_its_own_comes_back_with_them(folder: Path) -> 
         ns.load("forged.json")
 
 
-def test_what_is_saved_is_the_system_that_was_computed_with(folder: Path) -> None:
+def test_what_is_saved_is_the_system_that_was_computed_with(folder):
     source = folder / "lost.py"
     source.write_text(PLAIN)
     orbit, proof = solved(source), ns.certify(solved(source))
@@ -430,7 +426,7 @@ def test_what_is_saved_is_the_system_that_was_computed_with(folder: Path) -> Non
     assert (folder / "gone.json").read_bytes() == (folder / "lost.json").read_bytes()
 
 
-def _first_exponents(entry: Any) -> list[int]:
+def _first_exponents(entry):
     """Exponents of the first term of the first polynomial in a declaration."""
     if isinstance(entry, dict) and "above" in entry:
         found: list[int] = entry["above"][0][1]
@@ -442,7 +438,7 @@ def _first_exponents(entry: Any) -> list[int]:
     return []
 
 
-def _huge_declaration(content: dict[str, Any]) -> dict[str, Any]:
+def _huge_declaration(content):
     found = json.loads(json.dumps(content))
     _first_exponents(found["declaration"])[0] = 10**30
     return {**found, "sha256": checksum_of(found)}
@@ -458,9 +454,7 @@ HUGE: tuple[Callable[[dict[str, Any]], dict[str, Any]], ...] = (
 
 @pytest.mark.parametrize("change", HUGE)
 @pytest.mark.parametrize("command", ["plot huge.json", "certify check huge.json"])
-def test_huge_exponents_in_a_map_are_refused(
-    command: str, change: Callable[[dict[str, Any]], dict[str, Any]], folder: Path
-) -> None:
+def test_huge_exponents_in_a_map_are_refused(command, change, folder):
     (folder / "huge.json").write_text(json.dumps(change(content(folder / "map.json"))))
     code, out, err = run(*command.split())  # without a bound it would never end
     assert code == (1 if "check" in command else 2)
@@ -468,7 +462,7 @@ def test_huge_exponents_in_a_map_are_refused(
     assert "internal error" not in err
 
 
-def test_no_map_is_replaced_by_that_of_another_orbit(folder: Path) -> None:
+def test_no_map_is_replaced_by_that_of_another_orbit(folder):
     """Not by one of which nothing can be proved either: this one takes a root."""
     before = (folder / "map.json").read_bytes()
     command = "certify box orbit.json r=0.799:0.801 --resume map.json"

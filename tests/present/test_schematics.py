@@ -6,12 +6,9 @@ from itertools import combinations, product
 import numpy as np
 import pytest
 
-from tests.present.conftest import Paper
-
 matplotlib = pytest.importorskip("matplotlib")
 matplotlib.use("Agg")
 from matplotlib import pyplot
-from matplotlib.artist import Artist
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -44,19 +41,19 @@ LABELS = {
 
 
 @pytest.fixture(params=LABELS)
-def stem(request: pytest.FixtureRequest) -> str:
+def stem(request):
     """The name of each schematic."""
     return str(request.param)
 
 
 @pytest.fixture
-def figure(stem: str, paper: Paper) -> Figure:
+def figure(stem, paper):
     """Each schematic."""
     found: Figure = paper.figures[stem]
     return found
 
 
-def drawn(figure: Figure) -> list[Artist]:
+def drawn(figure):
     """All artists of the one Axes, without its own frame."""
     FigureCanvasAgg(figure)
     figure.canvas.draw()
@@ -66,7 +63,7 @@ def drawn(figure: Figure) -> list[Artist]:
     return [*axes.lines, *axes.patches, *axes.texts, *axes.collections]
 
 
-def texts(figure: Figure) -> dict[str, Bbox]:
+def texts(figure):
     """Boxes of the labels, in pixels."""
     return {
         f"{number} {artist.get_text()}": artist.get_window_extent()
@@ -75,13 +72,13 @@ def texts(figure: Figure) -> dict[str, Bbox]:
     }
 
 
-def place(figure: Figure, label: str) -> np.ndarray:
+def place(figure, label):
     """Where the one label with that text is."""
     (text,) = [text for text in figure.axes[0].texts if text.get_text() == f"${label}$"]
     return np.array(text.get_position())
 
 
-def strokes(artist: Line2D | Patch) -> list[Outline]:
+def strokes(artist):
     """Lines and edges of an artist, in pixels."""
     path = artist.get_transform().transform_path(artist.get_path())
     return [Outline(points) for points in path.to_polygons(closed_only=False)]
@@ -91,18 +88,18 @@ def strokes(artist: Line2D | Patch) -> list[Outline]:
 
 
 @pytest.mark.parametrize("ending", ["svg", "png"])
-def test_the_same_schematic_has_the_same_bytes(stem: str, ending: str, paper: Paper) -> None:
+def test_the_same_schematic_has_the_same_bytes(stem, ending, paper):
     first = (paper.folder / f"{stem}.{ending}").read_bytes()
     assert first.startswith({"svg": b"<?xml", "png": b"\x89PNG"}[ending])
     assert paper.again[f"{stem}.{ending}"] == first
 
 
-def test_the_labels_are_those_of_the_paper(stem: str, figure: Figure) -> None:
+def test_the_labels_are_those_of_the_paper(stem, figure):
     found = [re.sub(r"[$_{}\\ ]", "", text.get_text()) for text in figure.axes[0].texts]
     assert sorted(found) == sorted(LABELS[stem])
 
 
-def test_the_paper_is_white_and_pyplot_knows_nothing(stem: str, paper: Paper) -> None:
+def test_the_paper_is_white_and_pyplot_knows_nothing(stem, paper):
     """Though who draws it has black paper."""
     assert not pyplot.get_fignums()
     pixels = pyplot.imread(paper.folder / f"{stem}.png")
@@ -113,7 +110,7 @@ def test_the_paper_is_white_and_pyplot_knows_nothing(stem: str, paper: Paper) ->
 # --- where it lies
 
 
-def test_everything_lies_inside_the_figure(figure: Figure) -> None:
+def test_everything_lies_inside_the_figure(figure):
     for artist in drawn(figure):
         box = artist.get_window_extent()
         assert box.width + box.height > 0
@@ -121,14 +118,14 @@ def test_everything_lies_inside_the_figure(figure: Figure) -> None:
         assert np.all(np.array(box.max) <= np.array(figure.bbox.max)), artist
 
 
-def test_no_label_overlaps_another(stem: str, figure: Figure) -> None:
+def test_no_label_overlaps_another(stem, figure):
     boxes = texts(figure)
     assert len(boxes) == len(LABELS[stem])
     for (one, first), (other, second) in combinations(boxes.items(), 2):
         assert Bbox.intersection(first, second) is None, (one, other)
 
 
-def test_no_line_crosses_a_label(figure: Figure) -> None:
+def test_no_line_crosses_a_label(figure):
     boxes = texts(figure)
     lines, patches = figure.axes[0].lines, figure.axes[0].patches
     dots = [line for line in lines if line.get_linestyle() == "None"]
@@ -148,14 +145,12 @@ def test_no_line_crosses_a_label(figure: Figure) -> None:
     ("stem", "labels"),
     [(STOP, ("k_2", "m_2", "k_1", "m_1", "1", "k_3")), (BELT, ("k_1", "m_1", "k_2", "m_2"))],
 )
-def test_masses_springs_and_the_stop_stand_in_a_row(
-    labels: tuple[str, ...], figure: Figure
-) -> None:
+def test_masses_springs_and_the_stop_stand_in_a_row(labels, figure):
     """The second mass is tied to the ground before the stop, and the first one on the belt."""
     assert (np.diff([place(figure, label)[0] for label in labels]) > 0).all()
 
 
-def test_forces_act_between_the_belt_and_the_masses(paper: Paper) -> None:
+def test_forces_act_between_the_belt_and_the_masses(paper):
     figure = paper.figures[BELT]
     for number in (1, 2):
         force, mass = place(figure, f"F_{number}"), place(figure, f"m_{number}")
@@ -163,13 +158,13 @@ def test_forces_act_between_the_belt_and_the_masses(paper: Paper) -> None:
 
 
 @pytest.mark.parametrize("stem", [STOP, BELT])
-def test_each_coordinate_is_above_its_mass(figure: Figure) -> None:
+def test_each_coordinate_is_above_its_mass(figure):
     for number in (1, 2):
         across, up = place(figure, f"x_{number}") - place(figure, f"m_{number}")
         assert 0 < across < up + 0.1
 
 
-def test_the_trajectory_returns_nearer_to_the_periodic_orbit(paper: Paper) -> None:
+def test_the_trajectory_returns_nearer_to_the_periodic_orbit(paper):
     figure = paper.figures[SECTIONS]
     curves = [line for line in figure.axes[0].lines if line.get_marker() == "o"]
     trajectory, orbit = (np.array(curve.get_xydata()) for curve in curves)
@@ -179,7 +174,7 @@ def test_the_trajectory_returns_nearer_to_the_periodic_orbit(paper: Paper) -> No
     assert 0.1 < image < 0.6 * start
 
 
-def test_the_configurations_and_their_maps_follow_the_clock(paper: Paper) -> None:
+def test_the_configurations_and_their_maps_follow_the_clock(paper):
     figure = paper.figures[SECTIONS]
     middle = place(figure, r"P = P_n \circ \cdots \circ P_1")
     order = [r"\Sigma_1", r"\Sigma_{k{-}1}", r"\Phi_k", r"\Sigma_k", r"\Sigma_{n{-}1}", r"\Phi_n"]

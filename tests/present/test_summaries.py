@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
@@ -28,7 +27,7 @@ IN_FILES["EventCertificate"] = IN_FILES.pop("tuple")
 
 
 @cache
-def result(kind: str) -> Any:
+def result(kind):
     """One result of each kind: of those that are kept in files, from one."""
     if kind in IN_FILES:
         found = ns.load(file_of(IN_FILES[kind]))
@@ -60,7 +59,7 @@ def result(kind: str) -> Any:
 
 
 @pytest.mark.parametrize("kind", sorted(KINDS))
-def test_a_result_tells_what_it_is(kind: str) -> None:
+def test_a_result_tells_what_it_is(kind):
     lines = repr(result(kind)).splitlines()
     assert 2 <= len(lines) < 5
     assert all(line.strip() and len(line) <= 100 for line in lines), lines
@@ -71,7 +70,7 @@ def test_a_result_tells_what_it_is(kind: str) -> None:
     assert Elements(html).words
 
 
-def test_the_words_are_those_of_the_result() -> None:
+def test_the_words_are_those_of_the_result():
     trace = result("Certificate").trace
     assert f"{float(trace.mid):.10g}"[:9] in repr(result("Certificate"))
     assert f"{result('Event').value:.8g}"[:8] in repr(result("Event"))
@@ -79,12 +78,12 @@ def test_the_words_are_those_of_the_result() -> None:
     assert "60 transitions" in repr(result("Trajectory"))
 
 
-def test_a_users_system_has_its_own_name() -> None:
+def test_a_users_system_has_its_own_name():
     found = ns.simulate(kicked(), {"k": 1, "r": "0.5", "a": 9}, {"x": 0, "v": 1}, transitions=2)
     assert repr(found).splitlines()[0] == "motion of kicked, 2 transitions"
 
 
-def test_what_a_result_says_of_names_is_no_markup() -> None:
+def test_what_a_result_says_of_names_is_no_markup():
     event = replace(result("Event"), parameter="a<b", unknowns={"<i>": 1.0}, text="<script>")
     assert "<script>" not in event._repr_html_()
     assert "<i>" not in event._repr_html_()

@@ -1,7 +1,5 @@
 """What is shown: no column is cut, units are the declared ones, names are no paths."""
 
-from __future__ import annotations
-
 import re
 from functools import cache
 
@@ -21,14 +19,14 @@ COMMANDS = (
 
 
 @cache
-def piped(command: str) -> str:
+def piped(command):
     """What a command shows in a pipe, where tables are as wide as they take."""
     return run(*command.split())[1]
 
 
 @pytest.mark.parametrize("width", [36, 80, 200])
 @pytest.mark.parametrize("command", COMMANDS)
-def test_no_cell_is_cut(width: int, command: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_no_cell_is_cut(width, command, monkeypatch):
     monkeypatch.setenv("COLUMNS", str(width))
     monkeypatch.setenv("TERM", "xterm")
     shown = re.sub(r"\x1b\[[0-9;?]*[A-Za-z]", "", on_terminal(*command.split()).out)
@@ -40,7 +38,7 @@ def test_no_cell_is_cut(width: int, command: str, monkeypatch: pytest.MonkeyPatc
         assert word in shown or word[:10] in letters, word
 
 
-def test_a_pipe_is_as_wide_as_it_takes() -> None:
+def test_a_pipe_is_as_wide_as_it_takes():
     """Each row of the table of derivatives is one line, with all its numbers."""
     orbit = ns.solve("dry-friction/global-stick", {"us2": "0.7"})
     derivatives = orbit.derivatives(["V", "eta", "e1", "e2", "chi"])
@@ -49,7 +47,7 @@ def test_a_pipe_is_as_wide_as_it_takes() -> None:
     assert [float(x) for x in row[1:]] == pytest.approx(derivatives.quantity("trace")[1].tolist())
 
 
-def test_words_are_broken_into_lines_in_a_pipe() -> None:
+def test_words_are_broken_into_lines_in_a_pipe():
     """An orbit of eight phases has a long itinerary, all of which is there."""
     command = "find dry-friction chi=0.4 eta=4 V=0.6773 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1"
     out = run(*command.split(), "--starts", "20")[1]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from decimal import Decimal
-from pathlib import Path
 
 import pytest
 
@@ -51,7 +50,7 @@ CASES = {
 
 
 @pytest.mark.parametrize("kind", CASES)
-def test_each_verdict_has_its_enclosure_or_its_reason(kind: str) -> None:
+def test_each_verdict_has_its_enclosure_or_its_reason(kind):
     words, statement, verdict, reason = CASES[kind]
     code = int(verdict == "undecided")
     found = told("verify", *words.split(), "--digits", "20", code=code)
@@ -65,7 +64,7 @@ def test_each_verdict_has_its_enclosure_or_its_reason(kind: str) -> None:
         assert abs(Decimal(found["trace"]) - middle) < radius + Decimal("1e-18")
 
 
-def test_a_system_that_is_not_stated_exactly_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_system_that_is_not_stated_exactly_says_so(monkeypatch):
     reason = "the declaration holds no steps of a contact law"
 
     def refused(*_: object) -> None:
@@ -77,7 +76,7 @@ def test_a_system_that_is_not_stated_exactly_says_so(monkeypatch: pytest.MonkeyP
     assert not any(proof.values())
 
 
-def test_a_multiplier_one_that_energy_enforces_is_no_verdict(tmp_path: Path) -> None:
+def test_a_multiplier_one_that_energy_enforces_is_no_verdict(tmp_path):
     """One mass before an elastic stop: the map has rank one, and it is 1 in each orbit."""
     file = tmp_path / "one.py"
     file.write_text(BUMP)

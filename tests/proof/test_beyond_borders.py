@@ -3,7 +3,6 @@
 import copy
 from collections.abc import Callable
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import mpmath
@@ -32,33 +31,33 @@ GRAZING = 0.665294576295129867
 
 
 @cache
-def symmetric() -> Any:
+def symmetric():
     """The paper's orbit: at its grazing a mass begins to stick for a moment."""
     orbit = ns.solve("dry-friction/symmetric", {"V": "0.668"})
     return certified_over(orbit, "V", "0.66", "0.67", beyond=True)
 
 
 @cache
-def relay() -> Any:
+def relay():
     """Two boundaries are reached together: beyond it the other one ends the phase."""
     system, value, low, high = SYSTEMS["simultaneous"]
     return certified_over(two_phases(system, value), "w", low, high, beyond=True)
 
 
 @cache
-def pad() -> Any:
+def pad():
     """A motion that reaches nothing, until it touches a soft stop."""
     orbit = ns.find_orbits(PAD, {"Omega": "0.79"}, 2, transitions=300).orbits[0].orbit
     return certified_over(orbit, "Omega", "0.79", "0.8", beyond=True)
 
 
-def only(found: Any) -> Any:
+def only(found):
     """What begins at its one border."""
     (beyond,) = (beyond for event in found.events for beyond in event.beyond)
     return beyond
 
 
-def along(beyond: Any, place: float) -> dict[str, float]:
+def along(beyond, place):
     """The orbit at a place of the tile in which it begins, from -1 to 1."""
     (tile,) = beyond.branch.tiles
     names = [*beyond.branch.unknown_names, beyond.branch.parameter]
@@ -69,7 +68,7 @@ def along(beyond: Any, place: float) -> dict[str, float]:
 
 
 @pytest.mark.slow
-def test_a_contact_that_grazes_begins_to_stick(tmp_path: Path) -> None:
+def test_a_contact_that_grazes_begins_to_stick(tmp_path):
     found = symmetric()
     assert found.complete
     beyond = only(found)
@@ -84,7 +83,7 @@ def test_a_contact_that_grazes_begins_to_stick(tmp_path: Path) -> None:
     assert ns.load(tmp_path / "found.json").statement == found.statement
 
 
-def test_motions_beside_the_border_are_those_that_are_proved() -> None:
+def test_motions_beside_the_border_are_those_that_are_proved():
     """Simulated: a motion settles on the other itinerary below, the dwell time in its tube."""
     beyond = only(symmetric())
     system = ns.solve("dry-friction/symmetric").system
@@ -105,7 +104,7 @@ def test_motions_beside_the_border_are_those_that_are_proved() -> None:
 
 
 @pytest.mark.slow
-def test_the_other_boundary_takes_over(tmp_path: Path) -> None:
+def test_the_other_boundary_takes_over(tmp_path):
     beyond = only(relay())
     assert beyond.itinerary == (("off", "cold"), ("on", "hot"))
     assert (beyond.side, beyond.own, beyond.scenario) == ("below", "above", "persistence")
@@ -117,7 +116,7 @@ def test_the_other_boundary_takes_over(tmp_path: Path) -> None:
         assert ns.certify(orbit).claims["admissibility"] == verdict
 
 
-def corner(push: float) -> System:
+def corner(push):
     """The relay, but its input jumps by this where the threshold is passed, till it switches."""
     lags = [[-1, 0], [1, -1]]
     warm, cold = Boundary("warm", B - WIDTH), Boundary("cold", -B - WIDTH)
@@ -151,9 +150,7 @@ def corner(push: float) -> System:
         (200, "above", "unstable", "nonsmooth fold"),
     ],
 )
-def test_itineraries_follow_each_other_or_end_together(
-    push: int, side: str, verdict: str, scenario: str, tmp_path: Path
-) -> None:
+def test_itineraries_follow_each_other_or_end_together(push, side, verdict, scenario, tmp_path):
     system = corner(push)
     orbit = two_phases(system, "0.522")
     found = certified_over(orbit, "w", "0.518", "0.524", beyond=True)
@@ -173,7 +170,7 @@ def test_itineraries_follow_each_other_or_end_together(
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", ["entry", "condition", "tangent"])
-def test_nothing_is_claimed_where_nothing_is_found(kind: str) -> None:
+def test_nothing_is_claimed_where_nothing_is_found(kind):
     system, value, low, high = SYSTEMS[kind]
     orbit = two_phases(system, value)
     found = certified_over(orbit, "w", low, high, beyond=True)
@@ -182,7 +179,7 @@ def test_nothing_is_claimed_where_nothing_is_found(kind: str) -> None:
 
 
 @pytest.mark.slow
-def test_a_contact_begins_where_a_soft_stop_is_touched(tmp_path: Path) -> None:
+def test_a_contact_begins_where_a_soft_stop_is_touched(tmp_path):
     found = pad()
     beyond = only(found)
     assert (beyond.side, beyond.own, beyond.verdict) == ("above", "below", "stable")
@@ -206,7 +203,7 @@ def test_a_contact_begins_where_a_soft_stop_is_touched(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_a_contact_that_vanishes_leaves_the_motion_without_it(tmp_path: Path) -> None:
+def test_a_contact_that_vanishes_leaves_the_motion_without_it(tmp_path):
     orbit = ns.find_orbits(PAD, {"Omega": "0.8"}, 2, transitions=300).orbits[0].orbit
     found = certified_over(orbit, "Omega", "0.79", "0.8", beyond=True)
     beyond = only(found)
@@ -215,7 +212,7 @@ def test_a_contact_that_vanishes_leaves_the_motion_without_it(tmp_path: Path) ->
     accepted(found, tmp_path)
 
 
-def forged(found: Any, change: Callable[[dict[str, Any], dict[str, Any]], None]) -> dict[str, Any]:
+def forged(found, change):
     """A file whose claims about what is beyond were edited, with its checksum."""
 
     def both(content: dict[str, Any]) -> None:
@@ -228,7 +225,7 @@ def forged(found: Any, change: Callable[[dict[str, Any], dict[str, Any]], None])
 OTHER = {"above": "below", "below": "above"}
 
 
-def judged(beyond: dict[str, Any], verdict: str) -> None:
+def judged(beyond, verdict):
     """Call the orbits beyond stable, or unstable."""
     (tile,) = beyond["branch"]["tiles"]
     for side in ("before", "after"):
@@ -236,12 +233,12 @@ def judged(beyond: dict[str, Any], verdict: str) -> None:
     beyond["verdict"] = verdict
 
 
-def swapped(beyond: dict[str, Any]) -> None:
+def swapped(beyond):
     (tile,) = beyond["branch"]["tiles"]
     tile["before"], tile["after"] = tile["after"], tile["before"]
 
 
-def fewer(beyond: dict[str, Any], kind: str, instant: str = "") -> None:
+def fewer(beyond, kind, instant=""):
     """Leave out a border that is met at the event, too."""
     event = beyond["branch"]["tiles"][0]["event"]
     event["also"] = [
@@ -273,12 +270,12 @@ FORGERIES: dict[str, tuple[Callable[[Any, Any], object], str | None]] = {
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", FORGERIES)
-def test_edited_files_are_refused(name: str) -> None:
+def test_edited_files_are_refused(name):
     change, reason = FORGERIES[name]
     refused(forged(symmetric(), change), reason)
 
 
-def test_a_border_where_a_phase_began_is_not_met_where_it_ends() -> None:
+def test_a_border_where_a_phase_began_is_not_met_where_it_ends():
     """The state at the end of a phase says nothing of its start."""
     with ctx.workprec(192):
         met = _Met(checked_tiles(content_of(relay()))[4])
@@ -289,7 +286,7 @@ def test_a_border_where_a_phase_began_is_not_met_where_it_ends() -> None:
             met.row(first, state.before, state.behind)
 
 
-def test_a_branch_is_not_beyond_itself() -> None:
+def test_a_branch_is_not_beyond_itself():
     """A tile of the branch itself meets the border too, on its own side: no itinerary begins."""
 
     def itself(event: dict[str, Any], beyond: dict[str, Any]) -> None:
@@ -303,7 +300,7 @@ def test_a_branch_is_not_beyond_itself() -> None:
     refused(forged(relay(), itself), "two motions")
 
 
-def test_orbits_beside_the_event_are_not_its_motion() -> None:
+def test_orbits_beside_the_event_are_not_its_motion():
     """The exact conditions hold for any such itinerary: the tube tells the orbits apart."""
     content = content_of(symmetric())
     beyond = next(t["event"] for t in content["tiles"] if t["event"])["beyond"][0]

@@ -7,7 +7,6 @@ import math
 import time
 from fractions import Fraction
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -27,19 +26,19 @@ PROVED = dict.fromkeys(("existence", "admissibility", "stability"), "proved")
 
 
 @cache
-def paper() -> Any:
+def paper():
     """Five percent around the paper's data."""
     box = {"V": ("0.95", "1.05"), "eta": ("0.95", "1.05")}
     return ns.certify.box(ns.solve(STICK), box)
 
 
 @cache
-def line() -> Any:
+def line():
     """Not admissible, unstable and stable along V: a grazing and a flip are in between."""
     return ns.certify.box(ns.solve(SYMMETRIC), {"V": ("0.6", "1.3")})
 
 
-def test_the_paper_s_orbit_is_stable_for_all_parameters_around_its_data() -> None:
+def test_the_paper_s_orbit_is_stable_for_all_parameters_around_its_data():
     found = paper()
     assert found.claims == PROVED
     assert found.proved
@@ -55,7 +54,7 @@ def test_the_paper_s_orbit_is_stable_for_all_parameters_around_its_data() -> Non
 
 @settings(max_examples=12)
 @given(speed=st.integers(950, 1050), eta=st.integers(950, 1050))
-def test_enclosures_hold_the_refined_values_of_every_point(speed: int, eta: int) -> None:
+def test_enclosures_hold_the_refined_values_of_every_point(speed, eta):
     point = {"V": Fraction(speed, 1000), "eta": Fraction(eta, 1000)}
     orbit = ns.refine(ns.solve(STICK, {name: str(value) for name, value in point.items()}), 100)
     tile = paper().tile_at(point)
@@ -66,7 +65,7 @@ def test_enclosures_hold_the_refined_values_of_every_point(speed: int, eta: int)
 
 
 @pytest.mark.slow
-def test_verdicts_along_a_line_are_those_of_the_points() -> None:
+def test_verdicts_along_a_line_are_those_of_the_points():
     found = line()
     branch = ns.continue_orbit(ns.solve(SYMMETRIC), "V", (0.6, 1.3))
     (grazing,) = [e.value for e in branch.events if e.kind == "grazing"]
@@ -86,7 +85,7 @@ def test_verdicts_along_a_line_are_those_of_the_points() -> None:
     assert "outside the unit circle" in found.reasons["stability"]
 
 
-def test_closed_forms_over_boxes() -> None:
+def test_closed_forms_over_boxes():
     # the period is pi/sqrt(k) + pi/2, the multiplier r, the speed at the start 1/(1 - r)
     found = ns.certify.box(loop(), {"k": ("0.9", "1.1"), "r": ("0.45", "0.55")})
     beside = ns.certify.box(loop(k="sqrt(2)"), {"r": ("0.45", "0.55")})
@@ -104,7 +103,7 @@ def test_closed_forms_over_boxes() -> None:
     ("rigid-stop/one-impact", "m1"), ("rigid-stop/one-impact", "k2"),
     ("elastic-stop/one-contact", "k3"),
 ])  # fmt: skip
-def test_conservative_orbits_are_neutral_over_boxes(name: str, parameter: str) -> None:
+def test_conservative_orbits_are_neutral_over_boxes(name, parameter):
     orbit = ns.solve(name)
     middle = orbit.given[parameter].exact
     assert middle is not None
@@ -117,7 +116,7 @@ def test_conservative_orbits_are_neutral_over_boxes(name: str, parameter: str) -
         assert found.enclosures["trace"].lower <= trace <= found.enclosures["trace"].upper
 
 
-def test_a_given_period_may_span_the_box() -> None:
+def test_a_given_period_may_span_the_box():
     orbit = ns.solve("rigid-stop/one-impact", {"T": "6"})
     found = ns.certify.box(orbit, {"T": ("5.9", "6.1")})
     assert found.proved
@@ -126,7 +125,7 @@ def test_a_given_period_may_span_the_box() -> None:
     assert 6.1 <= period.upper < 6.103
 
 
-def test_forced_orbits_over_frequency_and_restitution() -> None:
+def test_forced_orbits_over_frequency_and_restitution():
     """An impact in each period of the forcing."""
     orbit = impacts.orbit(-0.3, 0.1)
     found = ns.certify.box(orbit, {"w": ("2.78", "2.82"), "r": ("0.79", "0.81")})
@@ -141,7 +140,7 @@ def test_forced_orbits_over_frequency_and_restitution() -> None:
 
 
 @pytest.mark.slow
-def test_states_are_kept_on_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_states_are_kept_on_the_way(monkeypatch):
     """Ten seconds after the last one that was kept."""
     kept: list[Any] = []
     told: list[tuple[float, int]] = []
@@ -175,13 +174,13 @@ def test_states_are_kept_on_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
     ({"V": (0.9, float("inf"))}, "inf"),
     ({"chi": ("0.4", "1.5")}, "chi"),
 ])  # fmt: skip
-def test_wrong_boxes_are_refused(box: Any, told: str) -> None:
+def test_wrong_boxes_are_refused(box, told):
     orbit = ns.solve(STICK)
     with pytest.raises(InputError, match=told):
         ns.certify.box(orbit, box)
 
 
-def test_wrong_states_and_counts_are_refused() -> None:
+def test_wrong_states_and_counts_are_refused():
     orbit = ns.solve(STICK)
     box = {"V": ("0.95", "1.05"), "eta": ("0.95", "1.05")}
     with pytest.raises(InputError, match="tiles"):
@@ -198,7 +197,7 @@ def test_wrong_states_and_counts_are_refused() -> None:
         ns.certify.box(far, {"V": ("30", "50")})
 
 
-def test_an_orbit_without_exact_parameters_is_undecided() -> None:
+def test_an_orbit_without_exact_parameters_is_undecided():
     found = ns.certify.box(ns.solve("dry-friction/solution-ii"), {"V": ("0.9", "1.1")})
     assert found.claims == dict.fromkeys(PROVED, "undecided")
     assert "border collision" in found.reasons["existence"]
@@ -206,7 +205,7 @@ def test_an_orbit_without_exact_parameters_is_undecided() -> None:
 
 
 @pytest.mark.parametrize("parameter", ["V", "eta", "chi"])
-def test_narrow_boxes_show_the_derived_slope_of_the_trace(parameter: str) -> None:
+def test_narrow_boxes_show_the_derived_slope_of_the_trace(parameter):
     orbit = ns.solve(STICK)
     width = Fraction(1, 10**5)
     middle = orbit.given[parameter].exact
@@ -218,7 +217,7 @@ def test_narrow_boxes_show_the_derived_slope_of_the_trace(parameter: str) -> Non
 
 
 @pytest.mark.slow
-def test_the_orbit_is_handed_on_from_its_own_point() -> None:
+def test_the_orbit_is_handed_on_from_its_own_point():
     # Newton's method from far away leads to other roots, which are none of this orbit
     for orbit, box in (
         (loop(), {"k": ("1/100", "100")}),
@@ -244,7 +243,7 @@ def test_the_orbit_is_handed_on_from_its_own_point() -> None:
 
 
 @pytest.mark.slow
-def test_totals_do_not_grow_with_the_number_of_tiles() -> None:
+def test_totals_do_not_grow_with_the_number_of_tiles():
     found = ns.certify.box(loop(), {"k": ("1/4", "3"), "a": ("1.9", "4")}, tiles=120)
     assert len(found.tiles) > 40
     period = found.enclosures["period"]
@@ -253,7 +252,7 @@ def test_totals_do_not_grow_with_the_number_of_tiles() -> None:
     assert period.upper - max(x.upper for x in proved) < 1e-4
 
 
-def test_open_parameters_are_large_enough_for_the_whole_box() -> None:
+def test_open_parameters_are_large_enough_for_the_whole_box():
     found = ns.certify.box(ns.solve(STICK), {"e1": ("2.6", "5")})
     assert set(found.chosen) == {"us1", "us2"}
     tile = found.tile_at({"e1": "4.9"})
@@ -261,7 +260,7 @@ def test_open_parameters_are_large_enough_for_the_whole_box() -> None:
     assert tile.verdict == "proved"
 
 
-def test_domains_hold_in_every_corner() -> None:
+def test_domains_hold_in_every_corner():
     for box in ({"r": ("-6", "0.9")}, {"k": ("-1", "1.1")}):
         with pytest.raises(InputError, match="domain"):
             ns.certify.box(loop(), box)
@@ -276,8 +275,8 @@ def test_domains_hold_in_every_corner() -> None:
     ],
 )
 def test_a_narrow_box_says_what_its_point_does_and_its_file_is_proved_again(
-    name: str, point: dict[str, str], axis: str, width: Fraction, tmp_path: Path
-) -> None:
+    name, point, axis, width, tmp_path
+):
     orbit = ns.solve(name, point)
     middle = orbit.given[axis].exact
     assert middle is not None
@@ -291,20 +290,18 @@ def test_a_narrow_box_says_what_its_point_does_and_its_file_is_proved_again(
     accepted(found, tmp_path)
 
 
-def asked(**more: Any) -> Any:
+def asked(**more):
     """A map of a few tiles, some of which are not looked at."""
     return ns.certify.box(ns.solve(SYMMETRIC), {"V": ("0.6", "1.3")}, **{"tiles": 5, **more})
 
 
 @cache
-def lines() -> int:
+def lines():
     return interrupted(asked, ("certify_box.py",), {"look", "stated"})[0]
 
 
 @pytest.mark.parametrize("share", [0.0, 0.01, 0.3, 0.7, 0.95, 0.99])
-def test_an_interruption_anywhere_leaves_tiles_that_fill_the_box(
-    share: float, tmp_path: Path
-) -> None:
+def test_an_interruption_anywhere_leaves_tiles_that_fill_the_box(share, tmp_path):
     """Also in the check that ends a map, which asks about tiles that were not looked at."""
     _, state = interrupted(asked, ("certify_box.py",), {"look", "stated"}, share * lines())
     assert sum(tile.place.share for tile in state.tiles) == 1

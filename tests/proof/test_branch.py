@@ -6,7 +6,6 @@ from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -42,17 +41,17 @@ FINISHED, VANISHED = "end of the interval", "a phase vanishes"
 
 
 @pytest.fixture(scope="module")
-def branch() -> Any:
+def branch():
     return ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3))
 
 
 @pytest.fixture(scope="module")
-def found() -> Any:
+def found():
     return ns.load(shared_file("branch of friction", prove_branch))
 
 
 @pytest.fixture(scope="module")
-def tile_near() -> Any:
+def tile_near():
     """The tile of the branch that holds a value, as the checker knows it."""
     path = shared_file("branch of friction", prove_branch)
     checked = checked_tiles(json.loads(path.read_text()))
@@ -60,7 +59,7 @@ def tile_near() -> Any:
 
 
 @pytest.mark.slow
-def test_the_papers_orbit_has_three_intervals_and_two_events(found: Any) -> None:
+def test_the_papers_orbit_has_three_intervals_and_two_events(found):
     assert found.complete
     assert found.claims == {"branch": "proved"}
     verdicts = [part.verdict for part in found.intervals]
@@ -70,7 +69,7 @@ def test_the_papers_orbit_has_three_intervals_and_two_events(found: Any) -> None
     assert (found.intervals[0].begin, found.intervals[-1].end) == (0.6, 1.3)
 
 
-def test_events_are_those_of_their_certificates(branch: Any, found: Any) -> None:
+def test_events_are_those_of_their_certificates(branch, found):
     for event, computed in zip(found.events, branch.events, strict=True):
         assert event.kind == computed.kind
         told = certify.event(branch, computed, 180).value
@@ -82,8 +81,8 @@ def test_events_are_those_of_their_certificates(branch: Any, found: Any) -> None
 
 
 def test_orbits_solved_anywhere_are_in_their_tubes_with_the_verdict(
-    found: Any,
-) -> None:
+    found,
+):
     draw = random.Random(1)
     for tile in found.tiles:
         value = draw.uniform(float(tile.lower), float(tile.upper))
@@ -102,7 +101,7 @@ def test_orbits_solved_anywhere_are_in_their_tubes_with_the_verdict(
 
 
 @pytest.mark.slow
-def test_progress_rises_to_all_of_it() -> None:
+def test_progress_rises_to_all_of_it():
     """In between it is the part of the interval that the tiles so far cover."""
     told: list[tuple[float, int]] = []
     orbit = ns.solve("dry-friction/symmetric", {"V": "1.07"})
@@ -121,7 +120,7 @@ def test_progress_rises_to_all_of_it() -> None:
 
 
 @pytest.mark.slow
-def test_a_vanishing_phase_is_one_event() -> None:
+def test_a_vanishing_phase_is_one_event():
     branch = ns.continue_orbit(ns.solve("dry-friction/global-stick"), "V", (0.9, 1.3))
     found = ns.certify.branch(branch, interval=("0.9", "1.3"))
     assert found.complete
@@ -135,7 +134,7 @@ def test_a_vanishing_phase_is_one_event() -> None:
     assert float(dwell.ball.rad()) < 1e-30
 
 
-def test_a_number_whose_rate_may_be_zero_is_not_passed_once(tile_near: Any) -> None:
+def test_a_number_whose_rate_may_be_zero_is_not_passed_once(tile_near):
     """Its event may happen twice in the tile: the rate has one sign, or nothing is proved."""
     tile = tile_near(fmpq(27, 25))
     with flint_precision(64):
@@ -149,7 +148,7 @@ def test_a_number_whose_rate_may_be_zero_is_not_passed_once(tile_near: Any) -> N
                 tile.rises(lambda point, at=zero: point[tile.place] - at, "twice")
 
 
-def test_another_orbit_is_not_taken_for_the_one_that_is_known(tile_near: Any) -> None:
+def test_another_orbit_is_not_taken_for_the_one_that_is_known(tile_near):
     tile = tile_near(fmpq(27, 25))
     with flint_precision(192):
         *others, value = tile.at(arb("1.08"))
@@ -160,7 +159,7 @@ def test_another_orbit_is_not_taken_for_the_one_that_is_known(tile_near: Any) ->
 
 
 @pytest.mark.slow
-def test_a_pair_that_leaves_the_circle_at_both_ends_is_not_one_flip() -> None:
+def test_a_pair_that_leaves_the_circle_at_both_ends_is_not_one_flip():
     """With a period that is given m + 1/m may pass 2 where the equations stay regular."""
 
     def orbit(period: object) -> Any:
@@ -185,7 +184,7 @@ def test_a_pair_that_leaves_the_circle_at_both_ends_is_not_one_flip() -> None:
     refused(edited(found, widen), "may meet at 1")
 
 
-def test_a_touch_behind_the_end_of_its_phase_is_none(tile_near: Any) -> None:
+def test_a_touch_behind_the_end_of_its_phase_is_none(tile_near):
     """A window of time may reach beyond the phase; what is touched there is not touched."""
     tile = tile_near(fmpq(6653, 10_000))
     with flint_precision(192):
@@ -211,7 +210,7 @@ def test_a_touch_behind_the_end_of_its_phase_is_none(tile_near: Any) -> None:
 
 
 @pytest.mark.slow
-def test_a_torus_is_an_event_and_a_neutral_saddle_is_none(tmp_path: Path) -> None:
+def test_a_torus_is_an_event_and_a_neutral_saddle_is_none(tmp_path):
     """Two real multipliers whose product passes 1 do not pass the circle."""
     torus, saddle = (
         certified_over(impacts.orbit(sigma), "c", "-0.2", "0.1") for sigma in (-0.5, -0.05)
@@ -239,7 +238,7 @@ def test_a_torus_is_an_event_and_a_neutral_saddle_is_none(tmp_path: Path) -> Non
     refused(edited(saddle, plant), "neutral saddle")
 
 
-def test_what_is_asked_wrongly_is_told(branch: Any, found: Any) -> None:
+def test_what_is_asked_wrongly_is_told(branch, found):
     with pytest.raises(InputError, match="branch takes"):
         ns.certify.branch(branch.orbit)
     with pytest.raises(InputError, match="not an integer from 1"):
@@ -253,7 +252,7 @@ def test_what_is_asked_wrongly_is_told(branch: Any, found: Any) -> None:
 
 
 @pytest.mark.slow
-def test_narrow_tiles_are_proved_again(tmp_path: Path) -> None:
+def test_narrow_tiles_are_proved_again(tmp_path):
     """Where tubes are as narrow as rounding the check takes more bits."""
     orbit = ns.solve("dry-friction/symmetric", {"V": "1.08"})
     branch = ns.continue_orbit(orbit, "V", (1.07, 1.09))
@@ -263,7 +262,7 @@ def test_narrow_tiles_are_proved_again(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_little_is_looked_at_beside_an_event_at_an_end(branch: Any) -> None:
+def test_little_is_looked_at_beside_an_event_at_an_end(branch):
     """What is undecided at an end grows by doubling, not tile by tile of the smallest width."""
     event = branch.events[-1]
     orbit = ns.solve("dry-friction/symmetric", {"V": "1.080588075"})
@@ -275,7 +274,7 @@ def test_little_is_looked_at_beside_an_event_at_an_end(branch: Any) -> None:
     assert len(found.tiles) < 100
 
 
-def test_an_undecided_tile_is_never_part_of_a_complete_branch(found: Any) -> None:
+def test_an_undecided_tile_is_never_part_of_a_complete_branch(found):
     tiles = list(found.tiles)
     tiles[3] = replace(tiles[3], before="undecided", after="undecided", reason="planted")
     worse = replace(found, tiles=tuple(tiles))
@@ -286,7 +285,7 @@ def test_an_undecided_tile_is_never_part_of_a_complete_branch(found: Any) -> Non
 
 
 @pytest.mark.slow
-def test_a_fold_is_passed_by_another_coordinate(tmp_path: Path) -> None:
+def test_a_fold_is_passed_by_another_coordinate(tmp_path):
     force, rate = sp.symbols("F Omega")
     system = oscillator(
         "bump-stop", ["x"], mass=[[2]], damping=[[2]], stiffness=[[800]],
@@ -312,14 +311,14 @@ def test_a_fold_is_passed_by_another_coordinate(tmp_path: Path) -> None:
 
 
 @cache
-def grazing() -> Any:
+def grazing():
     """A branch that ends where its contact vanishes."""
     found = ns.find_orbits(PAD, {"Omega": "0.8"}, 10, transitions=300).orbits
     return certified_over(found[0].orbit, "Omega", "0.79", "0.805")
 
 
 @pytest.mark.slow
-def test_a_branch_ends_where_a_contact_with_a_soft_stop_vanishes(tmp_path: Path) -> None:
+def test_a_branch_ends_where_a_contact_with_a_soft_stop_vanishes(tmp_path):
     found = grazing()
     assert found.complete
     assert found.ends == (VANISHED, FINISHED)
@@ -336,13 +335,13 @@ def test_a_branch_ends_where_a_contact_with_a_soft_stop_vanishes(tmp_path: Path)
     assert accepted(found, tmp_path).claims == {"branch": "proved"}
 
 
-def first_tile(content: dict[str, Any]) -> None:
+def first_tile(content):
     """What is left is the tile in which the contact vanishes, and ends that claim nothing."""
     content["tiles"] = content["tiles"][:1]
     content |= {"start": 0, "ends": ["left out"] * 2, "claims": {"branch": "undecided"}}
 
 
-def without(kind: str) -> Callable[[dict[str, Any]], None]:
+def without(kind):
     """Leave all but the first tile out, and of what happens there one kind."""
 
     def change(content: dict[str, Any]) -> None:
@@ -353,7 +352,7 @@ def without(kind: str) -> Callable[[dict[str, Any]], None]:
     return change
 
 
-def call_it_admissible(content: dict[str, Any]) -> None:
+def call_it_admissible(content):
     first_tile(content)
     content["tiles"][0]["before"] = "stable"
 
@@ -374,17 +373,17 @@ DEAR = {"no turn": without("fold"), "admissible": call_it_admissible}
 @pytest.mark.parametrize(
     "attack", [*ATTACKS, *(pytest.param(name, marks=pytest.mark.slow) for name in DEAR)]
 )
-def test_an_edited_end_is_refused(attack: str) -> None:
+def test_an_edited_end_is_refused(attack):
     refused(edited(grazing(), (ATTACKS | DEAR)[attack]))
 
 
 @pytest.mark.slow
-def test_an_end_that_claims_nothing_is_accepted() -> None:
+def test_an_end_that_claims_nothing_is_accepted():
     """It is refused above for what is hidden in it."""
     believed(edited(grazing(), first_tile))
 
 
-def test_of_many_phases_none_is_short_for_being_one_of_many() -> None:
+def test_of_many_phases_none_is_short_for_being_one_of_many():
     """All of 64 impacts last a 64th of the period; divided equations are not seen from frames."""
     curve: Any = SimpleNamespace(
         last=67, declared=SimpleNamespace(dwell=[""] * 64), divided=lambda place: place

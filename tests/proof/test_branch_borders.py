@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import mpmath
@@ -20,7 +19,6 @@ from nonsmooth.derive import (
     Transition,
 )
 from nonsmooth.runtime.core.arithmetic import exact_ball
-from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.certified import accepted, believed, certified_over, content_of, edited, refused
 
 A, B = sp.symbols("a b", real=True)
@@ -30,14 +28,14 @@ ON_AND_OFF = (("on", "warm"), ("off", "cold"))
 
 
 def relay(
-    on: Any = (),
-    off: Any = (),
-    more: Any = (),
-    reset: Any = None,
-    before: Any = (),
-    when: Any = (),
-    threshold: Parameter = THRESHOLD,
-) -> System:
+    on=(),
+    off=(),
+    more=(),
+    reset=None,
+    before=(),
+    when=(),
+    threshold=THRESHOLD,
+):
     """Two lags behind a relay with hysteresis: a' = +-1 - a, b' = a - b."""
     lags = [[-1, 0], [1, -1]]
     heats, cools = FirstOrder(lags, [1, 0]), FirstOrder(lags, [-1, 0])
@@ -59,12 +57,12 @@ def relay(
     )
 
 
-def two_phases(system: System, value: str, threshold: str = "w") -> Orbit:
+def two_phases(system, value, threshold="w"):
     """The orbit of a relay that is on and off once."""
     return ns.solve(system, {threshold: value}, [1.0, 1.0], itinerary=ON_AND_OFF)
 
 
-def peak() -> Any:
+def peak():
     """The largest a of the orbit, which both phases reach with opposite signs."""
     with mpmath.workprec(200):
 
@@ -120,7 +118,7 @@ SYSTEMS = {
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", SYSTEMS)
-def test_a_lone_border_is_one_event(kind: str, tmp_path: Path) -> None:
+def test_a_lone_border_is_one_event(kind, tmp_path):
     system, value, low, high = SYSTEMS[kind]
     orbit = two_phases(system, value)
     found = certified_over(orbit, "w", low, high)
@@ -137,11 +135,11 @@ def test_a_lone_border_is_one_event(kind: str, tmp_path: Path) -> None:
     assert accepted(found, tmp_path).claims == {"branch": "proved"}
 
 
-def certified(system: System) -> Any:
+def certified(system):
     return certified_over(two_phases(system, "0.6"), "w", "0.45", "0.65")
 
 
-def with_event(found: Any, **changes: Any) -> dict[str, Any]:
+def with_event(found, **changes):
     """The content of its file with another event."""
 
     def change(content: dict[str, Any]) -> None:
@@ -152,7 +150,7 @@ def with_event(found: Any, **changes: Any) -> dict[str, Any]:
 
 
 @pytest.mark.slow
-def test_a_condition_without_effect_is_no_event() -> None:
+def test_a_condition_without_effect_is_no_event():
     """A transition whose other condition fails does not follow, whatever this one does."""
     idle = Condition(-A, "off"), Condition(A - THRESHOLD.symbol, "off")
     before = (Transition(**COOLED, conditions=idle),)
@@ -179,7 +177,7 @@ LENGTH = Parameter("p", "where a phase ends, nondimensional", lower=-sp.oo)
 
 
 @cache
-def shrinking() -> Any:
+def shrinking():
     """A phase that lasts p, and would pass another boundary after 1/100."""
     full = Boundary("full", A - LENGTH.symbol), Boundary("hot", A - sp.Rational(1, 100))
     system = System(
@@ -213,12 +211,12 @@ def shrinking() -> Any:
 
 
 @pytest.mark.slow
-def test_numbers_that_are_zero_are_proved_again(tmp_path: Path) -> None:
+def test_numbers_that_are_zero_are_proved_again(tmp_path):
     """The reset sets them to zero: no ball around them is that narrow in every proof."""
     assert accepted(shrinking(), tmp_path).claims == {"branch": "proved"}
 
 
-def test_a_phase_that_may_end_before_passes_nothing() -> None:
+def test_a_phase_that_may_end_before_passes_nothing():
     """One tile over all: where the phase lasts less than 1/100 the orbit is a motion."""
 
     def whole(content: dict[str, Any]) -> None:
@@ -232,7 +230,7 @@ def test_a_phase_that_may_end_before_passes_nothing() -> None:
     refused(edited(shrinking(), whole), "admissibility is undecided")
 
 
-def test_a_branch_goes_on_where_its_phase_vanishes_and_nothing_turns() -> None:
+def test_a_branch_goes_on_where_its_phase_vanishes_and_nothing_turns():
     def cut(content: dict[str, Any]) -> None:
         place = next(k for k, tile in enumerate(content["tiles"]) if tile["event"])
         content["tiles"] = content["tiles"][place:]
@@ -243,7 +241,7 @@ def test_a_branch_goes_on_where_its_phase_vanishes_and_nothing_turns() -> None:
 
 
 @pytest.mark.parametrize("place", ["before", "behind"])
-def test_another_transition_that_does_the_same_is_no_other_motion(place: str) -> None:
+def test_another_transition_that_does_the_same_is_no_other_motion(place):
     """Where it follows in place of the itinerary's the motion is still the orbit's."""
     plain = Transition("on", {"warm"}, "off")
     condition = Condition(THRESHOLD.symbol - A, "off")
@@ -260,13 +258,13 @@ def test_another_transition_that_does_the_same_is_no_other_motion(place: str) ->
     assert "not admissible" not in {part.verdict for part in found.intervals}
 
 
-def alike(content: dict[str, Any]) -> None:
+def alike(content):
     """Let the other transition of a declaration lead where the itinerary's leads."""
     first, other = content["declaration"]["transitions"][:2]
     other.update(reset=first["reset"], target=first["target"])
 
 
-def test_no_file_tells_of_a_condition_behind_which_the_motion_is_the_same() -> None:
+def test_no_file_tells_of_a_condition_behind_which_the_motion_is_the_same():
     system, value, *_ = SYSTEMS["condition"]
     orbit = two_phases(system, value)
     found = certified_over(orbit, "w", "0.5198", "0.6")  # one tile holds all that is below it
@@ -280,7 +278,7 @@ def test_no_file_tells_of_a_condition_behind_which_the_motion_is_the_same() -> N
     refused(misled, "another transition leads where")
 
 
-def test_a_parameter_may_be_called_as_an_unknown_is() -> None:
+def test_a_parameter_may_be_called_as_an_unknown_is():
     """What is stated has two names; in a file that has one its ball would hold both."""
     own = Parameter("a0", "a threshold, nondimensional", lower=-sp.oo)
     when = (Condition(own.symbol - A, "off"),)

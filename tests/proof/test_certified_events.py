@@ -1,9 +1,6 @@
 """Bifurcations and limits of admissibility enclosed: closed forms to many digits, other routes."""
 
-from __future__ import annotations
-
 from functools import cache
-from typing import Any
 
 import mpmath
 import pytest
@@ -21,21 +18,21 @@ SYMMETRIC = "dry-friction/symmetric"
 
 
 @cache
-def branch(name: str, parameter: str, lower: float, upper: float) -> Any:
+def branch(name, parameter, lower, upper):
     return ns.continue_orbit(ns.solve(name), parameter, (lower, upper))
 
 
-def of_kind(found: Any, kind: str) -> Any:
+def of_kind(found, kind):
     """The last of a kind along the branch."""
     return [event for event in found.events if event.kind == kind][-1]
 
 
-def holds(certificate: Any, number: Any) -> bool:
+def holds(certificate, number):
     return bool(certificate.value.ball.contains(exact_ball(number)))
 
 
 @pytest.mark.parametrize("bits", [64, 200, 1000])
-def test_closed_forms_of_folds_flips_and_tori(bits: int) -> None:
+def test_closed_forms_of_folds_flips_and_tori(bits):
     with mpmath.workprec(bits + 100):
         w, r = mpmath.mpf(28) / 10, mpmath.mpf(8) / 10
         period = 2 * mpmath.pi / w
@@ -53,7 +50,7 @@ def test_closed_forms_of_folds_flips_and_tori(bits: int) -> None:
 
 
 @pytest.mark.parametrize(("parameter", "lower", "upper"), [("V", 0.5, 1.6), ("eta", 0.3, 2)])
-def test_a_phase_that_vanishes(parameter: str, lower: float, upper: float) -> None:
+def test_a_phase_that_vanishes(parameter, lower, upper):
     whole = branch(STICK, parameter, lower, upper)
     found = ns.certify.event(whole, of_kind(whole, "vanishing-phase"), 128)
     assert found.proved
@@ -69,7 +66,7 @@ def test_a_phase_that_vanishes(parameter: str, lower: float, upper: float) -> No
     assert far / near == pytest.approx(2, abs=1e-4)
 
 
-def test_solution_ii_is_the_collision_of_the_global_stick() -> None:
+def test_solution_ii_is_the_collision_of_the_global_stick():
     collision = ns.refine(ns.solve("dry-friction/solution-ii"), 45)
     e1 = collision.unknowns["e1"]
     whole = branch(STICK, "e1", 2.3, 3.2)
@@ -79,7 +76,7 @@ def test_solution_ii_is_the_collision_of_the_global_stick() -> None:
     assert abs(mpmath.mpf(found.value.mid) - mpmath.mpf(str(e1))) < 1e-30
 
 
-def test_composed_orbits_and_touched_walls() -> None:
+def test_composed_orbits_and_touched_walls():
     # the orbit reaches v0/sqrt(k) = 2: a wall there is touched
     found = ns.continue_orbit(loop(), "a", (1.5, 3.5))
     event = of_kind(found, "grazing")
@@ -96,7 +93,7 @@ def test_composed_orbits_and_touched_walls() -> None:
     assert kicked().name in flip.orbit
 
 
-def test_what_is_no_regular_root_is_undecided_and_says_why() -> None:
+def test_what_is_no_regular_root_is_undecided_and_says_why():
     whole = branch("rigid-stop/one-impact", "T", 5.5, 7.5)
     found = ns.certify.event(whole, of_kind(whole, "branch-point"))
     assert found.claim == "undecided"
@@ -105,7 +102,7 @@ def test_what_is_no_regular_root_is_undecided_and_says_why() -> None:
     assert found.to_json()["enclosures"] == {}
 
 
-def test_an_event_that_is_elsewhere_is_not_proved() -> None:
+def test_an_event_that_is_elsewhere_is_not_proved():
     from dataclasses import replace
 
     whole = branch(SYMMETRIC, "V", 0.6, 1.3)
@@ -121,7 +118,7 @@ def test_an_event_that_is_elsewhere_is_not_proved() -> None:
             ns.certify.event(whole, flip, bits)  # type: ignore[arg-type]  # that is what is refused
 
 
-def test_where_no_multiplier_differs_from_zero_a_fold_is_undecided_and_says_why() -> None:
+def test_where_no_multiplier_differs_from_zero_a_fold_is_undecided_and_says_why():
     """A branch with rest at a belt turns where the force limit is touched: no multiplier is 1."""
     slider = oscillator(
         "slider", ["x"], [[1]], [["19/8"]], [["81/256"]],

@@ -6,7 +6,6 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -33,19 +32,19 @@ CLAIMS = {
 }
 
 
-def holds(enclosure: Any, number: Any) -> bool:
+def holds(enclosure, number):
     """Whether an mpmath number lies in an enclosure."""
     return bool(enclosure.ball.contains(exact_ball(number)))
 
 
-def certified(orbit: Orbit, bits: int = 128) -> Any:
+def certified(orbit, bits=128):
     """What is proved of an orbit."""
     return ns.certify(orbit, bits)
 
 
 @pytest.mark.parametrize("name", CLAIMS)
 @pytest.mark.parametrize("bits", [64, 128, 1000])
-def test_orbits_of_the_paper_are_certified(name: str, bits: int) -> None:
+def test_orbits_of_the_paper_are_certified(name, bits):
     orbit = ns.solve(name)
     certificate = certified(orbit, bits)
     admissible, stable, claim = CLAIMS[name]
@@ -74,20 +73,20 @@ def test_orbits_of_the_paper_are_certified(name: str, bits: int) -> None:
 
 
 @pytest.mark.parametrize("text", ["nan", "0 +/- inf", "+inf"])
-def test_a_ball_that_is_not_finite_has_no_decimals(text: str) -> None:
+def test_a_ball_that_is_not_finite_has_no_decimals(text):
     stated = type(certified(loop()).trace)
     with pytest.raises(ValueError, match="is not finite"):
         stated.around(arb(text), 64)
 
 
-def test_digits_beyond_those_of_pythons_integers(tmp_path: Path) -> None:
+def test_digits_beyond_those_of_pythons_integers(tmp_path):
     file = tmp_path / "many.json"
     found = certified(ns.solve("elastic-stop/one-contact"), 20_000)
     found.save(file)
     assert set(ns.certify.check(file).claims.values()) == {"proved"} == {*found.claims.values()}
 
 
-def test_the_physical_start_is_the_presented_one_moved() -> None:
+def test_the_physical_start_is_the_presented_one_moved():
     orbit = ns.refine(ns.solve(STICK, {"us1": "6/5", "us2": "1.1"}), 60)
     certificate = certified(orbit)
     assert certificate.chosen == ()
@@ -99,7 +98,7 @@ def test_the_physical_start_is_the_presented_one_moved() -> None:
     assert certificate.enclosures["v10"].contains(1)
 
 
-def test_parameters_may_be_irrational() -> None:
+def test_parameters_may_be_irrational():
     certificate = certified(loop(k="sqrt(2)"))
     assert certificate.proved
     assert certificate.parameters["k"].text == "sqrt(2)"
@@ -113,7 +112,7 @@ def test_parameters_may_be_irrational() -> None:
 
 
 @pytest.mark.parametrize("name", FORCED)
-def test_forced_and_damped_systems_of_users(name: str) -> None:
+def test_forced_and_damped_systems_of_users(name):
     orbit = forced(name)
     certificate = certified(orbit)
     assert certificate.proved, certificate.reasons
@@ -125,13 +124,13 @@ def test_forced_and_damped_systems_of_users(name: str) -> None:
     assert np.allclose(np.sort_complex(found), np.sort_complex(wanted), atol=1e-8)
 
 
-def times(orbit: Orbit, count: int) -> Orbit:
+def times(orbit, count):
     """The same orbit, passed so many times."""
     guess = [*orbit.dwell_times.tolist() * count, *orbit.states[0]]
     return ns.solve(orbit.system, orbit.parameters, guess, itinerary=orbit.itinerary * count)
 
 
-def test_a_long_itinerary_is_enclosed_as_sharply_as_its_part() -> None:
+def test_a_long_itinerary_is_enclosed_as_sharply_as_its_part():
     """Products of 48 plain balls are hundreds of times wider than what they enclose."""
     orbit = forced("slider")
     part, whole = certified(orbit), certified(times(orbit, 12))
@@ -144,7 +143,7 @@ def test_a_long_itinerary_is_enclosed_as_sharply_as_its_part() -> None:
         assert whole.enclosures["period"].ball.overlaps(period)
 
 
-def test_a_long_itinerary_is_proved_over_a_box() -> None:
+def test_a_long_itinerary_is_proved_over_a_box():
     found = ns.certify.box(times(loop(r="-9/10"), 5), {"r": ("-0.905", "-0.895")})
     assert found.proved
     ends = [-(0.905**5), -(0.895**5)]
@@ -159,7 +158,7 @@ def test_a_long_itinerary_is_proved_over_a_box() -> None:
     left=st.integers(-19_999, 19_999), root=st.fractions("1/9", 9, max_denominator=50),
     bits=st.sampled_from([64, 100, 300]),
 )  # fmt: skip
-def test_enclosures_contain_closed_forms(left: int, root: Fraction, bits: int) -> None:
+def test_enclosures_contain_closed_forms(left, root, bits):
     # near r = 1 the equations are nearly singular, near -1 a multiplier is
     r = Fraction(left, 10_000)
     if r == 1:
@@ -184,7 +183,7 @@ def test_enclosures_contain_closed_forms(left: int, root: Fraction, bits: int) -
 
 
 @pytest.mark.parametrize("size", [1e-4, 1e-3, 1e-2, 0.3])
-def test_perturbed_orbits_are_not_proved(size: float) -> None:
+def test_perturbed_orbits_are_not_proved(size):
     orbit = loop()
     dwell = orbit.dwell_time_names
     for moved in (
@@ -206,7 +205,7 @@ def test_perturbed_orbits_are_not_proved(size: float) -> None:
     [("2001/1000", "proved"), ("2", "undecided"), ("1999/1000", "refuted"),
      ("2.000000000000000001", "proved"), ("1.999999999999999999", "refuted")],
 )  # fmt: skip
-def test_tangent_orbits_are_undecided(wall: str, verdict: str) -> None:
+def test_tangent_orbits_are_undecided(wall, verdict):
     # the orbit goes as far as 2: a wall there is touched without speed
     certificate = certified(loop(a=wall))
     assert certificate.claims["existence"] == "proved"
@@ -217,7 +216,7 @@ def test_tangent_orbits_are_undecided(wall: str, verdict: str) -> None:
         assert "wall" in certificate.reasons["admissibility"]
 
 
-def back_in_time() -> Orbit:
+def back_in_time():
     """Half a turn backwards leads where half a turn forwards does."""
     orbit = loop()
     return replace(orbit, unknowns={**orbit.unknowns, "tau1": -math.pi})
@@ -248,7 +247,7 @@ VERDICTS: dict[str, tuple[Callable[[], Orbit], str, str, str]] = {
 
 
 @pytest.mark.parametrize("name", VERDICTS)
-def test_verdicts_on_orbits_that_exist(name: str) -> None:
+def test_verdicts_on_orbits_that_exist(name):
     orbit, claim, verdict, told = VERDICTS[name]
     certificate = certified(orbit())
     assert certificate.claims["existence"] == "proved"
@@ -259,7 +258,7 @@ def test_verdicts_on_orbits_that_exist(name: str) -> None:
         assert certificate.claims["admissibility"] == "proved"
 
 
-def test_margins_are_true() -> None:
+def test_margins_are_true():
     orbit = ns.solve(STICK, {"us1": 1, "us2": 1})
     first = certified(orbit)
     values = {name: value.text for name, value in first.parameters.items()}
@@ -298,7 +297,7 @@ def test_margins_are_true() -> None:
         assert values_along.max() < 0
 
 
-def test_border_collisions_and_exchanged_unknowns_are_undecided() -> None:
+def test_border_collisions_and_exchanged_unknowns_are_undecided():
     collision = certified(ns.solve("dry-friction/solution-ii"))
     assert set(collision.claims.values()) == {"undecided"}
     assert "border collision" in collision.reasons["existence"]
@@ -308,7 +307,7 @@ def test_border_collisions_and_exchanged_unknowns_are_undecided() -> None:
     assert "e1, e2" in certificate.reasons["existence"]
 
 
-def test_wrong_input() -> None:
+def test_wrong_input():
     orbit = loop()
     for bits in (0, 52, 400_001, True, "128"):
         with pytest.raises(InputError, match="bits"):
@@ -317,7 +316,7 @@ def test_wrong_input() -> None:
         ns.certify(replace(orbit, status=1))
 
 
-def test_what_is_no_orbit_is_refused_by_where_orbits_are() -> None:
+def test_what_is_no_orbit_is_refused_by_where_orbits_are():
     found: Any = ns.find_orbits("dry-friction", DATA, n=2, transitions=60)
     ask: tuple[Callable[[Any], object], ...] = (
         ns.certify,
@@ -331,7 +330,7 @@ def test_what_is_no_orbit_is_refused_by_where_orbits_are() -> None:
             question("dry-friction/global-stick")
 
 
-def test_an_orbit_is_the_same_by_either_route_and_undecided_from_no_numbers() -> None:
+def test_an_orbit_is_the_same_by_either_route_and_undecided_from_no_numbers():
     derived = certified(ns.solve("elastic-stop/one-contact"))
     values = {name: value.text for name, value in derived.parameters.items()}
     dwell = [float(derived.enclosures[name]) for name in derived.dwell_names]

@@ -18,7 +18,7 @@ def beyond(bound):
     return 1 if bound < 0.9 else Fraction(math.ceil(11 * bound), 10)
 
 
-def test_solve_chart_continue_and_certify_agree() -> None:
+def test_solve_chart_continue_and_certify_agree():
     random = np.random.default_rng(34)
     for k in range(6):
         values = {
@@ -46,7 +46,7 @@ def test_solve_chart_continue_and_certify_agree() -> None:
         assert whole.claims["admissibility"] == "proved"
 
 
-def test_what_plays_no_part_is_kept_where_it_is_given() -> None:
+def test_what_plays_no_part_is_kept_where_it_is_given():
     orbit = ns.solve(SYMMETRIC, {"us1": "0.0127", "ur1": "0.0255"})
     point = orbit.problem.physical(orbit)
     assert point.chosen == ("us2",)
@@ -54,7 +54,7 @@ def test_what_plays_no_part_is_kept_where_it_is_given() -> None:
     assert ns.certify(orbit).parameters == point.values
 
 
-def test_a_batch_takes_physical_parameters_as_a_point_does() -> None:
+def test_a_batch_takes_physical_parameters_as_a_point_does():
     us1, ur1, us2 = np.array([0.5, 1.0, 2.0, -1.0]), np.array([3.6, 4.0, 5.2, 2.0]), [[0.6], [0.8]]
     many = ns.solve(STICK, {"us1": us1, "ur1": ur1, "us2": us2})
     assert many.status.shape == (2, 4)

@@ -4,19 +4,15 @@ Masses that stick at the end of a cycle begin the next one at the belt's velocit
 the second one loose then leaves its limit with no speed, and only its curvature tells where to.
 """
 
-from __future__ import annotations
-
 import random
 from fractions import Fraction
 from functools import cache
-from typing import Any
 
 import pytest
 
 import nonsmooth as ns
 from nonsmooth.runtime.checker.orbits.points import JudgedOrbit
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.certified import content_of, told_at
 
 STICK = "dry-friction/global-stick"
@@ -27,18 +23,18 @@ TOGETHER = [
 ]  # fmt: skip
 
 
-def stick(**values: object) -> Orbit:
+def stick(**values):
     """The paper's orbit with both masses at rest on the belt, over the friction of the second."""
     return ns.solve(STICK, {"us1": 1, "us2": "0.8", **values}, digits=30)
 
 
 @cache
-def found() -> Any:
+def found():
     """A curve on which three conditions change."""
     return ns.certify.box(ns.solve(STICK, {"us1": 1, "us2": "0.76"}), BOX)
 
 
-def borders(v: str) -> float:
+def borders(v):
     """us2 on the curve: what holds the second mass at rest is chi (x1 - x2), which is z1 - z2."""
     orbit = stick(V=v)
     z1, z2 = (orbit.unknowns[name] for name in ("z10", "z20"))
@@ -46,7 +42,7 @@ def borders(v: str) -> float:
 
 
 @pytest.mark.slow
-def test_one_curve_decides_all() -> None:
+def test_one_curve_decides_all():
     assert found().decided == 1
     assert [region.verdict for region in found().regions] == ["stable", "not admissible"]
     (curve,) = found().curves
@@ -55,11 +51,11 @@ def test_one_curve_decides_all() -> None:
 
 
 @pytest.mark.parametrize("v", ["0.96", "0.98", "1.02", "1.04"])
-def test_the_curve_is_where_the_force_reaches_its_limit(v: str) -> None:
+def test_the_curve_is_where_the_force_reaches_its_limit(v):
     assert told_at(found(), {"V": Fraction(v), "us2": Fraction(borders(v))}) == ""
 
 
-def test_points_of_the_plane_are_as_it_tells() -> None:
+def test_points_of_the_plane_are_as_it_tells():
     rng, seen = random.Random(7), set()
     for _ in range(12):
         at = {"V": Fraction(rng.uniform(0.95, 1.05)), "us2": Fraction(rng.uniform(0.7, 0.8))}
@@ -72,7 +68,7 @@ def test_points_of_the_plane_are_as_it_tells() -> None:
 
 
 @pytest.mark.parametrize("name", [STICK, "dry-friction/symmetric"])
-def test_derivatives_that_are_passed_over_are_zero(name: str) -> None:
+def test_derivatives_that_are_passed_over_are_zero(name):
     given = {"us1": 1, "us2": 1} if name == STICK else {}
     judged = JudgedOrbit(content_of(ns.certify(ns.solve(name, given))))
     assert judged.existence.claim == "proved"

@@ -7,7 +7,6 @@ import math
 from dataclasses import replace
 from functools import cache
 from itertools import product
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -19,7 +18,7 @@ from flint import arb, arb_mat
 
 import nonsmooth as ns
 from nonsmooth import InputError
-from nonsmooth.derive import SecondOrder, System, Transition
+from nonsmooth.derive import SecondOrder, Transition
 from nonsmooth.runtime.checker.counting.census import Counting
 from nonsmooth.runtime.checker.counting.contraction import (
     Linear,
@@ -44,14 +43,14 @@ COUNT = "certify", "all"
 TWO = [("slip-slip", "second-reaches-belt"), ("slip-stick", "second-breaks-forward")]
 
 
-def times(census: Any) -> np.ndarray:
+def times(census):
     """Certified dwell times, an orbit in each row."""
     certificates = [orbit.certificate for orbit in census.orbits]
     assert all(c is not None for c in certificates)
     return np.array([[float(c.enclosures[n]) for n in c.dwell_names] for c in certificates if c])
 
 
-def over(centre: Any, slopes: list[Any], sides: Any, largest: float = 0.0) -> Linear:
+def over(centre, slopes, sides, largest=0.0):
     """Equations with an enclosure by the mean value theorem."""
     pairs = zip(balls_of(sides), middles_of(sides), strict=True)
     found, offsets = centre, [ball - middle for ball, middle in pairs]
@@ -60,7 +59,7 @@ def over(centre: Any, slopes: list[Any], sides: Any, largest: float = 0.0) -> Li
     return Linear(centre, tuple(slopes), found, offsets, arb(largest))
 
 
-def test_a_root_is_unique_only_inside_the_very_numbers_of_a_box() -> None:
+def test_a_root_is_unique_only_inside_the_very_numbers_of_a_box():
     """Not in the balls around its sides, which are wider by roundings."""
     random, seen = np.random.default_rng(2), set()
     for _ in range(40):
@@ -94,7 +93,7 @@ class Line:
         return over(centre, [arb_mat([[1, -1], [0, 1]])], sides, 1.0)
 
 
-def test_a_root_that_is_a_little_too_large_is_not_polished_away() -> None:
+def test_a_root_that_is_a_little_too_large_is_not_polished_away():
     """It keeps the coordinate that it has: neither another box nor one that is asked for."""
     equations: Any = Line("1.00001")
     with flint_precision(64):
@@ -112,7 +111,7 @@ def test_a_root_that_is_a_little_too_large_is_not_polished_away() -> None:
         assert side[0] <= 0 <= side[1] < side[0] + 1e-12
 
 
-def test_of_two_roots_that_may_be_one_the_surer_is_kept() -> None:
+def test_of_two_roots_that_may_be_one_the_surer_is_kept():
     """With more equations than unknowns the one in whose box the other lies may exist alone."""
     small = SimpleNamespace(sides=((0.1, 0.2),), unique=((0.05, 0.25),))
     large = SimpleNamespace(sides=((0.3, 0.4),), unique=((0.0, 0.5),))
@@ -125,7 +124,7 @@ def test_of_two_roots_that_may_be_one_the_surer_is_kept() -> None:
 
 
 @pytest.mark.slow
-def test_all_orbits_of_the_paper_in_a_box() -> None:
+def test_all_orbits_of_the_paper_in_a_box():
     """And those of them whose last dwell time, which follows, is bounded too."""
     told: list[float] = []
     box: dict[str, Any] = {"tau": 3, "tau1": 10}
@@ -143,7 +142,7 @@ def test_all_orbits_of_the_paper_in_a_box() -> None:
     np.testing.assert_allclose(times(bounded), [inside], atol=1e-12)
 
 
-def test_its_four_dwell_times_give_the_same_orbit() -> None:
+def test_its_four_dwell_times_give_the_same_orbit():
     orbit = ns.solve(STICK)
     box = {"tau1": (1, "1.1"), "tau2": ("1.9", "2.1"), "tau3": ("1.4", "1.6"), "tau4": (3, "3.5")}
     census = ns.certify.all("dry-friction", DATA, box, itinerary=orbit.itinerary)
@@ -152,7 +151,7 @@ def test_its_four_dwell_times_give_the_same_orbit() -> None:
     assert census.admissible == 1
 
 
-def test_a_kicked_mass_has_an_orbit_for_each_pair_of_half_turns() -> None:
+def test_a_kicked_mass_has_an_orbit_for_each_pair_of_half_turns():
     # v returns after m half turns on the right and n on the left, whatever m and n are
     values = {"k": 9, "r": "1/3", "a": 10}
     box = {"tau1": "2.5", "tau2": "4"}  # half turns take pi/3 and pi/2
@@ -167,7 +166,7 @@ def test_a_kicked_mass_has_an_orbit_for_each_pair_of_half_turns() -> None:
     assert (rough.count, rough.admissible) == (4, 1)
 
 
-def test_an_orbit_counts_once_wherever_it_begins() -> None:
+def test_an_orbit_counts_once_wherever_it_begins():
     # half turns on the right take pi/3, m1 and m2 of them, those on the left pi/2, one each:
     # (1, 2) and (2, 1) are one orbit, (1, 1) and (2, 2) are orbits of half the itinerary
     box = {"tau1": (1, "2.2"), "tau2": ("1.5", "1.6"), "tau3": (1, "2.2"), "tau4": ("1.5", "1.6")}
@@ -179,7 +178,7 @@ def test_an_orbit_counts_once_wherever_it_begins() -> None:
     assert "repeat themselves" in census.statement
 
 
-def test_the_mass_on_a_belt_turns_any_number_of_times() -> None:
+def test_the_mass_on_a_belt_turns_any_number_of_times():
     census = ns.certify.all(BELT, box={"ts": 10, "tau": 20})
     exact = [(1.2, 2 * math.pi * m - 2 * math.atan(0.3 / 0.5)) for m in (1, 2, 3)]
     assert census.decided
@@ -192,7 +191,7 @@ def test_the_mass_on_a_belt_turns_any_number_of_times() -> None:
     ("stick", "count", "undecided"),
     [((1, 2), 1, 0), (("1.2", 2), 0, 1), (("1.20000001", 2), 0, 0), ((1, "1.2"), 0, 1)],
 )
-def test_a_solution_on_the_edge_is_never_counted(stick: Any, count: int, undecided: int) -> None:
+def test_a_solution_on_the_edge_is_never_counted(stick, count, undecided):
     census = ns.certify.all(BELT, box={"ts": stick, "tau": (4, 6)})
     assert (census.count, len(census.undecided)) == (count, undecided)
     for box in census.undecided:
@@ -201,7 +200,7 @@ def test_a_solution_on_the_edge_is_never_counted(stick: Any, count: int, undecid
         assert low <= 2 * math.pi - 2 * math.atan(0.3 / 0.5) <= high
 
 
-def test_phases_of_no_time_are_told_apart_by_the_default_bound_only() -> None:
+def test_phases_of_no_time_are_told_apart_by_the_default_bound_only():
     # after a whole turn it slips again at once: a solution with ts = 0 at tau = 2 pi
     whole = ns.certify.all(BELT, box={"ts": (0, 10), "tau": (6, 7)})
     assert whole.count == 0
@@ -211,7 +210,7 @@ def test_phases_of_no_time_are_told_apart_by_the_default_bound_only() -> None:
 
 
 @pytest.mark.parametrize("sigma", ["0", "0.3", "-0.7", "4"])
-def test_an_impact_oscillator_has_two_orbits_of_each_period_or_none(sigma: str) -> None:
+def test_an_impact_oscillator_has_two_orbits_of_each_period_or_none(sigma):
     census = ns.certify.all(IMPACT, {"sigma": sigma}, {"T": 13})
     exact = [(k, u) for k in range(1, 5) for u in velocities(float(sigma), 0.8, k)]
     assert census.decided
@@ -225,7 +224,7 @@ def test_an_impact_oscillator_has_two_orbits_of_each_period_or_none(sigma: str) 
     assert np.allclose(found, [(k, float(u)) for k, u in exact], atol=1e-10)
 
 
-def test_where_two_orbits_meet_nothing_is_counted() -> None:
+def test_where_two_orbits_meet_nothing_is_counted():
     with mpmath.workdps(40):
         fold, shift = -fold_at(mpmath.mpf("0.8")), mpmath.mpf("1e-6")
         below, at, above = (
@@ -239,7 +238,7 @@ def test_where_two_orbits_meet_nothing_is_counted() -> None:
     assert "singular" in box.reason
 
 
-def drawn(seed: int) -> tuple[System, Any]:
+def drawn(seed):
     """A mass between two springs of random numbers, kicked where it rises; and its numbers.
 
     They are a stiffness, damping and load on each side, and the kick v -> r v + a.
@@ -258,7 +257,7 @@ def drawn(seed: int) -> tuple[System, Any]:
     return system, [float(number) for number in numbers]
 
 
-def by_brute_force(numbers: Any, longest: float) -> int:
+def by_brute_force(numbers, longest):
     """How many cycles there are: Newton's method in doubles from many starts, and roots apart."""
     *sides, r, a = numbers
 
@@ -297,14 +296,14 @@ def by_brute_force(numbers: Any, longest: float) -> int:
 
 
 @pytest.mark.parametrize("seed", range(6))
-def test_small_systems_have_as_many_orbits_as_brute_force_finds(seed: int) -> None:
+def test_small_systems_have_as_many_orbits_as_brute_force_finds(seed):
     system, numbers = drawn(seed)
     census = ns.certify.all(system, {}, {"tau1": 6, "tau2": 6}, itinerary=LOOP)
     assert census.decided
     assert census.count == by_brute_force(numbers, 6.0)
 
 
-def test_conservative_orbits_are_counted_at_their_period() -> None:
+def test_conservative_orbits_are_counted_at_their_period():
     census = ns.certify.all("elastic-stop/one-contact", box={"tau": 10, "tau1": 10})
     orbit = ns.solve("elastic-stop/one-contact")
     assert census.decided
@@ -313,14 +312,14 @@ def test_conservative_orbits_are_counted_at_their_period() -> None:
     assert ns.certify.all("rigid-stop/one-impact", box={"T": 6}).count == 0
 
 
-def equations_of(census: Any) -> Any:
+def equations_of(census):
     """The equations that the file of a census states."""
     content = content_of(census)
     (found,) = Counting(content).within(content["box"]).equations
     return found
 
 
-def test_doubles_around_a_ball_hold_it() -> None:
+def test_doubles_around_a_ball_hold_it():
     """A ball of many digits, narrower than doubles are apart."""
     with flint_precision(200):
         for number in (arb(k) / 7 for k in range(-20, 21)):
@@ -328,7 +327,7 @@ def test_doubles_around_a_ball_hold_it() -> None:
             assert low < number < high
 
 
-def test_equations_over_boxes_enclose_those_at_points() -> None:
+def test_equations_over_boxes_enclose_those_at_points():
     """By slopes from the middle, and between any two points; and the states at all starts."""
     random = np.random.default_rng(7)
     two = ns.certify.all("dry-friction", DATA, {"tau1": 9, "tau2": 9}, itinerary=TWO, limit=1)
@@ -368,12 +367,12 @@ def test_equations_over_boxes_enclose_those_at_points() -> None:
                     assert touch(starts[k], state)
 
 
-def touch(wide: Any, narrow: Any) -> bool:
+def touch(wide, narrow):
     """Whether the balls of two matrices overlap."""
     return all(x.overlaps(y) for x, y in zip(wide.entries(), narrow.entries(), strict=True))
 
 
-def test_too_few_boxes_leave_the_rest_undecided() -> None:
+def test_too_few_boxes_leave_the_rest_undecided():
     census = ns.certify.all(STICK, box={"tau": 12, "tau1": 20}, limit=500)
     assert census.looked == 500
     assert not census.decided
@@ -381,7 +380,7 @@ def test_too_few_boxes_leave_the_rest_undecided() -> None:
     assert "at least" in census.statement
 
 
-def test_an_orbit_without_a_certificate_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_orbit_without_a_certificate_is_told(capsys):
     census = ns.certify.all(BELT, box={"ts": 10, "tau": 8})
     (orbit,) = census.orbits
     bare = replace(census, orbits=(replace(orbit, certificate=None, reason="no reason"),))
@@ -410,12 +409,12 @@ def test_an_orbit_without_a_certificate_is_told(capsys: pytest.CaptureFixture[st
          "keeps its energy"),
     ],
 )  # fmt: skip
-def test_wrong_input_is_refused_by_name(arguments: Any, options: Any, culprit: str) -> None:
+def test_wrong_input_is_refused_by_name(arguments, options, culprit):
     with pytest.raises(InputError, match=culprit):
         ns.certify.all(*arguments, **options)
 
 
-def test_the_command_counts_and_tells(tmp_path: Path) -> None:
+def test_the_command_counts_and_tells(tmp_path):
     path = tmp_path / "census.json"
     code, out, err = run(*COUNT, STICK, "tau=:3", "tau1=0:3", "--json", "--save", str(path))
     assert (code, err) == (0, "")
@@ -441,13 +440,13 @@ def test_the_command_counts_and_tells(tmp_path: Path) -> None:
         (("tau=0:", "tau1=0:3"), "tau has no upper bound"),
     ],
 )
-def test_the_command_refuses_wrong_bounds(arguments: tuple[str, ...], culprit: str) -> None:
+def test_the_command_refuses_wrong_bounds(arguments, culprit):
     code, _, err = run(*COUNT, STICK, *arguments)
     assert code == 2
     assert culprit in err
 
 
-def searched() -> Any:
+def searched():
     return ns.certify.all(STICK, box={"tau": ("1.5", 3), "tau1": (1, 3), "tau2": (3, 4)})
 
 
@@ -455,12 +454,12 @@ SEARCHING = ("certify_all.py", "covering.py", "census.py"), {"follow", "certify_
 
 
 @cache
-def whole() -> tuple[int, Any]:
+def whole():
     return interrupted(searched, *SEARCHING)
 
 
 @pytest.mark.parametrize("share", [0.0, 0.01, 0.3, 0.9, 0.98, 0.99, 0.995, 0.999])
-def test_an_interrupted_census_loses_no_orbit(share: float) -> None:
+def test_an_interrupted_census_loses_no_orbit(share):
     lines, found = whole()
     _, partial = interrupted(searched, *SEARCHING, share * lines)
     assert found.decided

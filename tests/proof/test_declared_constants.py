@@ -1,11 +1,7 @@
 """Constants of a declaration are exact: as parameters of the same values, in every arithmetic."""
 
-from __future__ import annotations
-
 import random
 import re
-from pathlib import Path
-from typing import Any
 
 import mpmath
 import numpy as np
@@ -13,7 +9,7 @@ import pytest
 import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth.derive import Friction, Harmonic, Itinerary, Parameter, RigidStop, System, oscillator
+from nonsmooth.derive import Friction, Harmonic, Itinerary, Parameter, RigidStop, oscillator
 from nonsmooth.derive.codegen.emit import emit_system
 from nonsmooth.derive.declaration.real_numbers import number_text
 from nonsmooth.runtime.core.values import parse
@@ -29,7 +25,7 @@ POOL = [
 BALANCE = {"k": 1.5, "d": 0.1, "w": 2.5, "f": 1.2, "gap": 0.1, "r": 0.7}
 
 
-def drawn(rng: random.Random) -> dict[str, Any]:
+def drawn(rng):
     """Constants of a forced oscillator near a stop, each about as large as it should be."""
     found = {}
     for name, size in BALANCE.items():
@@ -39,7 +35,7 @@ def drawn(rng: random.Random) -> dict[str, Any]:
     return found
 
 
-def stopped(numbers: dict[str, Any], parameters: Any = ()) -> System:
+def stopped(numbers, parameters=()):
     return oscillator(
         "stopped",
         ["x"],
@@ -52,7 +48,7 @@ def stopped(numbers: dict[str, Any], parameters: Any = ()) -> System:
     )
 
 
-def both(constants: dict[str, Any], left: tuple[str, ...] = ()) -> tuple[System, System, Any]:
+def both(constants, left=()):
     """A system with constants, the same with parameters, and texts of their values."""
     lower = {"gap": -sp.oo}
     parameters = {name: Parameter(name, name, lower=lower.get(name, 0)) for name in constants}
@@ -65,13 +61,13 @@ def both(constants: dict[str, Any], left: tuple[str, ...] = ()) -> tuple[System,
     return declared, stopped(symbols, list(parameters.values())), texts
 
 
-def decimal(text: str) -> str:
+def decimal(text):
     return str(mpmath.nstr(parse(text).mpf(75), 70))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", [0, 1, 2])
-def test_constants_are_parameters_of_their_values(seed: int, tmp_path: Path) -> None:
+def test_constants_are_parameters_of_their_values(seed, tmp_path):
     declared, over, texts = both(drawn(random.Random(seed)))
     decimals = {name: decimal(text) for name, text in texts.items()}
     one, two = piecewise(declared, {}), piecewise(over, texts)
@@ -100,7 +96,7 @@ def test_constants_are_parameters_of_their_values(seed: int, tmp_path: Path) -> 
         assert ball.ball.overlaps(proofs[1].enclosures[name].ball)
 
 
-def test_constants_beside_parameters_of_a_box() -> None:
+def test_constants_beside_parameters_of_a_box():
     numbers = {
         "k": sp.Rational(7, 5), "d": 1 / (10 * sp.sqrt(3)), "w": sp.pi, "f": sp.cbrt(2),
         "gap": sp.cos(sp.pi / 7) - 1, "r": sp.GoldenRatio / 2,
@@ -120,7 +116,7 @@ def test_constants_beside_parameters_of_a_box() -> None:
     assert maps[0].shares["proved"] == 1
 
 
-def test_what_roots_make_zero_is_zero() -> None:
+def test_what_roots_make_zero_is_zero():
     """A belt along an edge of sqrt(3)/2 and 1/2: behind a slip the mass moves with it, exactly."""
     edge = {"x": sp.sqrt(3) / 2, "y": sp.Rational(1, 2)}
     system = oscillator(
@@ -133,7 +129,7 @@ def test_what_roots_make_zero_is_zero() -> None:
     believed(content_of(proof))
 
 
-def test_kernels_and_documents_hold_the_numbers() -> None:
+def test_kernels_and_documents_hold_the_numbers():
     belt = oscillator(
         "belt", ["x"], [[sp.sqrt(2)]], [[sp.pi]],
         elements=[Friction("x", sp.sqrt(3) / 2, sp.sqrt(3), sp.GoldenRatio / 2, name="belt")],

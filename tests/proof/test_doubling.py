@@ -1,7 +1,6 @@
 """Beyond a flip: the side and verdict of doubled orbits, against differences and the integrator."""
 
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -22,17 +21,17 @@ pytestmark = pytest.mark.compiled  # much slower without it
 
 
 @pytest.fixture(scope="module")
-def branch() -> Any:
+def branch():
     return ns.continue_orbit(ns.solve("dry-friction/symmetric", {"V": "1.08"}), "V", (1.07, 1.09))
 
 
 @pytest.fixture(scope="module")
-def found(branch: Any) -> Any:
+def found(branch):
     return ns.certify.doubling(branch, tiles=3)
 
 
 @pytest.mark.slow
-def test_the_papers_flip_is_subcritical(found: Any) -> None:
+def test_the_papers_flip_is_subcritical(found):
     doubling = found.doubled
     assert doubling is not None
     assert found.claims == {"doubling": "proved"}
@@ -45,7 +44,7 @@ def test_the_papers_flip_is_subcritical(found: Any) -> None:
 
 
 @pytest.mark.slow
-def test_doubled_orbits_by_newton_are_where_the_rate_says(branch: Any, found: Any) -> None:
+def test_doubled_orbits_by_newton_are_where_the_rate_says(branch, found):
     """In floating point: V - V0 over a^2 tends to the rate, and the multiplier passes 1."""
     doubling = found.doubled
     event = next(event for event in branch.events if event.kind == "flip")
@@ -67,8 +66,8 @@ def test_doubled_orbits_by_newton_are_where_the_rate_says(branch: Any, found: An
 
 
 def test_motions_leave_the_unstable_doubled_orbit_and_settle_on_the_stable_one(
-    found: Any,
-) -> None:
+    found,
+):
     """Just above the flip the orbit is stable; inside the doubled ones motions return to it."""
     orbit = ns.solve("dry-friction/symmetric", {"V": "1.083"})
     tables = orbit.problem.by_tables(orbit, {"us1": 1, "us2": 1})
@@ -83,9 +82,7 @@ def test_motions_leave_the_unstable_doubled_orbit_and_settle_on_the_stable_one(
 
 
 @pytest.mark.parametrize("place", [0, 0.25])
-def test_derivatives_of_the_doubled_equations_are_those_of_differences(
-    found: Any, place: float
-) -> None:
+def test_derivatives_of_the_doubled_equations_are_those_of_differences(found, place):
     """At the flip, and a quarter of the way to the largest amplitude."""
     doubled = content_of(found)["doubled"]
     curve = curve_of(content_of(found.branch))
@@ -109,8 +106,8 @@ def test_derivatives_of_the_doubled_equations_are_those_of_differences(
 
 @pytest.mark.slow
 def test_time_and_an_interruption_along_the_doubled_branch_keep_what_is_proved(
-    branch: Any, found: Any, tmp_path: Path
-) -> None:
+    branch, found, tmp_path
+):
     short = ns.certify.doubling(branch, tiles=3, seconds=1e-6)
     assert (short.ended, short.claims) == ("unfinished", {"doubling": "undecided"})
     assert "s that were given are over" in short.end
@@ -135,7 +132,7 @@ def test_time_and_an_interruption_along_the_doubled_branch_keep_what_is_proved(
     assert len(whole.doubled.branch.tiles) > len(part.doubled.branch.tiles)
 
 
-def test_an_interval_that_does_not_reach_the_flip_has_none(branch: Any) -> None:
+def test_an_interval_that_does_not_reach_the_flip_has_none(branch):
     event = next(event for event in branch.events if event.kind == "flip")
     begun = float(branch.parameter_values[round(event.place)])
     between = (begun + event.value) / 2
@@ -145,7 +142,7 @@ def test_an_interval_that_does_not_reach_the_flip_has_none(branch: Any) -> None:
     assert (found.flip, found.kind, found.claims) == (None, "", {"doubling": "undecided"})
 
 
-def test_it_is_drawn_with_the_branch_and_beside_the_flip(found: Any) -> None:
+def test_it_is_drawn_with_the_branch_and_beside_the_flip(found):
     pytest.importorskip("matplotlib")
     (axes,) = found.plot().axes
     assert axes.get_title(loc="left") == "dry-friction/symmetric"
@@ -166,7 +163,7 @@ def test_it_is_drawn_with_the_branch_and_beside_the_flip(found: Any) -> None:
         {"resume": "found", "interval": ("1", "1.1")},
     ],
 )
-def test_wrong_questions_are_refused(branch: Any, found: Any, words: dict[str, Any]) -> None:
+def test_wrong_questions_are_refused(branch, found, words):
     words = {name: found if value == "found" else value for name, value in words.items()}
     with pytest.raises(InputError):
         ns.certify.doubling(branch, **words)
@@ -175,7 +172,7 @@ def test_wrong_questions_are_refused(branch: Any, found: Any, words: dict[str, A
 
 
 @pytest.mark.slow
-def test_each_of_two_doublings_of_impacts_is_asked_for_by_itself(tmp_path: Path) -> None:
+def test_each_of_two_doublings_of_impacts_is_asked_for_by_itself(tmp_path):
     """The first flip in closed form; the second on the branch to which the first one leads."""
     branch = ns.continue_orbit(impacts.orbit(-0.05), "sigma", (-0.1, -0.032))
     flips: list[float] = []

@@ -21,38 +21,38 @@ MAPS: dict[str, Callable[[], Any]] = {
 }
 
 
-def event_in(content: dict[str, Any]) -> dict[str, Any]:
+def event_in(content):
     """The event of the largest tile that a curve passes near its middle."""
     tiles = [t for t in content["tiles"] if t["event"] and abs(t["event"]["centre"][0]) < 0.9]
     found: dict[str, Any] = min(tiles, key=lambda t: sum(level for _, level in t["place"]))["event"]
     return found
 
 
-def exchanged(event: dict[str, Any]) -> None:
+def exchanged(event):
     event["below"], event["above"] = event["above"], event["below"]
 
 
-def moved(event: dict[str, Any], away: float = 1e-3) -> None:
+def moved(event, away=1e-3):
     event["centre"][0] += away
 
 
-def wide(event: dict[str, Any]) -> None:
+def wide(event):
     """All that is stated of both sides is true, but regions would end at the wrong curve."""
     moved(event, 0.01)
     event["radius"] = 0.02
 
 
-def own(event: dict[str, Any], verdict: str) -> None:
+def own(event, verdict):
     side = "below" if event["above"] == BEYOND else "above"
     event[side] = verdict
 
 
-def other_sheet(event: dict[str, Any]) -> None:
+def other_sheet(event):
     sheet = event["fold"]["sheet"]
     event["fold"]["sheet"] = "below" if sheet == "above" else "above"
 
 
-def both_exchanged(event: dict[str, Any]) -> None:
+def both_exchanged(event):
     """The verdicts are those of the orbits, but the map's own orbit is another one."""
     other_sheet(event)
     own(event, "unstable")
@@ -150,9 +150,7 @@ CASES = [
         for name, *case in CASES
     ],
 )
-def test_false_curves_are_refused(
-    kind: str, change: Callable[[dict[str, Any]], object], told: str
-) -> None:
+def test_false_curves_are_refused(kind, change, told):
     content = content_of(MAPS[kind]())
     change(event_in(content))
     refused(content, told)
@@ -161,7 +159,7 @@ def test_false_curves_are_refused(
 @pytest.mark.parametrize(
     "kind", [pytest.param(k, marks=[pytest.mark.slow] * (k not in SOON)) for k in MAPS]
 )
-def test_true_curves_pass_and_a_wider_band_is_true(kind: str) -> None:
+def test_true_curves_pass_and_a_wider_band_is_true(kind):
     content = content_of(MAPS[kind]())
     believed(content)
     event_in(content)["radius"] *= 2
@@ -169,7 +167,7 @@ def test_true_curves_pass_and_a_wider_band_is_true(kind: str) -> None:
 
 
 @pytest.mark.slow
-def test_the_other_orbit_is_not_that_of_the_tiles_beside_it() -> None:
+def test_the_other_orbit_is_not_that_of_the_tiles_beside_it():
     content = content_of(test_fold_curves.folded())
     both_exchanged(event_in(content))
     refused(content, "not that of a tile beside it")

@@ -1,13 +1,9 @@
 """Fold curves of maps of two parameters: two orbits on one side, none on the other."""
 
-from __future__ import annotations
-
 import math
 import random
 from fractions import Fraction
 from functools import cache
-from pathlib import Path
-from typing import Any
 
 import mpmath
 import pytest
@@ -15,7 +11,6 @@ import sympy as sp
 
 import nonsmooth as ns
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
-from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.certified import accepted, content_of, random_points, refused, told_at
 
 BEYOND = "beyond a fold"
@@ -26,7 +21,7 @@ SMALL = {"sigma": ("-1.26", "-1.21"), "r": ("0.795", "0.805")}  # one tile
 
 
 @cache
-def system() -> Any:
+def system():
     """A mass that strikes a rigid stop once in each period of the forcing.
 
     Its impact velocities U solve a quadratic equation (docs/gallery/impact_oscillator.py).
@@ -44,7 +39,7 @@ def system() -> Any:
 
 
 @cache
-def orbit(stable: bool) -> Orbit:
+def orbit(stable):
     """One of the two orbits beside the fold."""
     data = {"r": "0.8", "sigma": "-1.225", "w": "2.4"}
     speeds = [float(u) for u in velocities(mpmath.mpf(-1.225), mpmath.mpf(0.8))]
@@ -59,12 +54,12 @@ def orbit(stable: bool) -> Orbit:
 
 
 @cache
-def folded() -> Any:
+def folded():
     """The stable orbit's map."""
     return ns.certify.box(orbit(True), BOX)
 
 
-def velocities(sigma: Any, r: Any, periods: int = 1) -> list[Any]:
+def velocities(sigma, r, periods=1):
     """The velocities of one impact in so many periods, the smaller first: two, or none."""
     w = mpmath.mpf(W.numerator) / W.denominator
     c, g = mpmath.cot(mpmath.pi * periods / w), 1 / (1 - w * w)
@@ -74,7 +69,7 @@ def velocities(sigma: Any, r: Any, periods: int = 1) -> list[Any]:
     return [] if root < 0 else [-half - mpmath.sqrt(root), -half + mpmath.sqrt(root)]
 
 
-def is_stable(speed: Any, sigma: Any, r: Any) -> bool:
+def is_stable(speed, sigma, r):
     """By trace and determinant of the closed form."""
     w = mpmath.mpf(W.numerator) / W.denominator
     period, g = 2 * mpmath.pi / w, 1 / (1 - w * w)
@@ -84,23 +79,23 @@ def is_stable(speed: Any, sigma: Any, r: Any) -> bool:
     return abs(trace) < 1 + r * r < 2
 
 
-def fold_at(r: Any) -> Any:
+def fold_at(r):
     """Where the two orbits meet."""
     w = mpmath.mpf(W.numerator) / W.denominator
     c, g = mpmath.cot(mpmath.pi / w), 1 / (1 - w * w)
     return g * mpmath.sqrt(1 + (w * c * (1 + r) / (1 - r)) ** 2)
 
 
-def number(x: Fraction) -> Any:
+def number(x):
     return mpmath.mpf(x.numerator) / x.denominator
 
 
-def folds(found: Any) -> list[Any]:
+def folds(found):
     return [tile for tile in found.tiles if tile.event is not None and tile.event.fold is not None]
 
 
 @pytest.mark.slow
-def test_a_box_with_a_fold_is_decided() -> None:
+def test_a_box_with_a_fold_is_decided():
     found = folded()
     assert sorted(region.verdict for region in found.regions) == [BEYOND, "stable"]
     assert sum(region.share for region in found.regions) == pytest.approx(1, abs=1e-6)
@@ -116,7 +111,7 @@ def test_a_box_with_a_fold_is_decided() -> None:
     assert told["sheets"] == {"own": "stable", "other": "unstable"}
 
 
-def test_the_curve_is_that_of_the_closed_form_to_forty_digits() -> None:
+def test_the_curve_is_that_of_the_closed_form_to_forty_digits():
     for k in range(20):
         r = Fraction(761 + 4 * k, 1000)
         with mpmath.workdps(50):
@@ -124,7 +119,7 @@ def test_the_curve_is_that_of_the_closed_form_to_forty_digits() -> None:
         assert told_at(folded(), {"sigma": sigma, "r": r}) == ""
 
 
-def test_random_points_have_two_orbits_with_their_verdicts_or_none() -> None:
+def test_random_points_have_two_orbits_with_their_verdicts_or_none():
     seen = set()
     for point in random_points(folded(), 3, 6):
         event, stated = folded().tile_at(point).event, told_at(folded(), point)
@@ -139,7 +134,7 @@ def test_random_points_have_two_orbits_with_their_verdicts_or_none() -> None:
 
 
 @pytest.mark.slow
-def test_the_other_orbit_has_the_same_curve_and_the_other_verdict() -> None:
+def test_the_other_orbit_has_the_same_curve_and_the_other_verdict():
     found = ns.certify.box(orbit(False), {"sigma": ("-1.24", "-1.22"), "r": ("0.799", "0.801")})
     assert [region.verdict for region in found.regions] in (
         ["unstable", BEYOND],
@@ -153,14 +148,14 @@ def test_the_other_orbit_has_the_same_curve_and_the_other_verdict() -> None:
 
 
 @cache
-def small() -> Any:
+def small():
     """A part of that map, so that checks are fast."""
     return ns.certify.box(orbit(True), SMALL)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(3))
-def test_what_is_stated_beside_folds_is_accepted(seed: int, tmp_path: Path) -> None:
+def test_what_is_stated_beside_folds_is_accepted(seed, tmp_path):
     drawn = random.Random(seed)
     sides = [Fraction(drawn.randint(1, 40), 1000) for _ in range(4)]
     box = {
@@ -172,7 +167,7 @@ def test_what_is_stated_beside_folds_is_accepted(seed: int, tmp_path: Path) -> N
     accepted(found, tmp_path)
 
 
-def test_a_region_beyond_is_not_stated_wider() -> None:
+def test_a_region_beyond_is_not_stated_wider():
     """Without a fold on its border what is behind it is undecided, and may not count as known."""
     found = content_of(folded())
     tile = next(t for t in found["tiles"] if t["event"])

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
-from pathlib import Path
-from typing import Any
 
 import pytest
 import sympy as sp
@@ -22,7 +20,7 @@ from nonsmooth.derive import (
 )
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.model.kernels import SystemKernels, load_system
+from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.certified import (
     LOOP,
@@ -40,14 +38,14 @@ BUILT_IN = (STICK, "dry-friction/symmetric", "rigid-stop/one-impact", "elastic-s
 DIGITS = 45
 
 
-def about(enclosure: Any, number: Any) -> bool:
+def about(enclosure, number):
     """Whether it contains a number of so many digits, with the error that this has."""
     with flint_precision(400):
         error = exact_ball(10.0 ** (5 - DIGITS)) * (1 + abs(exact_ball(number)))
         return bool(abs(enclosure.ball - exact_ball(number)).lower() <= error)
 
 
-def agrees(found: Any, orbit: Orbit) -> None:
+def agrees(found, orbit):
     """Every derivative that is enclosed is that of the orbit in many digits."""
     sharp = ns.refine(orbit, DIGITS).derivatives(tuple(found.directions))
     rates = {"period": sharp.period, "trace": sharp.trace}
@@ -73,7 +71,7 @@ def agrees(found: Any, orbit: Orbit) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("bits", [53, 64, 300, 1000])
-def test_every_precision_is_proved_again(bits: int, tmp_path: Path) -> None:
+def test_every_precision_is_proved_again(bits, tmp_path):
     for name in BUILT_IN:
         found = ns.certify(ns.solve(name), bits, derivatives=True)
         accepted(found, tmp_path)
@@ -88,7 +86,7 @@ def test_every_precision_is_proved_again(bits: int, tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", BUILT_IN)
-def test_differences_of_refined_orbits(name: str) -> None:
+def test_differences_of_refined_orbits(name):
     """Starts too: they are in the system's coordinates, at parameters that were chosen."""
     orbit = ns.solve(name)
     found = ns.certify(orbit, derivatives=True)
@@ -129,7 +127,7 @@ IRRATIONAL: dict[str, Callable[[], Orbit]] = {
         "beam.py:one-contact",
     ],
 )
-def test_derivatives_are_those_of_many_digits(name: str, tmp_path: Path) -> None:
+def test_derivatives_are_those_of_many_digits(name, tmp_path):
     if name in IRRATIONAL:
         orbit = IRRATIONAL[name]()
     else:
@@ -144,7 +142,7 @@ def test_derivatives_are_those_of_many_digits(name: str, tmp_path: Path) -> None
     assert again.to_json()["derivatives"] == found.to_json()["derivatives"]
 
 
-def test_closed_forms() -> None:
+def test_closed_forms():
     # tau1 = pi/sqrt(k), v0 = 1/(1 - r), and r is the multiplier and the trace
     found = ns.certify(loop(k="9/4", r="1/3"), derivatives=("k", "r")).derivatives
     assert found["trace"]["r"].contains("1")
@@ -157,7 +155,7 @@ def test_closed_forms() -> None:
         assert float(found["period"]["k"]) == pytest.approx(float(found["tau1"]["k"]), rel=1e-15)
 
 
-def _damped() -> SystemKernels:
+def _damped():
     """Conservative at c = 0 alone; its period changes with the energy."""
     x, v = sp.symbols("x v", real=True)
     c = Parameter("c", "damping", lower="-1/2", upper="1/2")
@@ -175,14 +173,14 @@ def _damped() -> SystemKernels:
     )  # fmt: skip
 
 
-def damped_at_zero() -> Orbit:
+def damped_at_zero():
     """One of its family of orbits."""
     motion = ns.simulate(_damped(), {"c": "0"}, [0.0, 2.0], transitions=6)
     itinerary = ns.itinerary_of(motion)
     return ns.solve(_damped(), {"c": "0"}, itinerary=itinerary, given={"period": "4.8"})
 
 
-def test_what_is_conservative_at_one_point_alone_has_no_derivative() -> None:
+def test_what_is_conservative_at_one_point_alone_has_no_derivative():
     found = ns.certify(damped_at_zero(), derivatives=True)
     assert found.no_derivatives.keys() == {"c"}
     assert "no energy was found" in found.no_derivatives["c"]
@@ -204,7 +202,7 @@ def test_what_is_conservative_at_one_point_alone_has_no_derivative() -> None:
         ),
     ],
 )
-def test_why_there_is_no_derivative(orbit: Any, by: str, told: str, tmp_path: Path) -> None:
+def test_why_there_is_no_derivative(orbit, by, told, tmp_path):
     found = ns.certify(orbit(), derivatives=by)
     assert not found.derivatives
     assert not found.directions
@@ -214,7 +212,7 @@ def test_why_there_is_no_derivative(orbit: Any, by: str, told: str, tmp_path: Pa
     assert ns.load(tmp_path / "found.json").no_derivatives == found.no_derivatives
 
 
-def test_what_was_not_asked_for_is_not_there() -> None:
+def test_what_was_not_asked_for_is_not_there():
     found = ns.certify(loop())
     assert not {"derivatives", "directions", "no_derivatives"} & found.to_json().keys()
     assert "derivatives" not in content_of(found)
@@ -224,7 +222,7 @@ def test_what_was_not_asked_for_is_not_there() -> None:
         ns.certify(loop(), derivatives=[])
 
 
-def test_sums_move_what_was_left_open() -> None:
+def test_sums_move_what_was_left_open():
     assert ns.certify(ns.solve(STICK), derivatives="e1").directions == {"e1": {"ur1": 1}}
     given = ns.solve(STICK, {"us1": "1", "ur1": "4"})
     assert ns.certify(given, derivatives="e1").directions == {"e1": {"ur1": 1}}

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from fractions import Fraction
 from functools import cache
-from pathlib import Path
 from pkgutil import resolve_name
 from typing import Any
 
@@ -15,7 +13,6 @@ from flint import fmpq
 
 import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure
-from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.certified import accepted
 from tests.horseshoes import folded_horseshoe
 
@@ -24,7 +21,7 @@ PLANTED = "the checker refuses it: planted"
 
 
 @contextmanager
-def refusing(step: str, claimed: Callable[..., object] = lambda *told: True) -> Iterator[None]:
+def refusing(step, claimed=lambda *told: True):
     """Let a check refuse what is claimed, too."""
     check = resolve_name(f"nonsmooth.runtime.{step}")
 
@@ -39,20 +36,18 @@ def refusing(step: str, claimed: Callable[..., object] = lambda *told: True) -> 
 
 
 @cache
-def orbit() -> Orbit:
+def orbit():
     return ns.solve(ORBIT)
 
 
 @cache
-def branch() -> Any:
+def branch():
     return ns.continue_orbit(ns.solve(SYMMETRIC, {"V": "1.078"}), "V", (1.075, 1.085))
 
 
 @pytest.mark.parametrize("claim", ["existence", "admissibility", "stability", "derivatives"])
 @pytest.mark.parametrize("error", [Failure("planted"), ZeroDivisionError("planted")])
-def test_a_claim_of_an_orbit_that_cannot_be_judged(
-    claim: str, error: Exception, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_claim_of_an_orbit_that_cannot_be_judged(claim, error, tmp_path, monkeypatch):
     """It alone is undecided, with its reason, and all that follows from it."""
     step = {
         "existence": "stated_system", "stability": "judged_stability", "derivatives": "rates_along",
@@ -74,7 +69,7 @@ def test_a_claim_of_an_orbit_that_cannot_be_judged(
     assert accepted(found, tmp_path).claims == found.claims
 
 
-def test_an_event(tmp_path: Path) -> None:
+def test_an_event(tmp_path):
     (event,) = branch().events
     assert ns.certify.event(branch(), event).proved
     with refusing("checker.orbits.events.JudgedEvent.located"):
@@ -84,7 +79,7 @@ def test_an_event(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_a_tile_of_a_box_is_halved(tmp_path: Path) -> None:
+def test_a_tile_of_a_box_is_halved(tmp_path):
     """The check refuses the whole box, and all tiles at one of its corners."""
     with refusing(
         "checker.ranges.tiles.CheckedBox.judged", lambda _, place, *told: place[0][0] == 0
@@ -99,7 +94,7 @@ def test_a_tile_of_a_box_is_halved(tmp_path: Path) -> None:
     assert accepted(found, tmp_path).claims == found.claims
 
 
-def test_tiles_that_do_not_meet(tmp_path: Path) -> None:
+def test_tiles_that_do_not_meet(tmp_path):
     box = {"V": ("0.999", "1.001"), "eta": ("0.999", "1.001")}
     whole = refusing(
         "checker.ranges.tiles.CheckedBox.judged", lambda _, place, *told: place == ((0, 0), (0, 0))
@@ -111,7 +106,7 @@ def test_tiles_that_do_not_meet(tmp_path: Path) -> None:
     assert accepted(found, tmp_path).claims == found.claims
 
 
-def test_what_is_said_of_a_whole_box(tmp_path: Path) -> None:
+def test_what_is_said_of_a_whole_box(tmp_path):
     with refusing("proof.boxes.certify_box.check_whole", lambda content: content["enclosures"]):
         found = ns.certify.box(orbit(), {"V": ("0.999", "1.001")})
     assert found.reasons["existence"].endswith(PLANTED)
@@ -119,7 +114,7 @@ def test_what_is_said_of_a_whole_box(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_a_tile_of_a_branch_is_divided(tmp_path: Path) -> None:
+def test_a_tile_of_a_branch_is_divided(tmp_path):
     """What is stated is what the check proves, however little that can do."""
     widest = fmpq(1, 1000)
     with refusing(
@@ -132,7 +127,7 @@ def test_a_tile_of_a_branch_is_divided(tmp_path: Path) -> None:
     accepted(found, tmp_path)
 
 
-def test_a_tile_of_a_branch_that_is_not_joined(tmp_path: Path) -> None:
+def test_a_tile_of_a_branch_that_is_not_joined(tmp_path):
     """The branch is given up where it is, on both sides, and the first tile stays."""
     with refusing("proof.branch.certify_branch.check_joint"):
         found = ns.certify.branch(branch(), interval=("1.077", "1.079"))
@@ -144,7 +139,7 @@ def test_a_tile_of_a_branch_that_is_not_joined(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("what", ["verdict", "locate"])
-def test_a_doubling(what: str, tmp_path: Path) -> None:
+def test_a_doubling(what, tmp_path):
     with refusing(f"checker.ranges.doubling.JudgedDoubling.{what}"):
         found = ns.certify.doubling(branch(), tiles=1)
     if what == "verdict":
@@ -156,7 +151,7 @@ def test_a_doubling(what: str, tmp_path: Path) -> None:
     assert accepted(found, tmp_path).claims == {"doubling": "undecided"}
 
 
-def test_chaos() -> None:
+def test_chaos():
     with (
         refusing("checker.state_sets.chaos.StretchedSets.covered"),
         pytest.raises(AssertionError, match="planted"),
@@ -164,7 +159,7 @@ def test_chaos() -> None:
         folded_horseshoe()
 
 
-def test_cones() -> None:
+def test_cones():
     with refusing("checker.state_sets.cones.Derivatives.hulls"):
         found = folded_horseshoe(exponents=True)
     assert found.proved
@@ -172,7 +167,7 @@ def test_cones() -> None:
     assert found.tried == ("no cone condition: planted",)
 
 
-def test_an_orbit_that_is_counted(tmp_path: Path) -> None:
+def test_an_orbit_that_is_counted(tmp_path):
     with refusing("checker.counting.census.CountedBox.check_orbit"):
         found = ns.certify.all(ORBIT, box={"tau": 3, "tau1": 3})
     (counted,) = found.orbits
@@ -182,9 +177,7 @@ def test_an_orbit_that_is_counted(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("error", [KeyboardInterrupt, KeyError, TypeError, AttributeError])
-def test_an_interruption_and_an_error_of_the_program_are_no_refusals(
-    error: type[BaseException], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_interruption_and_an_error_of_the_program_are_no_refusals(error, monkeypatch):
     def stopped(*told: Any) -> None:
         raise error
 

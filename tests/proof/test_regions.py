@@ -5,9 +5,7 @@ from __future__ import annotations
 import random
 from fractions import Fraction
 from functools import cache
-from pathlib import Path
 from types import SimpleNamespace
-from typing import Any
 
 import pytest
 from flint import arb, fmpq
@@ -38,12 +36,12 @@ BESIDE = {"r": ("-5/4", "-3/4"), "a": ("27/50", "7/10")}
 
 
 @cache
-def corner() -> Any:
+def corner():
     """A flip and a grazing that cross at r = -1, a = 1/2."""
     return ns.certify.box(loop(r="-1/2", a="3/5"), CORNER)
 
 
-def true_verdict(r: Fraction, a: Fraction) -> str:
+def true_verdict(r, a):
     """Of the kicked mass."""
     if a * (1 - r) < 1:
         return "not admissible"
@@ -51,7 +49,7 @@ def true_verdict(r: Fraction, a: Fraction) -> str:
 
 
 @pytest.mark.slow
-def test_a_box_consists_of_regions_curves_and_one_open_corner() -> None:
+def test_a_box_consists_of_regions_curves_and_one_open_corner():
     found = corner()
     assert [region.verdict for region in found.regions] == ["not admissible", "unstable", "stable"]
     # the area below a = 1/(1 - r)
@@ -74,7 +72,7 @@ def test_a_box_consists_of_regions_curves_and_one_open_corner() -> None:
     assert found.decided == 1 - hole.share
 
 
-def test_curves_are_those_of_the_closed_form() -> None:
+def test_curves_are_those_of_the_closed_form():
     """Away from where they cross, in bands whose width is looked at above."""
     for k in range(25):
         value = Fraction(k, 25)
@@ -85,7 +83,7 @@ def test_curves_are_those_of_the_closed_form() -> None:
             assert told_at(corner(), {"r": r, "a": 1 / (1 - r)}) == ""
 
 
-def test_verdicts_at_random_points_are_the_true_ones() -> None:
+def test_verdicts_at_random_points_are_the_true_ones():
     seen = set()
     for point in random_points(corner(), 5, 4):
         verdict = told_at(corner(), point)
@@ -97,7 +95,7 @@ def test_verdicts_at_random_points_are_the_true_ones() -> None:
     assert ("grazing", "not admissible") in seen
 
 
-def test_every_point_of_a_region_has_its_verdict() -> None:
+def test_every_point_of_a_region_has_its_verdict():
     found = corner()
     for region in found.regions:
         for number, side in region.cells:
@@ -107,7 +105,7 @@ def test_every_point_of_a_region_has_its_verdict() -> None:
 
 
 @pytest.mark.slow
-def test_an_event_on_the_edge_of_the_box() -> None:
+def test_an_event_on_the_edge_of_the_box():
     # r = -1 is the right edge: there is a flip, and beside it all is unstable
     found = ns.certify.box(loop(r="-5/4"), {"r": ("-3/2", "-1"), "k": ("4/5", "6/5")}, tiles=60)
     assert [region.verdict for region in found.regions] == ["unstable"]
@@ -118,7 +116,7 @@ def test_an_event_on_the_edge_of_the_box() -> None:
 
 
 @pytest.mark.slow
-def test_a_thin_tongue_is_found() -> None:
+def test_a_thin_tongue_is_found():
     # not admissible only between the edge a = 1/2 and a = 1/(1 - r), below 1e-3 of the box
     box = {"r": ("-101/100", "-999/1000"), "a": ("1/2", "5/8")}
     found = ns.certify.box(loop(r="-1001/1000", a="3/5"), box, tiles=60)
@@ -129,7 +127,7 @@ def test_a_thin_tongue_is_found() -> None:
 
 
 @pytest.mark.slow
-def test_maps_with_curves_are_kept_and_resumed(tmp_path: Path) -> None:
+def test_maps_with_curves_are_kept_and_resumed(tmp_path):
     """The two curves without the corner."""
     orbit = loop(r="-19/20", a="3/5")
     part = ns.certify.box(orbit, BESIDE, tiles=3)
@@ -155,7 +153,7 @@ def test_maps_with_curves_are_kept_and_resumed(tmp_path: Path) -> None:
         pytest.param(test_boxes.line, ("unstable, proved",), marks=pytest.mark.slow),
     ],
 )
-def test_maps_are_drawn(drawn: Any, labels: tuple[str, ...]) -> None:
+def test_maps_are_drawn(drawn, labels):
     pytest.importorskip("matplotlib")
     (axes,) = drawn().plot().axes
     assert drawn().plot(axes) is axes
@@ -163,7 +161,7 @@ def test_maps_are_drawn(drawn: Any, labels: tuple[str, ...]) -> None:
         assert any(text.startswith(label) for text in legend_of(axes))
 
 
-def test_a_box_of_three_parameters_is_not_drawn() -> None:
+def test_a_box_of_three_parameters_is_not_drawn():
     names = {"k": ("0.9", "1.1"), "r": ("0.4", "0.6"), "a": ("2.9", "3.1")}
     with pytest.raises(ns.InputError, match="two parameters"):
         ns.certify.box(loop(), names).plot()
@@ -176,7 +174,7 @@ SMALL: dict[str, tuple[dict[str, str], dict[str, tuple[str, str]]]] = {
 
 
 @cache
-def small(kind: str) -> Any:
+def small(kind):
     """A part of the map with one curve, so that checks are fast."""
     values, box = SMALL[kind]
     return ns.certify.box(loop(**values), box)
@@ -184,7 +182,7 @@ def small(kind: str) -> Any:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(4))
-def test_what_is_stated_beside_curves_is_never_refused(seed: int, tmp_path: Path) -> None:
+def test_what_is_stated_beside_curves_is_never_refused(seed, tmp_path):
     """The curve is proposed, and what the checker finds beside it is what the file states."""
     drawn = random.Random(seed)
     size, a = Fraction(drawn.randint(8, 40), 100), Fraction(drawn.randint(600, 700), 1000)
@@ -197,14 +195,14 @@ def test_what_is_stated_beside_curves_is_never_refused(seed: int, tmp_path: Path
     accepted(found, tmp_path)
 
 
-def test_a_curve_that_is_left_out_is_refused() -> None:
+def test_a_curve_that_is_left_out_is_refused():
     content = content_of(small("flip"))
     for tile in content["tiles"]:
         tile["event"] = None
     refused(content, "shares")
 
 
-def test_a_curve_beside_its_tile_is_none_of_the_box() -> None:
+def test_a_curve_beside_its_tile_is_none_of_the_box():
     """The flip is at r = -1: a file may state it of a tile, but not that the box has one."""
     found = ns.certify.box(
         loop(r="-19/20", a="3/5"), {"r": ("-99/100", "-9/10"), "a": ("27/50", "7/10")}
@@ -222,7 +220,7 @@ def test_a_curve_beside_its_tile_is_none_of_the_box() -> None:
     assert told.curves == ()
 
 
-def away_of(number: Any, centre: tuple[float, ...]) -> float:
+def away_of(number, centre):
     """How far the zeros of a number of p and q are from p = c(q), as the checker finds it."""
     curve = SimpleNamespace(kind="flip", borders=(), window=None, axis=0, centre=centre)
     division = Division(curve, ("proved", "proved", "undecided"))
@@ -230,7 +228,7 @@ def away_of(number: Any, centre: tuple[float, ...]) -> float:
     return float(division.far.upper())
 
 
-def test_a_band_holds_all_zeros_of_its_number() -> None:
+def test_a_band_holds_all_zeros_of_its_number():
     # p = 0.3 + 0.5 q + rho, |rho| < 1/100, and a slope between 1 and 3
     space = space_of(2, 3)
     p, q = (space.variable(k, arb(0), arb(1)) for k in (0, 1))
@@ -247,7 +245,7 @@ def test_a_band_holds_all_zeros_of_its_number() -> None:
             away_of(bad, (0.3, 0.5))
 
 
-def test_borders_that_are_crossed_in_both_directions_have_no_verdict() -> None:
+def test_borders_that_are_crossed_in_both_directions_have_no_verdict():
     borders = (Border("grazing", 0, "wall", "inside"),)
     curve = SimpleNamespace(
         kind="grazing", borders=borders, window=(arb(1), arb(2)), axis=0, centre=(0.0, 0.0)

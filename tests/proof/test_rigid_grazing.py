@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import mpmath
@@ -58,7 +57,7 @@ class Closed:
 
 
 @cache
-def without_impact(w: str, r: str) -> Any:
+def without_impact(w, r):
     """The branch of motions that do not reach the stop, 5 % to both sides of its grazing."""
     amplitude = float(Closed(w, r).amplitude)
     low, high = f"{amplitude * 0.95:.4g}", f"{amplitude * 1.05:.4g}"
@@ -78,9 +77,7 @@ def without_impact(w: str, r: str) -> Any:
         ("0.58", "0.95", "above", "nonsmooth fold"),
     ],
 )
-def test_an_impact_begins_with_the_speed_zero(
-    w: str, r: str, side: str, scenario: str, tmp_path: Path
-) -> None:
+def test_an_impact_begins_with_the_speed_zero(w, r, side, scenario, tmp_path):
     found, closed = without_impact(w, r), Closed(w, r)
     assert found.complete, found.statement
     (event,), beyond = found.events, only(found)
@@ -109,7 +106,7 @@ def test_an_impact_begins_with_the_speed_zero(
 
 
 @pytest.mark.slow
-def test_a_branch_of_impacts_is_proved_up_to_the_speed_zero(tmp_path: Path) -> None:
+def test_a_branch_of_impacts_is_proved_up_to_the_speed_zero(tmp_path):
     """The multiplier grows beyond all bounds; behind it the motion without impacts is stable."""
     closed = Closed("2.4", "0.8")
     given = {"w": "2.4", "r": "0.8", "sigma": "0.2"}
@@ -128,7 +125,7 @@ def test_a_branch_of_impacts_is_proved_up_to_the_speed_zero(tmp_path: Path) -> N
     accepted(found, tmp_path)
 
 
-def impacts(count: int, sigma: str, low: str, high: str) -> Any:
+def impacts(count, sigma, low, high):
     """A branch of so many impacts in one slow period of the forcing."""
     found = ns.find_orbits(STRIKER, {"w": "0.7", "r": "0.6", "sigma": sigma}, 12, transitions=300)
     orbit = next(o.orbit for o in found.orbits if len(o.orbit.itinerary) == count)
@@ -136,7 +133,7 @@ def impacts(count: int, sigma: str, low: str, high: str) -> Any:
 
 
 @pytest.mark.slow
-def test_a_third_impact_and_a_fourth(tmp_path: Path) -> None:
+def test_a_third_impact_and_a_fourth(tmp_path):
     """From three impacts to four and back: both proofs meet in one value."""
     three, four = impacts(3, "-0.1", "-0.12", "-0.1"), impacts(4, "-0.1", "-0.12", "-0.08")
     events = []
@@ -154,7 +151,7 @@ def test_a_third_impact_and_a_fourth(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_a_motion_that_is_no_function_of_time(tmp_path: Path) -> None:
+def test_a_motion_that_is_no_function_of_time(tmp_path):
     """Stick-slip beside a stop: the section of the impact is tangent to the motion that grazes."""
     belt = oscillator(
         "belt-beside-a-stop", ["x", "y"], mass=[[1, 0], [0, "1/2"]],
@@ -175,8 +172,8 @@ def test_a_motion_that_is_no_function_of_time(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_where_a_motion_grazes_twice_the_branch_ends_and_nothing_is_said_beyond(
-    tmp_path: Path,
-) -> None:
+    tmp_path,
+):
     """One impact in two periods, as slow as may be: the motion touches the stop each period."""
     given = {"w": "4.4", "r": "0.8", "sigma": "0.053"}
     orbit = ns.solve(STRIKER, given, [4 * np.pi / 4.4], itinerary=[IMPACT])
@@ -192,7 +189,7 @@ def test_where_a_motion_grazes_twice_the_branch_ends_and_nothing_is_said_beyond(
 
 
 @pytest.mark.parametrize(("sigma", "outside"), [("0.1", False), ("0.12", False), ("0.2", True)])
-def test_a_stable_orbit_is_not_called_unstable(sigma: str, outside: bool) -> None:
+def test_a_stable_orbit_is_not_called_unstable(sigma, outside):
     """Also where the trace is -1.2: two multipliers inside the circle add up to 2 at most."""
     given = {"w": "2.4", "r": "0.8", "sigma": sigma}
     orbit = ns.solve(STRIKER, given, [2 * np.pi / 2.4], itinerary=[IMPACT])
@@ -204,13 +201,13 @@ def test_a_stable_orbit_is_not_called_unstable(sigma: str, outside: bool) -> Non
         assert outside_if_reached(judged.orbit, 0) == outside
 
 
-def earlier(beyond: Any) -> None:
+def earlier(beyond):
     """The event of the impacts a bit beside where it is."""
     own = beyond["branch"]["tiles"][0]["event"]
     own.update({end: str(sp.Rational(own[end]) - sp.Rational(1, 10**12)) for end in BOUNDS})
 
 
-def squared(beyond: Any) -> None:
+def squared(beyond):
     """The square of the restitution."""
     reset = beyond["branch"]["declaration"]["transitions"][0]["reset"]
     reset[1][1]["above"][0][1][-1] = 2
@@ -230,6 +227,6 @@ FORGERIES: dict[str, tuple[Callable[[Any], object], str | None]] = {
 
 
 @pytest.mark.parametrize("name", FORGERIES)
-def test_edited_files_are_refused(name: str) -> None:
+def test_edited_files_are_refused(name):
     change, reason = FORGERIES[name]
     refused(forged(without_impact("2.4", "0.8"), lambda _, beyond: change(beyond)), reason)

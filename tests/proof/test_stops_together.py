@@ -19,14 +19,14 @@ OPEN = "the orders in which a-reaches-stop and b-reaches-stop act need not agree
 
 
 @cache
-def saved(law: str | None = None, coupling: str = "0") -> Any:
+def saved(law=None, coupling="0"):
     return content_of(ns.certify(struck_together(law, coupling)))
 
 
 @pytest.mark.parametrize(
     ("law", "coupling"), [(None, "0"), ("sequence", "0"), ("moreau", "0"), ("moreau", "1/4")]
 )
-def test_masses_that_are_struck_together_are_proved(law: str | None, coupling: str) -> None:
+def test_masses_that_are_struck_together_are_proved(law, coupling):
     content = saved(law, coupling)
     assert content["itinerary"] == [["free-free", "+".join(BOTH)]] * len(content["itinerary"])
     assert content["claims"]["admissibility"] == "proved"
@@ -36,27 +36,27 @@ def test_masses_that_are_struck_together_are_proved(law: str | None, coupling: s
     believed(content)
 
 
-def of_order(content: Any, number: int) -> list[Any]:
+def of_order(content, number):
     return [t for t in content["declaration"]["transitions"] if t.get("order", 0) == number]
 
 
-def renumbered(content: Any, number: int, other: int) -> None:
+def renumbered(content, number, other):
     for transition in of_order(content, number):
         transition["order"] = other
 
 
-def without(content: Any, number: int) -> None:
+def without(content, number):
     left = [t for t in content["declaration"]["transitions"] if t.get("order", 0) != number]
     content["declaration"]["transitions"] = left
 
 
-def one_mass_alone(content: Any) -> None:
+def one_mass_alone(content):
     """In the second order only the second mass is struck."""
     for transition in of_order(content, 2):
         transition["reset"] = of_order(content, 1)[-1]["reset"]
 
 
-def elsewhere(content: Any) -> None:
+def elsewhere(content):
     for transition in of_order(content, 2):
         transition["target"] = "contact-free"
 
@@ -83,13 +83,13 @@ FALSE: dict[str, Callable[[Any], Any]] = {
 
 
 @pytest.mark.parametrize("name", FALSE)
-def test_false_orders_and_symmetries_are_refused(name: str) -> None:
+def test_false_orders_and_symmetries_are_refused(name):
     content = copy.deepcopy(saved())
     FALSE[name](content)
     refused(content)
 
 
-def test_orders_that_do_not_agree_are_left_open() -> None:
+def test_orders_that_do_not_agree_are_left_open():
     content = copy.deepcopy(saved())
     one_mass_alone(content)
     found = JudgedOrbit(content).admissibility
@@ -100,9 +100,7 @@ def test_orders_that_do_not_agree_are_left_open() -> None:
 @pytest.mark.parametrize(
     ("law", "coupling"), [(None, "0"), ("sequence", "0"), ("moreau", "0"), ("moreau", "1/4")]
 )
-def test_motions_of_masses_that_are_struck_together_are_proved(
-    law: str | None, coupling: str
-) -> None:
+def test_motions_of_masses_that_are_struck_together_are_proved(law, coupling):
     start = [0, 0, 1, 1, 1, 0]
     proof = ns.certify.motion(struck(law), {"c": coupling}, start, "free-free", 3)
     assert proof.decided
@@ -112,7 +110,7 @@ def test_motions_of_masses_that_are_struck_together_are_proved(
     np.testing.assert_allclose(motion.states, states, atol=1e-13)
 
 
-def test_a_motion_whose_impacts_have_no_order_is_proved_up_to_there() -> None:
+def test_a_motion_whose_impacts_have_no_order_is_proved_up_to_there():
     proof = ns.certify.motion(struck(), {"c": "1/4"}, [0, 0, 1, 1, 1, 0], "free-free", 3)
     assert not proof.decided
     assert OPEN in str(proof.reason)

@@ -1,10 +1,7 @@
 """Curves in a plane of parameters on which a pair of multipliers leaves the unit circle."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from functools import cache
-from typing import Any
 
 import mpmath
 import numpy as np
@@ -16,14 +13,14 @@ from tests.explore import test_continuation_forced as impacts
 
 
 @cache
-def closed() -> Any:
+def closed():
     """The map over the damping and the restitution of one mass, whose curve is known."""
     box = {"c": ("-0.25", "0.05"), "r": ("0.75", "0.85")}
     return ns.certify.box(impacts.orbit(-0.5), box, tiles=40)
 
 
 @pytest.mark.slow
-def test_the_curve_is_that_of_the_closed_form() -> None:
+def test_the_curve_is_that_of_the_closed_form():
     """r^2 exp(-c T) = 1, T = 2 pi/2.8, of a mass of negative damping that strikes a wall."""
     assert closed().decided == 1
     assert {region.verdict for region in closed().regions} == {"stable", "unstable"}

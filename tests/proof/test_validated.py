@@ -43,7 +43,7 @@ COMMENSURATE = dict(chi="5/8", eta="12/5", V="1", us1="1", us2="1", ur1="100", u
 CENTRE = (Fraction(16, 3), Fraction(104, 15))
 
 
-def starts(seed: int, count: int, fastest: Fraction, spread: int) -> list[list[str]]:
+def starts(seed, count, fastest, spread):
     """Exact starts of slip-slip, slower than the belt."""
     draw = random.Random(seed).randint
     return [
@@ -53,7 +53,7 @@ def starts(seed: int, count: int, fastest: Fraction, spread: int) -> list[list[s
     ]
 
 
-def test_friction_agrees_with_60_digits() -> None:
+def test_friction_agrees_with_60_digits():
     seen = set[str]()
     for data, fastest, seed, spread in ((FIRST, "1", 1, 60), (SECOND, "0.6773", 2, 20)):
         motion = DeclaredMotion(dry_friction.system, data)
@@ -69,14 +69,14 @@ def test_friction_agrees_with_60_digits() -> None:
     ("declared", "more"),
     [(rigid_stop, {"r": "1"}), (rigid_stop, {"r": "0.8"}), (elastic_stop, {"k3": "10"})],
 )
-def test_stops_agree_with_60_digits(declared: Any, more: dict[str, str]) -> None:
+def test_stops_agree_with_60_digits(declared, more):
     data, start = CHAIN | more, ["0.5", "0.2", "1", "-0.25"]
     proof = certify.motion(declared.system.name, data, start, "free", 10)
     assert proof.transitions == 10
     DeclaredMotion(declared.system, data).agrees(proof, start, 1e-20)
 
 
-def test_more_bits_where_the_first_do_not_do() -> None:
+def test_more_bits_where_the_first_do_not_do():
     """Each transition costs digits; the sequence is the same at any precision."""
     given = "dry-friction", FIRST, START, "slip-slip", 100
     few = certify.motion(*given, 64)
@@ -92,7 +92,7 @@ def test_more_bits_where_the_first_do_not_do() -> None:
     assert stopped.sets == many.sets[: stopped.transitions]
 
 
-def at_multiple_of_pi(proof: Any, factor: Fraction, narrow: float) -> bool:
+def at_multiple_of_pi(proof, factor, narrow):
     """Whether the undecided instant is that multiple of pi, and the enclosure is narrow."""
     assert proof.instant is not None
     with flint_precision(2 * proof.bits):
@@ -100,7 +100,7 @@ def at_multiple_of_pi(proof: Any, factor: Fraction, narrow: float) -> bool:
         return proof.instant.contains(exact) and float(proof.instant.rad) < narrow
 
 
-def tangent(excess: Fraction) -> list[Fraction]:
+def tangent(excess):
     """Slip-stick with x1 = 1.5 + x2/2 - 1 + a cos t: v1 - V = a - 1/2 at most, at 3 pi/2."""
     return [1 + Fraction(3, 2) + Fraction(1, 2) + excess, Fraction(3), Fraction(1, 2), Fraction(1)]
 
@@ -108,7 +108,7 @@ def tangent(excess: Fraction) -> list[Fraction]:
 TANGENT = FIRST | {"ur1": "2", "ur2": "10"}
 
 
-def test_an_exact_tangency_is_not_decided() -> None:
+def test_an_exact_tangency_is_not_decided():
     proof = certify.motion("dry-friction", TANGENT, tangent(Fraction(0)), "slip-stick", 1)
     assert not proof.decided
     assert proof.transitions == 0
@@ -120,7 +120,7 @@ def test_an_exact_tangency_is_not_decided() -> None:
 
 
 @pytest.mark.parametrize("size", [Fraction(1, 10**18), Fraction(1, 10**60)])
-def test_a_tangency_missed_by_little_is_decided(size: Fraction) -> None:
+def test_a_tangency_missed_by_little_is_decided(size):
     above = certify.motion("dry-friction", TANGENT, tangent(size), "slip-stick", 1)
     below = certify.motion("dry-friction", TANGENT, tangent(-size), "slip-stick", 1)
     assert above.sets == (("first-reaches-belt",),)
@@ -131,7 +131,7 @@ def test_a_tangency_missed_by_little_is_decided(size: Fraction) -> None:
     assert above.bits <= below.bits == (256 if size > Fraction(1, 10**40) else 512)
 
 
-def test_two_boundaries_at_one_instant_are_not_decided() -> None:
+def test_two_boundaries_at_one_instant_are_not_decided():
     start = [CENTRE[0] + 4, CENTRE[1] + Fraction(11, 2), -1, -1]
     proof = certify.motion("dry-friction", COMMENSURATE, start, "slip-slip", 3, most_bits=512)
     assert not proof.decided
@@ -149,7 +149,7 @@ def test_two_boundaries_at_one_instant_are_not_decided() -> None:
 @pytest.mark.parametrize(
     ("difference", "follows"), [("0", None), ("1e-30", "stick-slip"), ("-1e-30", "overshoot-slip")]
 )
-def test_a_force_exactly_at_its_limit_is_not_decided(difference: str, follows: str | None) -> None:
+def test_a_force_exactly_at_its_limit_is_not_decided(difference, follows):
     """At 2 pi the first mass is at the belt's velocity and its distance is reversed."""
     start = [CENTRE[0] + 6, CENTRE[1] + Fraction(11, 2), Fraction(-1), Fraction(-1, 4)]
     limit = Fraction(25, 16) + Fraction(difference)
@@ -166,7 +166,7 @@ def test_a_force_exactly_at_its_limit_is_not_decided(difference: str, follows: s
         assert proof.times[1].contains(2 * mp.pi)
 
 
-def test_rest_is_proved_to_last() -> None:
+def test_rest_is_proved_to_last():
     """In the middle of slip-slip, and near it, nothing is ever reached."""
     for start in (["4", "6", "0", "0"], ["4.1", "5.9", "0.2", "-0.1"]):
         proof = certify.motion("dry-friction", FIRST, start, "slip-slip", 3)
@@ -177,7 +177,7 @@ def test_rest_is_proved_to_last() -> None:
     assert moving.transitions == 3
 
 
-def test_what_resets_set_is_known_exactly() -> None:
+def test_what_resets_set_is_known_exactly():
     """A plastic impact leaves the mass on the stop at rest: balls alone could not go on."""
     data = CHAIN | {"r": "0"}
     proof = certify.motion("rigid-stop", data, ["0.5", "1.5", "1", "1"], "free", 5)
@@ -190,7 +190,7 @@ def test_what_resets_set_is_known_exactly() -> None:
     assert proof.states[3][1].contains(1)
 
 
-def test_a_start_on_a_boundary() -> None:
+def test_a_start_on_a_boundary():
     """It is left, or passed at once; the first derivative that is not zero says which."""
     inwards = certify.motion("rigid-stop", CHAIN | {"r": "1"}, ["1", "0", "-1", "0"], "free", 1)
     assert float(inwards.times[1]) > 1
@@ -206,7 +206,7 @@ def test_a_start_on_a_boundary() -> None:
 
 
 @pytest.mark.parametrize("short", ["0", "1e-38", "1e-100"])
-def test_a_stop_that_is_barely_reached_is_not_passed_by(short: str) -> None:
+def test_a_stop_that_is_barely_reached_is_not_passed_by(short):
     stop = RigidStop("x", at=1 - sp.Rational(short), restitution="1/2")
     system = oscillator("grazing", ["x"], [[1]], [[1]], elements=[stop])
     proof = certify.motion(system, {}, {"x": 0, "v": 1}, "free", 1)
@@ -217,7 +217,7 @@ def test_a_stop_that_is_barely_reached_is_not_passed_by(short: str) -> None:
     assert abs(float(time.ball.mid()) - float(early)) < 1e-7
 
 
-def test_slip_begins_where_the_force_is_at_a_limit_without_a_drop() -> None:
+def test_slip_begins_where_the_force_is_at_a_limit_without_a_drop():
     """Its velocity relative to the belt and the slope of that are exactly zero at first."""
     coulomb = Friction("x", kinetic="3/5", static="3/5", velocity=0)
     forcing = [Harmonic("31/10", cosine=[2])]
@@ -229,7 +229,7 @@ def test_slip_begins_where_the_force_is_at_a_limit_without_a_drop() -> None:
     DeclaredMotion(system, {}).agrees(proof, start, 1e-20)
 
 
-def test_what_creeps_to_a_boundary_is_told_where_digits_end() -> None:
+def test_what_creeps_to_a_boundary_is_told_where_digits_end():
     """Its function falls below all digits, so that nothing tells whether it is ever reached."""
     stop = SoftStop("x", at=1, stiffness=3)
     system = oscillator("creeping", ["x"], [[1]], [[1]], [["5/2"]], [1], elements=[stop])
@@ -240,14 +240,14 @@ def test_what_creeps_to_a_boundary_is_told_where_digits_end() -> None:
     assert proof.instant.ball > 100
 
 
-def test_a_start_off_its_contact_is_refused() -> None:
+def test_a_start_off_its_contact_is_refused():
     stop = RigidStop("x", at=1, restitution="1/2")
     system = oscillator("struck", ["x"], [[1]], [[1]], elements=[stop])
     with pytest.raises(InputError, match="the state is not in contact"):
         certify.motion(system, {}, {"x": "1/2", "v": 0}, "contact", 1)
 
 
-def test_a_forcing_starts_on_its_circle() -> None:
+def test_a_forcing_starts_on_its_circle():
     system = oscillator("shaken", ["x"], [[1]], [[1]], forcing=[Harmonic(2, cosine=[1])])
     for start in ({"c1": 2, "s1": 0}, {"c1": "1/2"}):
         with pytest.raises(InputError, match=r"c1\^2 \+ s1\^2 is not 1"):
@@ -255,7 +255,7 @@ def test_a_forcing_starts_on_its_circle() -> None:
     assert certify.motion(system, {}, {"x": 0, "v": 0, "c1": "3/5", "s1": "4/5"}, "free", 1)
 
 
-def test_the_start_is_taken_exactly() -> None:
+def test_the_start_is_taken_exactly():
     proof = certify.motion("dry-friction", FIRST, [0.1, "0.1", Fraction(1, 3), 0], "slip-slip", 0)
     binary, decimal, third, _ = proof.states[0]
     assert binary.contains(0.1)
@@ -269,7 +269,7 @@ def test_the_start_is_taken_exactly() -> None:
     assert [s.mid for s in named.states[0]] == [s.mid for s in proof.states[0]]
 
 
-def test_decimals_enclose() -> None:
+def test_decimals_enclose():
     proof = certify.motion("dry-friction", FIRST, ["5", "4", "0.5", "0.25"], "slip-slip", 5)
     for enclosure in proof.times[1:]:
         middle, radius = Fraction(enclosure.mid), Fraction(enclosure.rad)
@@ -311,13 +311,13 @@ START = ["5", "4", "0.5", "0.25"]
         ({"bits": 8}, "bits = 8"),
     ],
 )
-def test_wrong_input_is_named(changes: dict[str, Any], told: str) -> None:
+def test_wrong_input_is_named(changes, told):
     asked: dict[str, Any] = {"system": "dry-friction", "parameters": FIRST, "state": START}
     with pytest.raises(InputError, match=told):
         certify.motion(**(asked | {"configuration": "slip-slip", "transitions": 1} | changes))
 
 
-def test_work_is_in_proportion_to_the_transitions() -> None:
+def test_work_is_in_proportion_to_the_transitions():
     def prove(count: int) -> None:
         proof = certify.motion("dry-friction", FIRST, START, "slip-slip", count)
         assert proof.decided
@@ -328,7 +328,7 @@ def test_work_is_in_proportion_to_the_transitions() -> None:
     assert calls_of(lambda: prove(40)) < 4.4 * calls_of(lambda: prove(10))
 
 
-def refused(reached: str, about: arb, configuration: str = "slip-slip") -> bool:
+def refused(reached, about, configuration="slip-slip"):
     """Whether the checker refuses that a boundary is the next one, about then."""
     start = [fmpq(5), fmpq(4), fmpq(1, 2), fmpq(1, 4)]
     try:
@@ -339,7 +339,7 @@ def refused(reached: str, about: arb, configuration: str = "slip-slip") -> bool:
     return False
 
 
-def test_nothing_is_reached_before_what_is_open() -> None:
+def test_nothing_is_reached_before_what_is_open():
     """The boundary with p = (t - 1)^2 (t - 3) is touched at t = 1; the other one is passed before.
 
     Where the one is reached at t = 3 is asked for, and why that is not known has to be told of a
@@ -365,7 +365,7 @@ def test_nothing_is_reached_before_what_is_open() -> None:
             assert float(caught.value.at.rad()) < 1e-15
 
 
-def test_only_what_is_next_is_proved() -> None:
+def test_only_what_is_next_is_proved():
     """The second mass reaches the belt; all else that is told of the phase is refused."""
     proof = certify.motion("dry-friction", FIRST, START, "slip-slip", 1)
     ((first,),), (_, time) = proof.sets, proof.times

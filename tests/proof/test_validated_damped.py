@@ -33,11 +33,11 @@ a, k, r, g, w, f = sp.symbols("a k r g w f", real=True)
 REACHED = frozenset({"reaches-stop"})
 
 
-def parameters(*names: str) -> tuple[Parameter, ...]:
+def parameters(*names):
     return tuple(Parameter(name, name, lower=-sp.oo) for name in names)
 
 
-def damped(*more: Boundary) -> System:
+def damped(*more):
     """A mass with x'' + a x' + k x = g in front of a stop at x = 1."""
     reached = REACHED | {boundary.name for boundary in more}
     one = sp.Matrix([[1]])
@@ -60,7 +60,7 @@ def damped(*more: Boundary) -> System:
     )
 
 
-def forced() -> System:
+def forced():
     """x'' + a x' + k x = f c with c' = -w s, s' = w c, in front of a stop at x = 1."""
     matrix = sp.Matrix([[0, 1, 0, 0], [-k, -a, f, 0], [0, 0, 0, -w], [0, 0, w, 0]])
     free = Configuration("free", FirstOrder(matrix), (Boundary("reaches-stop", x - 1),))
@@ -74,13 +74,11 @@ def forced() -> System:
     )
 
 
-def forced_impacts(w: str) -> tuple[System, dict[str, str], list[str], int]:
+def forced_impacts(w):
     return forced(), dict(a="0", k="1", f="1", w=w, r="4/5"), ["0", "0", "1", "0"], 6
 
 
-def damped_impacts(
-    a: str, k: str, g: str, start: list[str]
-) -> tuple[System, dict[str, str], list[str], int]:
+def damped_impacts(a, k, g, start):
     return damped(), dict(a=a, k=k, g=g, r="1/2"), start, 5
 
 
@@ -105,14 +103,14 @@ MOTIONS = {
         for name, motion in MOTIONS.items()
     ],
 )
-def test_motions_agree_with_60_digits(name: str) -> None:
+def test_motions_agree_with_60_digits(name):
     system, data, start, transitions = MOTIONS[name]
     proof = certify.motion(system, data, start, "free", transitions)
     assert proof.transitions == transitions
     DeclaredMotion(system, data).agrees(proof, start, 1e-28)
 
 
-def test_a_forcing_that_is_left_out_of_a_start_begins_at_its_time_zero() -> None:
+def test_a_forcing_that_is_left_out_of_a_start_begins_at_its_time_zero():
     stop = RigidStop("x", "1/2", "4/5", name="stop")
     system = oscillator(
         "driven", ["x"], [[1]], [[1]], forcing=[Harmonic("7/10", cosine=[1])], elements=[stop]
@@ -123,7 +121,7 @@ def test_a_forcing_that_is_left_out_of_a_start_begins_at_its_time_zero() -> None
     assert [time.mid for time in left_out.times] == [time.mid for time in whole.times]
 
 
-def test_impacts_that_accumulate_are_proved_one_by_one() -> None:
+def test_impacts_that_accumulate_are_proved_one_by_one():
     """Dwell times shrink like the restitution; what is proved goes on as digits allow."""
     data = dict(a="1/10", k="1", g="3", r="1/2")
     proof = certify.motion(damped(), data, ["0", "0"], "free", 60, 256)
@@ -137,7 +135,7 @@ def test_impacts_that_accumulate_are_proved_one_by_one() -> None:
         assert later / earlier == pytest.approx(0.5, rel=1e-6)
 
 
-def test_boundaries_that_are_multiples_are_reached_together() -> None:
+def test_boundaries_that_are_multiples_are_reached_together():
     """No digits tell that x - 1 and 2 x - 2 vanish at one instant, their rows do."""
     data, start = dict(a="1/10", k="4", g="8", r="1/2"), ["0", "0"]
     alone = certify.motion(damped(), data, start, "free", 3)
@@ -148,7 +146,7 @@ def test_boundaries_that_are_multiples_are_reached_together() -> None:
 
 
 @pytest.mark.parametrize(("a", "k"), [("1/10", "4"), ("2", "1"), ("5", "4")])
-def test_a_damped_mass_is_proved_to_come_to_rest(a: str, k: str) -> None:
+def test_a_damped_mass_is_proved_to_come_to_rest(a, k):
     proof = certify.motion(damped(), dict(a=a, k=k, g="0", r="1/2"), ["1/2", "0"], "free", 1)
     assert proof.decided
     assert proof.transitions == 0
@@ -156,7 +154,7 @@ def test_a_damped_mass_is_proved_to_come_to_rest(a: str, k: str) -> None:
 
 
 @pytest.mark.parametrize("rate", [10**4, 10**6])
-def test_a_motion_takes_a_unit_of_time_that_is_longer(rate: int) -> None:
+def test_a_motion_takes_a_unit_of_time_that_is_longer(rate):
     """Of a mass of some megahertz in seconds as much is proved as in its own unit."""
 
     def proved(rate: int) -> Any:
@@ -171,7 +169,7 @@ def test_a_motion_takes_a_unit_of_time_that_is_longer(rate: int) -> None:
         assert (one.ball * rate).overlaps(other.ball)
 
 
-def test_the_arrival_behind_which_nothing_is_declared_is_enclosed() -> None:
+def test_the_arrival_behind_which_nothing_is_declared_is_enclosed():
     """At x = 1 with v < 9, where x'' = 2: after a time 1/sqrt(2), as x begins at 1/2."""
     one = Boundary("stop", x - 1)
     system = System(
@@ -188,7 +186,7 @@ def test_the_arrival_behind_which_nothing_is_declared_is_enclosed() -> None:
     assert 0 < float(proof.instant.rad) < 1e-30
 
 
-def test_what_comes_and_goes_within_a_step_of_the_slow_forcing_is_not_missed() -> None:
+def test_what_comes_and_goes_within_a_step_of_the_slow_forcing_is_not_missed():
     """The function (t - 1) (t - 2) (t - 30): no eigenvalue tells how soon it is zero."""
     p, q, u = sp.symbols("p q u", real=True)
     rates = sp.zeros(5)
@@ -224,9 +222,7 @@ RESONANT = [[0, 1, 0, 0, 0], [-1, 0, 1, 0, 0], [0, 0, 0, 1, 0], [0, 0, -1, 0, 0]
         (RESONANT, [0, 0, 0.125, 0], 5, False),  # it grows slowly
     ],
 )
-def test_what_stays_negative_for_ever_is_told_by_its_exponentials(
-    field: list[list[int]], start: list[float], below: int, stays: bool
-) -> None:
+def test_what_stays_negative_for_ever_is_told_by_its_exponentials(field, start, below, stays):
     size = len(start)
     rows = [tuple(map(fmpq, row)) for row in (*field, [0] * (size + 1))]
     first = (fmpq(1), *[fmpq(0)] * (size - 1), fmpq(-below))
@@ -234,7 +230,7 @@ def test_what_stays_negative_for_ever_is_told_by_its_exponentials(
         assert stays_negative(first, rows, [], [*map(arb, start)], arb(0)) == stays
 
 
-def test_a_growing_motion_is_not_called_quiet() -> None:
+def test_a_growing_motion_is_not_called_quiet():
     data = dict(a="-1/10", k="4", g="0", r="1/2")
     proof = certify.motion(damped(), data, ["1/100000", "0"], "free", 1)
     assert proof.transitions == 1

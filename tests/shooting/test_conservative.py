@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import Any
 
 import mpmath
 import numpy as np
@@ -40,11 +39,11 @@ X, Y, V, W = sp.symbols("x y v w", real=True)
 
 
 @cache
-def orbit(point: int) -> Any:
+def orbit(point):
     return solve(*POINTS[point])
 
 
-def matrix_of(rows: Any) -> Any:
+def matrix_of(rows):
     return mpmath.matrix([[mpmath.mpf(e) for e in row] for row in rows])
 
 
@@ -74,8 +73,8 @@ SPRINGS = sp.Matrix([[2, -1], [-1, 3]])
     ],
 )
 def test_energies_before_and_behind_a_transition_differ_by_a_constant_at_most(
-    reset: dict[sp.Symbol, sp.Expr], behind: Any, expected: bool
-) -> None:
+    reset, behind, expected
+):
     """A load along x changes by a step where x = 0: the energies differ there by no function."""
     p = Parameter("p", "load")
     loaded = SecondOrder(sp.eye(2), SPRINGS, (p.symbol, 0))
@@ -93,7 +92,7 @@ def test_energies_before_and_behind_a_transition_differ_by_a_constant_at_most(
 
 
 @every_point
-def test_the_pair_to_forty_digits(point: int) -> None:
+def test_the_pair_to_forty_digits(point):
     found = refine(orbit(point), 50)
     (one,) = (m for m in found.stability.multipliers if m.trivial)
     first, second = (m for m in found.stability.multipliers if not m.trivial)
@@ -130,7 +129,7 @@ def test_the_pair_to_forty_digits(point: int) -> None:
 
 
 @pytest.mark.parametrize("name", [RIGID, ELASTIC])
-def test_the_verdict_is_that_of_the_trace(name: str) -> None:
+def test_the_verdict_is_that_of_the_trace(name):
     points = random_points(name, 72, 120)
     many = solve(name, points)
     verdicts = []

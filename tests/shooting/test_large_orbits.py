@@ -1,7 +1,5 @@
 """Orbits of more than 16 states: compiled as in Python."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 import sympy as sp
@@ -15,7 +13,7 @@ COUNT, DATA = 10, {"A": 1.0}
 
 
 @pytest.mark.compiled
-def test_an_orbit_of_many_states_is_found_and_judged_as_in_python() -> None:
+def test_an_orbit_of_many_states_is_found_and_judged_as_in_python():
     """Masses in a chain between walls, the last of which strikes a stop."""
     stiffness = 2 * np.eye(COUNT, dtype=int) - np.eye(COUNT, k=1, dtype=int)
     stiffness -= np.eye(COUNT, k=-1, dtype=int)

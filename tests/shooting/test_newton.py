@@ -55,7 +55,7 @@ class Line:
         return {"tau": values["tau"] - self.ahead}
 
 
-def test_points_of_a_batch_end_as_each_alone() -> None:
+def test_points_of_a_batch_end_as_each_alone():
     """After steps of their own number, converged or not."""
     kernels: Any = Line()
     roots = np.array([[0.5], [40.0], [-20.0], [1e-3], [np.nan], [3.0], [-1e-6], [1e9]])
@@ -68,7 +68,7 @@ def test_points_of_a_batch_end_as_each_alone() -> None:
 
 
 @pytest.mark.parametrize("root", [3.0, 1e-3, 1e-8, -1e-12, -4e-10, -1e-6, -0.5, -20.0])
-def test_a_dwell_time_that_goes_below_zero_is_never_said_to_be_found(root: float) -> None:
+def test_a_dwell_time_that_goes_below_zero_is_never_said_to_be_found(root):
     """Damping makes its steps small; only a whole small step is the last one."""
     kernels: Any = Line()
     one = solve_full(kernels, {"tau": 1.0, "root": root}, ["tau"])
@@ -82,7 +82,7 @@ def test_a_dwell_time_that_goes_below_zero_is_never_said_to_be_found(root: float
         assert root < 0 or tau == pytest.approx(root, rel=1e-6, abs=1e-16)
 
 
-def test_a_phase_that_takes_no_time_or_less_is_no_orbit() -> None:
+def test_a_phase_that_takes_no_time_or_less_is_no_orbit():
     ahead = np.array([0.25, 0.5, 0.75])  # of a dwell time that is computed
     for each, expected in zip(ahead, (0, 3, 3), strict=True):
         kernels: Any = Line(ahead=each)
@@ -92,7 +92,7 @@ def test_a_phase_that_takes_no_time_or_less_is_no_orbit() -> None:
 
 
 @pytest.mark.parametrize("remaining", [1e-2, 1e-5, 1e-15, 1e-35, 1e-45])
-def test_a_refinement_whose_last_step_still_corrects_has_left_the_orbit(remaining: float) -> None:
+def test_a_refinement_whose_last_step_still_corrects_has_left_the_orbit(remaining):
     """As near a singular solution, where steps become no smaller."""
     lib = Mpmath(60)
 

@@ -37,7 +37,7 @@ def test_a_margin_within_its_error_is_undecided_until_there_are_digits(name, shi
     assert verdicts == ["unstable", "neutral" if name == RIGID else "stable"]
 
 
-def test_undecided_is_said_within_the_error_alone() -> None:
+def test_undecided_is_said_within_the_error_alone():
     for exponent in range(2, 16):
         for sign, right in (("+", "unstable"), ("-", "neutral")):
             found = solve(RIGID, {"T": f"{border(RIGID)} {sign} 1e-{exponent}"})

@@ -1,9 +1,5 @@
 """Boundaries that are reached together and come apart: one-sided derivatives by the moved order."""
 
-from __future__ import annotations
-
-from typing import Any
-
 import numpy as np
 import pytest
 import sympy as sp
@@ -27,11 +23,11 @@ BY = ("p", "q", "s", "a0", "b0", "c0")
 
 
 def corner(
-    seed: int,
-    velocities: dict[str, tuple[int, int]],
-    linear: bool = True,
-    length: sp.Rational = sp.S.One,
-) -> tuple[System, dict[str, float]]:
+    seed,
+    velocities,
+    linear=True,
+    length=sp.S.One,
+):
     """Four fields that meet at a = p, b = q; the one in front moves to there by (1, 1, ...).
 
     States are in some unit of length; p, q and s are numbers.
@@ -68,9 +64,7 @@ def corner(
 APART = {"one": (2, 3), "other": (1, 2), "high": (1, 1)}
 
 
-def one_sided_digits(
-    system: System, part: Any, name: str, sign: int, times: np.ndarray
-) -> np.ndarray:
+def one_sided_digits(system, part, name, sign, times):
     """States' one-sided derivatives by differences in fifty digits along the part's sequence.
 
     The sequence is that of the moved motion: no phase takes a negative time.
@@ -84,7 +78,7 @@ def one_sided_digits(
 
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize("side", ["+", "-"])
-def test_the_order_is_that_of_the_moved_motion(seed: int, side: str) -> None:
+def test_the_order_is_that_of_the_moved_motion(seed, side):
     system, data = corner(seed, APART)
     motion = ns.simulate(system, data, [0, 0, 0.25], "low", until=1.5)
     assert motion.boundaries[1:] == (("first", "second"),)
@@ -99,7 +93,7 @@ def test_the_order_is_that_of_the_moved_motion(seed: int, side: str) -> None:
 
 
 @pytest.mark.parametrize("side", ["+", "-"])
-def test_moved_motions_differ_by_the_one_sided_derivative(side: str) -> None:
+def test_moved_motions_differ_by_the_one_sided_derivative(side):
     """By the simulation itself, of moved numbers: what comes first is not handed over.
 
     Along a direction it is no sum; observables follow the sequence as well.
@@ -138,7 +132,7 @@ def test_moved_motions_differ_by_the_one_sided_derivative(side: str) -> None:
 
 
 @pytest.mark.parametrize("side", ["+", "-"])
-def test_reverse_is_forward_where_orders_differ(side: str) -> None:
+def test_reverse_is_forward_where_orders_differ(side):
     system, data = corner(2, APART)
     motion = ns.simulate(system, data, [0, 0, 0.25], "low", until=1.5)
     found = motion.derivatives(BY, times=[0.5, 1.5], one_sided=side)
@@ -153,7 +147,7 @@ def test_reverse_is_forward_where_orders_differ(side: str) -> None:
 
 
 @pytest.mark.parametrize("length", [1, sp.Rational(1, 10**12)], ids=str)
-def test_orders_that_do_not_agree_have_no_derivative_but_on_a_side(length: sp.Rational) -> None:
+def test_orders_that_do_not_agree_have_no_derivative_but_on_a_side(length):
     """In any unit of length."""
     system, data = corner(0, APART, length=length)
     motion = ns.simulate(system, data, [0, 0, float(length) / 4], "low", until=1.5)
@@ -163,7 +157,7 @@ def test_orders_that_do_not_agree_have_no_derivative_but_on_a_side(length: sp.Ra
     assert np.isfinite(motion.derivatives(["s", "c0"], times=[1.5]).states).all()
 
 
-def test_an_order_that_leads_elsewhere_is_refused_with_its_name() -> None:
+def test_an_order_that_leads_elsewhere_is_refused_with_its_name():
     system, data = corner(1, APART | {"one": (2, -1)}, linear=False)
     motion = ns.simulate(system, data, [0, 0, 0.25], "low", until=1.5)
     with pytest.raises(ns.InputError, match=r"first leads to one; .* on the side \+ by a0"):
@@ -171,7 +165,7 @@ def test_an_order_that_leads_elsewhere_is_refused_with_its_name() -> None:
     assert motion.derivatives(["a0"], times=[1.5], one_sided="-").states.shape == (1, 3, 1)
 
 
-def twins() -> System:
+def twins():
     """Two masses that a spring and a damper couple, each in front of a stop of its own."""
     names = ("h1", "h2", "r1", "r2", "k", "d")
     p = [Parameter(name, name, lower=-1 if name == "d" else 0) for name in names]
@@ -186,7 +180,7 @@ def twins() -> System:
 TWINS = {"h1": 0.5, "h2": 0.5, "r1": 0.5, "r2": 0.75, "k": 1.25, "d": 0.0}
 
 
-def test_orders_that_agree_have_a_derivative() -> None:
+def test_orders_that_agree_have_a_derivative():
     """Impacts of two masses: in whichever order, as springs have no time to act in between."""
     system, data = twins(), TWINS
     motion = ns.simulate(system, data, [0, 0, 1, 1], until=0.75)
@@ -207,7 +201,7 @@ def test_orders_that_agree_have_a_derivative() -> None:
 
 
 @pytest.mark.slow
-def test_configurations_that_were_not_visited_are_made() -> None:
+def test_configurations_that_were_not_visited_are_made():
     """Eight masses in equal pairs, each with a stop, four with friction as well."""
     h, r = found = [Parameter(name, name) for name in ("h", "r")]
     names = [f"x{i}" for i in range(1, 9)]
@@ -231,6 +225,6 @@ def test_configurations_that_were_not_visited_are_made() -> None:
         assert_allclose(found_rates.states[0, :, place], difference, atol=2e-5)
 
 
-def _part(motion: Any, name: str, sign: int) -> Any:
+def _part(motion, name, sign):
     (part,) = motion.derivatives([name], one_sided="+" if sign > 0 else "-").parts
     return part

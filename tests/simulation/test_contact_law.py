@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import copy
 import json
-from collections.abc import Iterable
 from dataclasses import replace
 from itertools import product
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -18,7 +16,7 @@ from scipy.optimize import minimize
 
 import nonsmooth as ns
 from nonsmooth import InputError, itinerary_of
-from nonsmooth.derive import DeclarationError, Friction, Harmonic, RigidStop, System, oscillator
+from nonsmooth.derive import DeclarationError, Friction, Harmonic, RigidStop, oscillator
 from nonsmooth.runtime.checker import Failure, check
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.events.transition_choice import Decider
@@ -32,15 +30,13 @@ pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without
 SIGN = sp.Symbol("sign", real=True)
 
 
-def both(system: System, data: dict[str, Any], start: list[float], until: float) -> tuple[Any, Any]:
+def both(system, data, start, until):
     """A motion by the compiled engine, and by the one in Python."""
     motion, other = with_both(ns.simulate, system, data, start, until=until)
     return motion, other.run
 
 
-def parts(
-    seed: int, count: int, order: Iterable[int], sign: Any, stop: bool = False
-) -> tuple[list[Any], dict[str, Any]]:
+def parts(seed, count, order, sign, stop=False):
     """A random chain with coupled contacts in an order, which `sign` mirrors; exact numbers.
 
     With a stop, that alone holds the direction of one of two contacts.
@@ -75,7 +71,7 @@ def parts(
     }  # fmt: skip
 
 
-def declared(seed: int, count: int, order: Iterable[int]) -> System:
+def declared(seed, count, order):
     """The same chain, mirrored by a parameter `sign`."""
     matrices, more = parts(seed, count, order, SIGN)
     return oscillator("drawn", *matrices, **more)
@@ -85,9 +81,7 @@ def declared(seed: int, count: int, order: Iterable[int]) -> System:
 @pytest.mark.parametrize(
     ("seed", "count", "stop"), [(1, 1, False), (3, 2, False), (4, 3, False), (17, 2, True)]
 )
-def test_neither_order_nor_direction_of_a_declaration_matters(
-    seed: int, count: int, stop: bool
-) -> None:
+def test_neither_order_nor_direction_of_a_declaration_matters(seed, count, stop):
     """To motions that obey Newton's law and those of the contacts."""
     start = np.random.default_rng(seed).normal(size=2 * count) * (0 if stop else 0.4)
     if seed % 2:
@@ -114,7 +108,7 @@ def test_neither_order_nor_direction_of_a_declaration_matters(
 
 
 @pytest.mark.parametrize("order", [(0, 1), (1, 0)])
-def test_motions_of_coupled_contacts_are_proved(order: tuple[int, int]) -> None:
+def test_motions_of_coupled_contacts_are_proved(order):
     system, start = declared(3, 2, order), np.array([0.5, -0.25, 0, 0, 1, 0])
     for sign in (1, -1):
         motion = ns.simulate(system, {"sign": sign}, [*(sign * start[:4]), 1, 0], transitions=8)
@@ -126,7 +120,7 @@ def test_motions_of_coupled_contacts_are_proved(order: tuple[int, int]) -> None:
         assert_allclose(motion.states, states, atol=1e-9)
 
 
-def test_a_step_with_a_force_exactly_at_its_limit_is_not_proved() -> None:
+def test_a_step_with_a_force_exactly_at_its_limit_is_not_proved():
     """The upper block turns back: its static limit is all that the lower one holds."""
     contacts = [
         Friction("x1", kinetic=1, static=2, name="ground"),
@@ -142,7 +136,7 @@ def test_a_step_with_a_force_exactly_at_its_limit_is_not_proved() -> None:
     assert "what the contact law says at between-reaches-belt" in str(proof.reason)
 
 
-def least(point: Any, state: np.ndarray, reached: set[int]) -> list[str]:
+def least(point, state, reached):
     """What each contact of a system at rest does, by minima of the primal problem."""
     law = point.structure.law
     count = len(law.contacts)
@@ -171,7 +165,7 @@ def least(point: Any, state: np.ndarray, reached: set[int]) -> list[str]:
 
 
 @pytest.mark.parametrize(("seed", "count"), [(5, 2), pytest.param(4, 3, marks=pytest.mark.slow)])
-def test_the_choice_is_the_minimum(seed: int, count: int, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_choice_is_the_minimum(seed, count, monkeypatch):
     """And what minimises is tried first: nothing else has to be, where nothing is tied."""
     monkeypatch.setattr("nonsmooth.runtime.events.transition_choice.product", None)
     system = declared(seed, count, list(range(count)))
@@ -200,7 +194,7 @@ def test_the_choice_is_the_minimum(seed: int, count: int, monkeypatch: pytest.Mo
     assert len(seen) > 3
 
 
-def test_forces_that_are_not_unique_are_ambiguous() -> None:
+def test_forces_that_are_not_unique_are_ambiguous():
     contacts = [
         Friction("x1", 1, 2, name="first"),
         Friction("x2", 1, 2, name="second"),
@@ -211,7 +205,7 @@ def test_forces_that_are_not_unique_are_ambiguous() -> None:
         ns.simulate(system, {}, [0.1, 0, 0, 0], until=1.0)
 
 
-def stops(law: str | None, reverse: bool = False) -> System:
+def stops(law, reverse=False):
     pair = [RigidStop("x1", 1, 0.5, name="a"), RigidStop({"x2": 1, "x1": -1}, 1, 0.5, name="b")]
     return oscillator(
         "two", ["x1", "x2"], sp.eye(2), sp.zeros(2, 2),
@@ -220,7 +214,7 @@ def stops(law: str | None, reverse: bool = False) -> System:
 
 
 @pytest.mark.parametrize("reverse", [False, True])
-def test_stops_at_one_instant_are_ambiguous_without_a_law(reverse: bool) -> None:
+def test_stops_at_one_instant_are_ambiguous_without_a_law(reverse):
     motion, second = both(stops(None, reverse), {}, [0, 0, 1, 2], 1.5)
     assert motion.status.name == second.status.name == "AMBIGUOUS"
     assert motion.end == pytest.approx(1.0)
@@ -242,7 +236,7 @@ system = oscillator("struck", ["x1", "x2"], sp.eye(2), sp.zeros(2, 2), elements=
 
 
 @pytest.mark.parametrize("ending", ["csv", "npz"])
-def test_the_options_of_an_ambiguous_motion_are_kept(ending: str, tmp_path: Path) -> None:
+def test_the_options_of_an_ambiguous_motion_are_kept(ending, tmp_path):
     (tmp_path / "struck.py").write_text(STRUCK)
     motion = ns.simulate(str(tmp_path / "struck.py"), {}, [0, 0, 1, 2], until=1.5)
     motion.save(tmp_path / f"motion.{ending}")
@@ -266,13 +260,13 @@ def test_the_options_of_an_ambiguous_motion_are_kept(ending: str, tmp_path: Path
         ("moreau", True, [0.75, 1.5]),
     ],
 )
-def test_stops_at_one_instant_by_a_law(law: str, reverse: bool, expected: list[float]) -> None:
+def test_stops_at_one_instant_by_a_law(law, reverse, expected):
     motion, second = both(stops(law, reverse), {}, [0, 0, 1, 2], 1.5)
     assert_allclose(motion(1.5)[:2], expected, atol=1e-12)
     assert_allclose(second.states, motion.states, atol=1e-13)
 
 
-def test_stops_that_do_not_interact_need_no_law() -> None:
+def test_stops_that_do_not_interact_need_no_law():
     pair = [RigidStop("x1", 1, 0.5), RigidStop("x2", 1, 0.25)]
     system = oscillator("two", ["x1", "x2"], sp.eye(2), sp.eye(2), elements=pair)
     motion, _ = both(system, {}, [0, 0, 2, 2], 1.0)
@@ -295,7 +289,7 @@ system = oscillator(
 """
 
 
-def settled(folder: Path, text: str) -> tuple[Any, list[float]]:
+def settled(folder, text):
     """The orbit of a file's system to which its motion comes, and a guess of it."""
     file = folder / "declared.py"
     file.write_text(text)
@@ -305,7 +299,7 @@ def settled(folder: Path, text: str) -> tuple[Any, list[float]]:
     return ns.solve(str(file), {}, guess, itinerary=itinerary), guess
 
 
-def saved(proof: Any, file: Path) -> Any:
+def saved(proof, file):
     """What the file of a proof holds."""
     assert set(proof.claims.values()) == {"proved"}
     proof.save(file)
@@ -314,7 +308,7 @@ def saved(proof: Any, file: Path) -> Any:
     return content
 
 
-def test_an_orbit_through_coupled_contacts_is_proved_and_checked(tmp_path: Path) -> None:
+def test_an_orbit_through_coupled_contacts_is_proved_and_checked(tmp_path):
     orbit, _ = settled(tmp_path, SLIDING)
     assert orbit.admissibility.verdict is True
     content = saved(ns.certify(orbit), tmp_path / "proof.json")
@@ -338,7 +332,7 @@ def test_an_orbit_through_coupled_contacts_is_proved_and_checked(tmp_path: Path)
     refused(lambda d: d["law"].pop("free"))
 
 
-def test_half_of_an_orbit_through_coupled_contacts_and_its_mirror_image(tmp_path: Path) -> None:
+def test_half_of_an_orbit_through_coupled_contacts_and_its_mirror_image(tmp_path):
     whole, guess = settled(tmp_path, SLIDING)
     itinerary, phases = whole.itinerary, len(whole.itinerary)
     count = phases // 2
@@ -359,7 +353,7 @@ CRAWLING = (
 )
 
 
-def test_a_shift_changes_nothing_that_the_law_is_told(tmp_path: Path) -> None:
+def test_a_shift_changes_nothing_that_the_law_is_told(tmp_path):
     orbit, _ = settled(tmp_path, CRAWLING)
     content = saved(ns.certify(orbit), tmp_path / "proof.json")
     assert content["closing"]["translations"] == [["1", "1", "0", "0", "0", "0"]]

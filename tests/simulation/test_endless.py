@@ -1,7 +1,6 @@
 """Motions in which an engine could search for ever: each ends, with one status in both engines."""
 
 import math
-from typing import Any
 
 import numpy as np
 import pytest
@@ -9,18 +8,18 @@ import sympy as sp
 
 import nonsmooth as ns
 from nonsmooth import simulate
-from nonsmooth.derive import Harmonic, RigidStop, System, oscillator
+from nonsmooth.derive import Harmonic, RigidStop, oscillator
 from tests.engines import ENGINES, with_both, with_engine
 
 
 def stopped(
-    stiffness: object,
-    damping: object = 0,
-    load: object = 0,
-    frequency: object = None,
-    at: object = 1,
-    amplitude: object = 1,
-) -> System:
+    stiffness,
+    damping=0,
+    load=0,
+    frequency=None,
+    at=1,
+    amplitude=1,
+):
     forcing = [] if frequency is None else [Harmonic(frequency, cosine=[amplitude])]
     return oscillator(
         "endless", ["x"], [[1]], [[stiffness]], [[damping]], load=[load], forcing=forcing,
@@ -47,13 +46,13 @@ CASES = {  # the system, the start, until, the status
 }
 
 
-def followed(system: System, start: tuple[float, float], until: float) -> Any:
+def followed(system, start, until):
     return ns.simulate(system, {}, dict(zip("xv", start, strict=True)), until=until, transitions=5)
 
 
 @pytest.mark.compiled
 @pytest.mark.parametrize("name", CASES)
-def test_every_motion_ends_and_both_engines_say_how(name: str) -> None:
+def test_every_motion_ends_and_both_engines_say_how(name):
     system, start, until, status = CASES[name]
     ends = []
     for engine in ENGINES[: 2 if status else 1]:  # what is shaken lasts in Python
@@ -72,7 +71,7 @@ def test_every_motion_ends_and_both_engines_say_how(name: str) -> None:
 
 
 @pytest.mark.compiled
-def test_random_motions_that_grow_agree_in_both_engines() -> None:
+def test_random_motions_that_grow_agree_in_both_engines():
     """Negative stiffness, negative damping: impacts first, an escape in the end."""
     generator = np.random.default_rng(3)
     for _ in range(12):

@@ -29,7 +29,7 @@ SLOW = LIMITS | {"V": 10}
 compiled = pytest.mark.skipif(compiled_engine() is None, reason="no compiled engine")
 
 
-def friction(kind: str, *values: float) -> Motion:
+def friction(kind, *values):
     names = ("chi", "eta", "V", "us1", "ur1", "us2", "ur2")
     parameters = dict(zip(names, values[:7], strict=True))
     return Motion(kind, "dry-friction", parameters, values[7:], math.inf)
@@ -65,7 +65,7 @@ FOUND = {
 
 @compiled
 @pytest.mark.parametrize("kind", [*FRICTION, *RIGID, *ELASTIC])
-def test_random_motions_follow_the_reference(kind: str) -> None:
+def test_random_motions_follow_the_reference(kind):
     rng = np.random.default_rng([*kind.encode()])
     for _ in range(12):
         verdict, told = against_reference(random_motion(rng, kind), 40)
@@ -74,7 +74,7 @@ def test_random_motions_follow_the_reference(kind: str) -> None:
 
 @compiled
 @pytest.mark.parametrize("kind", ["plain", "on-belt", "elastic", "rigid"])
-def test_random_motions_follow_the_proof(kind: str) -> None:
+def test_random_motions_follow_the_proof(kind):
     rng = np.random.default_rng([*kind.encode(), 1])
     for _ in range(3):
         verdict, told = against_proof(random_motion(rng, kind), 20)
@@ -83,7 +83,7 @@ def test_random_motions_follow_the_proof(kind: str) -> None:
 
 @compiled
 @pytest.mark.parametrize("seed", [1, 5, 6])
-def test_random_chains_follow_fifty_digits(seed: int) -> None:
+def test_random_chains_follow_fifty_digits(seed):
     system, state = random_chain(np.random.default_rng(seed))
     assert against_digits(system, state, 20) == ("agree", "")
     # one that is a little stiffer is another one
@@ -95,11 +95,11 @@ def test_random_chains_follow_fifty_digits(seed: int) -> None:
 
 @compiled
 @pytest.mark.parametrize("name", FOUND)
-def test_what_led_an_engine_astray(name: str) -> None:
+def test_what_led_an_engine_astray(name):
     assert against_reference(FOUND[name], 40) == ("agree", "")
 
 
-def test_a_step_that_does_not_follow_is_seen() -> None:
+def test_a_step_that_does_not_follow_is_seen():
     system = piecewise("dry-friction", STICKING)
     found = follow(system, np.array([0.1, 0.2, 0.3, -0.1]), 0, transitions=6)
     assert broken_step(system, found, 1.0) == ""
@@ -111,7 +111,7 @@ def test_a_step_that_does_not_follow_is_seen() -> None:
 
 
 @compiled
-def test_a_wait_up_to_the_last_radian_ends_quietly() -> None:
+def test_a_wait_up_to_the_last_radian_ends_quietly():
     """The longest angle must not round up beyond the domain of the sine."""
     rng = np.random.default_rng(8)
     for chi, eta in zip(rng.uniform(0.1, 0.9, 40), rng.uniform(0.2, 4, 40), strict=True):
@@ -129,7 +129,7 @@ def test_a_wait_up_to_the_last_radian_ends_quietly() -> None:
 @pytest.mark.parametrize("system", ["elastic-stop", "rigid-stop"])
 @pytest.mark.parametrize("miss", [0.0, 1e-9, -1e-9])
 @pytest.mark.usefixtures("backend")
-def test_each_maximum_may_graze_within_rounding_or_miss(system: str, miss: float) -> None:
+def test_each_maximum_may_graze_within_rounding_or_miss(system, miss):
     """Both masses in the slow mode, x1 = (1 - miss) cos wt with w = 1."""
     data = dict(m1=1, m2=1, k1=2, k2=3) | ({"r": 1} if system == "rigid-stop" else {"k3": 1})
     start = [miss - 1, (miss - 1) / 2, 0, 0]

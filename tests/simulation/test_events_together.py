@@ -1,7 +1,5 @@
 """What a clock of doubles cannot tell apart is one event; the order of boundaries tells nothing."""
 
-from __future__ import annotations
-
 import random
 from functools import cache
 
@@ -28,7 +26,7 @@ FREQUENCY, SPEED = 1000, sp.Rational(1, 20)  # many radians pass before the even
 
 
 @cache
-def shaken(kind: str) -> System:
+def shaken(kind):
     """Two oscillators on one slope: the functions of both are zero at one instant.
 
     Together both are boundaries of `early`; else the first one's is. Then a phase without
@@ -77,7 +75,7 @@ def shaken(kind: str) -> System:
 
 
 @pytest.mark.parametrize("kind", ["together", "rises", "falls", "falls behind"])
-def test_what_is_zero_at_one_instant_is_one_event(kind: str, backend: str) -> None:
+def test_what_is_zero_at_one_instant_is_one_event(kind, backend):
     rng, slow = np.random.default_rng(3), 4 if kind == "falls behind" else 2
     for height, angle in rng.uniform([1.8, 0], [2.2, 6], (8 if backend == "c" else slow, 2)):
         cosine, sine = np.cos(angle), np.sin(angle)
@@ -86,7 +84,7 @@ def test_what_is_zero_at_one_instant_is_one_event(kind: str, backend: str) -> No
         assert motion.configurations[-1] == "right"
 
 
-def struck(seed: int, *, far_first: bool) -> System:
+def struck(seed, *, far_first):
     """A forced mass, its stop at no binary fraction, and another one that it never reaches."""
     draw = random.Random(seed)
     place, restitution = (
@@ -107,7 +105,7 @@ def struck(seed: int, *, far_first: bool) -> System:
 
 
 @pytest.mark.parametrize("seed", range(6))
-def test_a_boundary_that_begins_a_flight_is_known_wherever_it_is_listed(seed: int) -> None:
+def test_a_boundary_that_begins_a_flight_is_known_wherever_it_is_listed(seed):
     """The motion does not depend on the order of the boundaries, to the last bit."""
     first, second = (
         ns.simulate(struck(seed, far_first=order), {}, START, transitions=300)

@@ -1,7 +1,5 @@
 """Friction whose normal load vanishes or whose force is exhausted: motions in closed form."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np
@@ -16,7 +14,7 @@ pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without
 MASS = np.array([[2, 0.5], [0.5, 1]])
 
 
-def test_a_block_without_a_force_along_its_belt_lifts_and_lands_at_rest() -> None:
+def test_a_block_without_a_force_along_its_belt_lifts_and_lands_at_rest():
     """Both limits vanish at one instant, and it lands at the velocity of the belt."""
     c = sp.Symbol("c1")
     pads = [Friction(x, 0.3, 0.4, velocity=1, normal=1 + 2 * c, name=f"{x}-pad") for x in "xy"]
@@ -28,7 +26,7 @@ def test_a_block_without_a_force_along_its_belt_lifts_and_lands_at_rest() -> Non
     assert np.allclose(motion(10.0)[:4], [10, 10, 1, 1], atol=1e-12)
 
 
-def test_a_plastic_impact_leaves_a_contact_at_rest() -> None:
+def test_a_plastic_impact_leaves_a_contact_at_rest():
     """On the ground, against a stop without rebound: the pad is at rest, then held."""
     pad = Friction("x", 0.3, 0.4, normal=1 + sp.Symbol("x"), falling=0.1, name="pad")
     stop = RigidStop("x", at=0.2, restitution=0, name="stop")
@@ -38,7 +36,7 @@ def test_a_plastic_impact_leaves_a_contact_at_rest() -> None:
     assert np.allclose(motion(5.0), [0.2, 0], atol=1e-14)
 
 
-def test_an_orbit_with_exhausted_friction_is_certified() -> None:
+def test_an_orbit_with_exhausted_friction_is_certified():
     """Self-excited: the slope is above the damping, until no friction is left."""
     belt = Friction("x", 1, 1.2, velocity=1, falling=0.6, name="belt")
     system = oscillator("falling", ["x"], [[1]], [[1]], [[0.05]], elements=[belt])

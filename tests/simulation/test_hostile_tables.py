@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import math
 import signal
-from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
@@ -31,7 +29,7 @@ class Late(BaseException):
 
 
 @contextmanager
-def limited() -> Iterator[None]:
+def limited():
     def late(*_: object) -> None:
         raise Late
 
@@ -44,7 +42,7 @@ def limited() -> Iterator[None]:
         signal.signal(signal.SIGPROF, before)
 
 
-def tables(rng: np.random.Generator, system: Any) -> np.ndarray:
+def tables(rng, system):
     """Numbers of a system with a few that are hostile, anywhere or among the exponents."""
     numbers = numbers_of(system).copy()
     before = system.fields.size + system.rows.size + system.resets.size
@@ -59,7 +57,7 @@ def tables(rng: np.random.Generator, system: Any) -> np.ndarray:
     return numbers
 
 
-def of_numbers(system: Any, numbers: np.ndarray) -> Any:
+def of_numbers(system, numbers):
     shaped, place = [], 0
     for part in (*system.numbers, *system.exponents, *system.flows):
         shaped.append(numbers[place : place + part.size].reshape(part.shape))
@@ -74,7 +72,7 @@ def of_numbers(system: Any, numbers: np.ndarray) -> Any:
 
 
 @pytest.mark.parametrize("name", SYSTEMS)
-def test_every_table_has_an_answer_or_a_status(name: str, backend: str) -> None:
+def test_every_table_has_an_answer_or_a_status(name, backend):
     system, rng = piecewise(name, SYSTEMS[name]), np.random.default_rng([*name.encode()])
     told = set()
     for _ in range(60 if backend == "c" else 20):
@@ -96,7 +94,7 @@ def test_every_table_has_an_answer_or_a_status(name: str, backend: str) -> None:
 
 @pytest.mark.compiled
 @pytest.mark.parametrize("name", ["rigid-stop", "elastic-stop"])
-def test_both_engines_tell_the_same_of_hostile_parameters(name: str) -> None:
+def test_both_engines_tell_the_same_of_hostile_parameters(name):
     """Parameters over 40 decades: tables that a system may have."""
     rng, names = np.random.default_rng([*name.encode(), 1]), [n for n in SYSTEMS[name] if n != "r"]
     compared = 0

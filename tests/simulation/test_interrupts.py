@@ -35,7 +35,7 @@ class Rung(BaseException):
     """As KeyboardInterrupt, which would end the tests too if it came late."""
 
 
-def admissible(count: int) -> object:
+def admissible(count):
     """Orbits that stick for so long that each takes milliseconds."""
     kernels = load_orbit("dry-friction/symmetric")
     names = kernels.parameter_names
@@ -45,7 +45,7 @@ def admissible(count: int) -> object:
     return kernels.admissible(np.broadcast_to(parameters, (count, len(names))), unknowns)
 
 
-def chart_threads() -> None:
+def chart_threads():
     def work(number: int) -> None:
         ns.simulate("dry-friction", RUBBING, STARTS, until=1e9, transitions=10**9, threads=1)
 
@@ -78,7 +78,7 @@ CASES: dict[str, Callable[[], object]] = {
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_a_signal_ends_it(name: str) -> None:
+def test_a_signal_ends_it(name):
     """Signals are heard several times in the middle of a call, and then one ends it."""
     heard = []
 
@@ -104,7 +104,7 @@ def test_a_signal_ends_it(name: str) -> None:
         gc.enable()
 
 
-def wait_until_called_off() -> None:
+def wait_until_called_off():
     pause = Event()
     while True:
         check_called_off()
@@ -112,7 +112,7 @@ def wait_until_called_off() -> None:
 
 
 @pytest.mark.parametrize("name", ["a motion", "orbits in one call", "long orbits"])
-def test_it_ends_in_a_thread_that_is_called_off(name) -> None:
+def test_it_ends_in_a_thread_that_is_called_off(name):
     begun = Event()
 
     def work():
@@ -128,7 +128,7 @@ def test_it_ends_in_a_thread_that_is_called_off(name) -> None:
     assert isinstance(working.exception(), KeyboardInterrupt)
 
 
-def test_a_failure_calls_off_the_pool_and_those_inside_it() -> None:
+def test_a_failure_calls_off_the_pool_and_those_inside_it():
     begun, ended = Event(), Event()
 
     def inner() -> None:

@@ -1,7 +1,5 @@
 """Derivatives of motions of many states, and of configurations that are made when visited."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np
@@ -10,13 +8,13 @@ import sympy as sp
 from numpy.testing import assert_allclose
 
 import nonsmooth as ns
-from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, System, oscillator
+from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
 from tests.moved_motions import compared_with_digits
 
 DATA = {"k": 2.0, "F": 1.0, "w": 1.1, "gap": 0.05, "r": 0.8}
 
 
-def chain(count: int) -> System:
+def chain(count):
     """Masses in a chain between walls; the first one is forced, and strikes a stop."""
     found = [Parameter(name, name) for name in DATA]
     k, force, w, gap, r = (parameter.symbol for parameter in found)
@@ -37,7 +35,7 @@ def chain(count: int) -> System:
     )
 
 
-def rubbing(count: int) -> tuple[System, dict[str, float]]:
+def rubbing(count):
     """Masses in a chain, each on a belt: 3^count configurations, made when they are visited."""
     found = [Parameter(name, name) for name in ("V", "mu")]
     belt, force = (parameter.symbol for parameter in found)
@@ -58,7 +56,7 @@ def rubbing(count: int) -> tuple[System, dict[str, float]]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("count", [9, 19])  # 20 and 40 states: modes as eigenvectors
-def test_chains_agree_with_fifty_digits(count: int) -> None:
+def test_chains_agree_with_fifty_digits(count):
     system = chain(count)
     start = {name: 0.0 for name in (f"{a}{i}" for a in "xv" for i in range(1, count + 1))}
     motion = ns.simulate(system, DATA, start, transitions=6)
@@ -66,7 +64,7 @@ def test_chains_agree_with_fifty_digits(count: int) -> None:
     assert compared_with_digits(system, motion, np.random.default_rng(count), 2) < 1e-12
 
 
-def test_factors_and_matrices_have_the_same_derivatives() -> None:
+def test_factors_and_matrices_have_the_same_derivatives():
     motion = ns.simulate(chain(9), DATA, [0.0] * 18 + [1.0, 0.0], transitions=8)
     flows = tuple(flows.all() for flows in motion.system.flows)
     dense = replace(motion, system=replace(motion.system, flows=flows))
@@ -80,7 +78,7 @@ def test_factors_and_matrices_have_the_same_derivatives() -> None:
 
 
 @pytest.mark.usefixtures("backend")
-def test_motions_at_many_points_are_those_at_each() -> None:
+def test_motions_at_many_points_are_those_at_each():
     system, start = chain(9), [0.0] * 18 + [1.0, 0.0]
     stiffness = np.array([2.0, 2.5, 3.0])
     many = ns.simulate(system, DATA | {"k": stiffness}, start, transitions=4)
@@ -92,7 +90,7 @@ def test_motions_at_many_points_are_those_at_each() -> None:
 
 
 @pytest.mark.slow
-def test_configurations_that_are_made_when_visited_have_derivatives() -> None:
+def test_configurations_that_are_made_when_visited_have_derivatives():
     system, data = rubbing(8)
     start = [*np.linspace(-0.6, 0.7, 8).tolist(), *np.linspace(0.1, 0.45, 8).tolist()]
     motion = ns.simulate(system, data, start, transitions=12)

@@ -20,7 +20,7 @@ from tests.large_systems import RESTITUTION, chain, integrated, masses_apart
 pytestmark = pytest.mark.compiled
 
 
-def start_of(count: int, seed: int) -> np.ndarray:
+def start_of(count, seed):
     rng = np.random.default_rng(seed)
     place = rng.uniform(-0.2, 0.2, count)
     phase = rng.uniform(0, 2 * np.pi)
@@ -40,9 +40,7 @@ def start_of(count: int, seed: int) -> np.ndarray:
         pytest.param(100, 40, 30, marks=pytest.mark.slow),
     ],
 )
-def test_chains_follow_matrix_exponentials(
-    count: int, rubbing: int | None, transitions: int, factored: bool
-) -> None:
+def test_chains_follow_matrix_exponentials(count, rubbing, transitions, factored):
     system, state = chain(count, rubbing, factored), start_of(count, 3)
     if rubbing is not None:
         state[count + rubbing] = abs(state[count + rubbing])
@@ -56,7 +54,7 @@ def test_chains_follow_matrix_exponentials(
 
 
 @pytest.mark.parametrize("count", [15, 16, 17, 40])
-def test_stops_reached_one_by_one(count: int) -> None:
+def test_stops_reached_one_by_one(count):
     """30 to 80 boundaries: each mass by itself meets its next stop after half a swing."""
     rng = np.random.default_rng(count)
     gaps = rng.uniform(0.3, 0.6, 2 * count)
@@ -71,7 +69,7 @@ def test_stops_reached_one_by_one(count: int) -> None:
         assert found.times[place] == pytest.approx(math.asin(gaps[mass] / state[count + mass]))
 
 
-def test_many_stops_reached_together() -> None:
+def test_many_stops_reached_together():
     """Forty masses go as one: sets of forty boundaries, in words that differ."""
     count, gap = 40, 0.5
     system = masses_apart(count, np.full(2 * count, gap))
@@ -88,7 +86,7 @@ def test_many_stops_reached_together() -> None:
         assert found.times[k + 1] == pytest.approx(time, abs=1e-12)
 
 
-def test_what_is_kept_of_many_motions() -> None:
+def test_what_is_kept_of_many_motions():
     count, kept = 20, 5
     rng = np.random.default_rng(1)
     system = masses_apart(count, rng.uniform(0.3, 0.6, 2 * count))
@@ -102,7 +100,7 @@ def test_what_is_kept_of_many_motions() -> None:
         assert [sets[k % kept] for k in range(40, 45)] == known.sets[40:].tolist()
 
 
-def test_factors_that_no_mode_has_are_refused() -> None:
+def test_factors_that_no_mode_has_are_refused():
     """A layout that says of a mode that it has factors, and does not count them, or of a chain."""
     engine = compiled_engine()
     system = chain(10)
@@ -125,7 +123,7 @@ def test_factors_that_no_mode_has_are_refused() -> None:
 
 
 @pytest.mark.parametrize(("count", "growing"), [(12, False), (20, False), (12, True)])
-def test_rounding_by_factors_is_bounded_as_by_matrices(count: int, growing: bool) -> None:
+def test_rounding_by_factors_is_bounded_as_by_matrices(count, growing):
     """What a decider is told of an event: never less than by matrices, and not much more."""
     engine, told = compiled_engine(), []
 
@@ -181,6 +179,6 @@ for states, length in ((30000, 1), (1 << 28, 1), (1 << 28, 1 << 28)):
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="limits of address space are Linux's")
-def test_too_little_memory_is_an_error_and_no_crash() -> None:
+def test_too_little_memory_is_an_error_and_no_crash():
     told = subprocess.run([sys.executable, "-c", MEMORY], capture_output=True, text=True)
     assert (told.returncode, told.stderr) == (0, "")

@@ -2,7 +2,6 @@
 
 import math
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
@@ -10,7 +9,7 @@ from numpy.testing import assert_allclose
 
 import nonsmooth as ns
 from nonsmooth import InputError, lyapunov, simulate
-from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, System, oscillator
+from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.explore.finding.unsettled import stretching
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import load_system
@@ -29,7 +28,7 @@ IMPACT = "docs/gallery/impact_oscillator.py"
 
 
 @cache
-def forced(kind: str) -> System:
+def forced(kind):
     """Damped masses under one to three harmonics, with a stop, with friction, or with both."""
     zeta, speed = Parameter("zeta", "damping"), Parameter("Omega", "frequency")
     forcing = [Harmonic(speed.symbol, cosine=[1])]
@@ -49,7 +48,7 @@ def forced(kind: str) -> System:
     )  # fmt: skip
 
 
-def comes_back(motion: Any) -> bool:
+def comes_back(motion):
     try:
         ns.itinerary_of(motion)
     except InputError:
@@ -57,7 +56,7 @@ def comes_back(motion: Any) -> bool:
     return True
 
 
-def law(system: object, motion: Any) -> list[float]:
+def law(system, motion):
     """Check exponents of a motion that settles against log|multiplier| / period; give these."""
     orbit = ns.solve(system, motion.parameters, itinerary=ns.itinerary_of(motion))
     assert orbit.converged
@@ -81,7 +80,7 @@ def law(system: object, motion: Any) -> list[float]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", ["frequencies", "stop", "sticking", "both"])
-def test_exponents_of_forced_orbits_are_those_of_their_multipliers(kind: str) -> None:
+def test_exponents_of_forced_orbits_are_those_of_their_multipliers(kind):
     generator = np.random.default_rng(5)
     settled = 0
     for _ in range(3):
@@ -104,7 +103,7 @@ def test_exponents_of_forced_orbits_are_those_of_their_multipliers(kind: str) ->
 
 
 @pytest.mark.parametrize("r", ["0.8", "0.7"])
-def test_the_impact_oscillator(r: str) -> None:
+def test_the_impact_oscillator(r):
     data = {"sigma": "0.2", "w": "3.7", "r": r}
     found = law(IMPACT, ns.simulate(IMPACT, data, {"x": 0, "v": 1}, transitions=600))
     if r == "0.8":
@@ -116,11 +115,11 @@ def test_the_impact_oscillator(r: str) -> None:
     ("docs/gallery/mass_on_belt.py", {"u": 1, "e": "0.3", "V": "0.5"}, {"x": 0, "v": 0}),
     ("dry-friction", RUBBING, [0.3, -0.2, 0.1, 0.4]),
 ])  # fmt: skip
-def test_exponents_without_forcing(system: str, data: dict, start: object) -> None:
+def test_exponents_without_forcing(system, data, start):
     law(system, ns.simulate(system, data, start, transitions=1000))
 
 
-def test_a_chaotic_motion_shrinks_areas_as_its_impacts_do() -> None:
+def test_a_chaotic_motion_shrinks_areas_as_its_impacts_do():
     data = {"sigma": "0.1", "w": "7.57", "r": "0.62"}
     motion = ns.simulate(IMPACT, data, {"x": -0.5, "v": 1}, transitions=2000)
     found = lyapunov_spectrum(motion, motion.end / 5)
@@ -136,7 +135,7 @@ def test_a_chaotic_motion_shrinks_areas_as_its_impacts_do() -> None:
     "data",
     [{"sigma": "0.1", "w": "7.57", "r": "0.62"}, {"sigma": "0.2", "w": "3.7", "r": "0.8"}],
 )
-def test_neighbours_part_as_perturbations_of_one_motion_grow(data: dict) -> None:
+def test_neighbours_part_as_perturbations_of_one_motion_grow(data):
     motion = ns.simulate(IMPACT, data, {"x": -0.5, "v": 1}, transitions=2000)
     one = lyapunov(motion, motion.end / 5)
     kernels = load_system(IMPACT)
@@ -154,7 +153,7 @@ def test_neighbours_part_as_perturbations_of_one_motion_grow(data: dict) -> None
 
 @pytest.mark.slow
 @pytest.mark.parametrize("since", [0, 0.1, 0.5])
-def test_regular_motions_that_keep_energy_are_not_called_chaotic(since: float) -> None:
+def test_regular_motions_that_keep_energy_are_not_called_chaotic(since):
     """Their perturbations grow like the time: at a rate that looks like an exponent."""
     generator = np.random.default_rng(7)
     for name, data in (("elastic-stop", ELASTIC), ("rigid-stop", RIGID)):
@@ -168,7 +167,7 @@ def test_regular_motions_that_keep_energy_are_not_called_chaotic(since: float) -
             assert abs(total) < 3 * sum(e.error for e in found)
 
 
-def test_a_linear_motion_has_the_exponents_of_its_field() -> None:
+def test_a_linear_motion_has_the_exponents_of_its_field():
     """Fast decay beside slow, over a time in which it underflows: it is annihilated by nothing."""
     rates = [0.01, 30.0]
     system = oscillator(
@@ -185,14 +184,14 @@ def test_a_linear_motion_has_the_exponents_of_its_field() -> None:
 
 
 @pytest.mark.parametrize("transitions", [3, 12, 20])
-def test_nothing_is_told_of_a_short_motion(transitions: int) -> None:
+def test_nothing_is_told_of_a_short_motion(transitions):
     data = {"sigma": "0.2", "w": "3.7", "r": "0.8"}
     motion = ns.simulate(IMPACT, data, {"x": 0, "v": 1}, transitions=transitions)
     with pytest.raises(InputError, match="too short to tell its largest Lyapunov exponent"):
         lyapunov(motion)
 
 
-def test_nothing_is_told_of_a_motion_at_rest() -> None:
+def test_nothing_is_told_of_a_motion_at_rest():
     system = oscillator("resting", ["x"], [[1]], [[1]], [[1]], load=[1],
                         elements=[RigidStop("x", 0, 0, name="stop")])  # fmt: skip
     motion = ns.simulate(system, {}, {"x": -1, "v": 0}, until=500)
@@ -200,13 +199,13 @@ def test_nothing_is_told_of_a_motion_at_rest() -> None:
         lyapunov(motion)
 
 
-def meeting(system: str, data: dict, time: float, state: list[float], until: float) -> Any:
+def meeting(system, data, time, state, until):
     """A motion that is in a state of its first configuration at a time, followed backwards."""
     (start,) = flow_states(piecewise(system, data), 0, np.array([-time]), np.array(state))
     return simulate(system, data, start, until=until)
 
 
-def test_no_exponent_where_two_boundaries_are_reached_at_once() -> None:
+def test_no_exponent_where_two_boundaries_are_reached_at_once():
     """Both masses reach the belt's velocity at one time."""
     trajectory = meeting("dry-friction", STICKING, 0.75, [1.0, 1.5, 1.0, 1.0], 400)
     assert set(trajectory.boundaries[1]) == {"first-reaches-belt", "second-reaches-belt"}
@@ -215,7 +214,7 @@ def test_no_exponent_where_two_boundaries_are_reached_at_once() -> None:
     assert lyapunov(trajectory, 40).value < 0  # behind it there is one
 
 
-def test_no_exponent_where_a_boundary_is_touched() -> None:
+def test_no_exponent_where_a_boundary_is_touched():
     """The first peak of a free motion is at the stop."""
     trajectory = meeting("rigid-stop", RIGID, 1.0, [1.0, 0.25, 0.0, 0.0], 40)
     (grazing,) = trajectory.grazings

@@ -16,7 +16,6 @@ from nonsmooth.derive import (
     RigidStop,
     Slider,
     SoftStop,
-    System,
     chain_matrices,
     oscillator,
 )
@@ -34,11 +33,11 @@ Y, V_Y, X, V = sp.symbols("y v_y x v")
 FALLING_LOAD = sp.sympify("1 - 1.2*y + 0.2*v_y")
 
 
-def soft(**options: Any) -> SoftStop:
+def soft(**options):
     return SoftStop("y", 0.15, 9, name="soft", **options)
 
 
-def rub(coordinate: Any = "x", kinetic: Any = 0.45, static: Any = 0.9, **options: Any) -> Friction:
+def rub(coordinate="x", kinetic=0.45, static=0.9, **options):
     return Friction(coordinate, kinetic, static, velocity=0.3, name="pad", **options)
 
 
@@ -98,7 +97,7 @@ CASES: dict[str, tuple[tuple[Any, ...], dict[str, Any], set[str]]] = {
 
 
 @cache
-def declared(name: str) -> tuple[System, Newton]:
+def declared(name):
     matrices, more, _ = CASES[name]
     return oscillator("obeying", *matrices, **more), Newton(*matrices, **more)
 
@@ -109,7 +108,7 @@ QUICK = ("falling", "carried to a stop", "on a released soft stop", "soft stops"
 @pytest.mark.parametrize(
     "name", [pytest.param(name, marks=[pytest.mark.slow] * (name not in QUICK)) for name in CASES]
 )
-def test_motions_obey_newtons_law_and_the_laws_of_contact(name: str) -> None:
+def test_motions_obey_newtons_law_and_the_laws_of_contact(name):
     system, newton = declared(name)
     rng, size, seen = np.random.default_rng(len(name)), len(newton.names), set()
     for _ in range(2 if name in QUICK else 4):
@@ -125,9 +124,7 @@ def test_motions_obey_newtons_law_and_the_laws_of_contact(name: str) -> None:
 
 
 @pytest.mark.parametrize(("name", "data"), [("dry-friction", STICKING), *SYSTEMS.items()])
-def test_built_in_systems_obey_the_laws_of_their_elements(
-    name: str, data: dict[str, Any], backend: str
-) -> None:
+def test_built_in_systems_obey_the_laws_of_their_elements(name, data, backend):
     p = {key: float(sp.sympify(value)) for key, value in data.items()}
     elements: list[Any]
     if name == "dry-friction":
@@ -146,7 +143,7 @@ def test_built_in_systems_obey_the_laws_of_their_elements(
 
 @pytest.mark.slow
 @pytest.mark.usefixtures("backend")
-def test_impacts_that_accumulate_never_pass_the_stop() -> None:
+def test_impacts_that_accumulate_never_pass_the_stop():
     """Each impact leaves the mass where rounding puts it: the next is found all the same."""
     w, r = sp.symbols("w r", positive=True)
     stop = RigidStop("x", at=0, restitution=r, name="stop")

@@ -1,10 +1,5 @@
 """Derivatives of observables against differences, on random oscillators."""
 
-from __future__ import annotations
-
-from collections.abc import Iterator
-from typing import Any
-
 import numpy as np
 import pytest
 
@@ -14,7 +9,7 @@ from tests.moved_motions import random_oscillator
 STEP = 1e-6
 
 
-def _numbers(found: Any) -> Iterator[Any]:
+def _numbers(found):
     """All observables, or their derivatives, in one order."""
     yield found.duration
     for name in ("minima", "maxima", "means", "rms", "fractions", "sticking"):
@@ -24,7 +19,7 @@ def _numbers(found: Any) -> Iterator[Any]:
             yield getattr(contact, name)
 
 
-def _values(found: Any) -> np.ndarray:
+def _values(found):
     parts = _numbers(ns.observe(found, 2.0))
     return np.array([getattr(part, "value", part) for part in parts])
 
@@ -34,7 +29,7 @@ def _values(found: Any) -> np.ndarray:
 @pytest.mark.parametrize(  # slider and soft stop, friction, both stops
     "seed", [*(pytest.param(seed, marks=pytest.mark.slow) for seed in (0, 1)), 6]
 )
-def test_observables_follow_all_parameters(seed: int, end: dict[str, Any]) -> None:
+def test_observables_follow_all_parameters(seed, end):
     system, data, start = random_oscillator(np.random.default_rng([7, seed]), f"random-{seed}")
     found = ns.simulate(system, data, start, **end).derivatives(list(data)).observables(2.0)
     exact = np.array(list(_numbers(found)))

@@ -3,7 +3,6 @@
 import math
 from functools import cache
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 import pytest
@@ -21,13 +20,13 @@ ELASTIC, RIGID = CHAIN | {"k3": 3}, CHAIN | {"r": 1}
 
 
 @cache
-def friction(name: str = "B") -> Any:
+def friction(name="B"):
     data = STICKING if name == "A" else RUBBING
     return simulate("dry-friction", data, [0.3, -0.2, 0.1, 0.4], until=200)
 
 
 @cache
-def motion(name: str) -> Any:
+def motion(name):
     if name == "elastic-stop":
         return simulate("elastic-stop", ELASTIC, [0, 0.4, 2, -1], until=120)
     if name == "rigid-stop":
@@ -38,13 +37,13 @@ def motion(name: str) -> Any:
 NAMES = ["A", "B", "elastic-stop", "rigid-stop"]
 
 
-def stop_energy(states: np.ndarray, stop: float = 0.0) -> np.ndarray:
+def stop_energy(states, stop=0.0):
     x1, x2, v1, v2 = states.T
     chain = v1**2 / 2 + v2**2 + (x1 - x2) ** 2 / 2 + 5 * x2**2 / 2
     return chain + stop * np.maximum(x1 - 1, 0) ** 2 / 2
 
 
-def integral(found: Any, function: object) -> float:
+def integral(found, function):
     """Of a function of time, phase by phase, by adaptive quadrature."""
     trajectory = found.trajectory
     inner = trajectory.times[trajectory.times > found.since]
@@ -62,7 +61,7 @@ def integral(found: Any, function: object) -> float:
 
 @pytest.mark.parametrize("since", [0.0, 17.3])
 @pytest.mark.parametrize("name", NAMES)
-def test_extremes_are_those_of_dense_samples_polished(name: str, since: float) -> None:
+def test_extremes_are_those_of_dense_samples_polished(name, since):
     trajectory = motion(name)
     found = observe(trajectory, since)
     times = np.linspace(since, trajectory.end, 200_001)
@@ -88,7 +87,7 @@ def test_extremes_are_those_of_dense_samples_polished(name: str, since: float) -
             assert np.abs(trajectory(near)[:, index] - extreme.value).min() < 1e-8
 
 
-def test_extremes_of_polynomials_are_those_at_the_zeros_of_their_rates() -> None:
+def test_extremes_of_polynomials_are_those_at_the_zeros_of_their_rates():
     """Phases without an oscillation: one panel each, with any number of peaks inside."""
     states = sp.symbols("a:f", real=True)
     moving = Configuration("moving", FirstOrder(np.eye(6, k=1, dtype=int).tolist(), [0] * 6), ())
@@ -107,7 +106,7 @@ def test_extremes_of_polynomials_are_those_at_the_zeros_of_their_rates() -> None
             assert_allclose(extremes, (values.min(), values.max()), rtol=1e-11, atol=1e-11)
 
 
-def test_a_boundary_is_the_extreme_of_what_it_bounds() -> None:
+def test_a_boundary_is_the_extreme_of_what_it_bounds():
     found = observe(motion("rigid-stop"))
     assert_allclose(found.maxima["x1"].value, 1, rtol=0, atol=1e-15)
     held = observe(friction("A"), since=100)
@@ -123,7 +122,7 @@ def test_a_boundary_is_the_extreme_of_what_it_bounds() -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "last"), [(NAMES[3], 60), *((name, 28.3) for name in NAMES)])
-def test_averages_are_those_of_adaptive_quadrature(name: str, last: float) -> None:
+def test_averages_are_those_of_adaptive_quadrature(name, last):
     trajectory = motion(name)
     found = observe(trajectory, trajectory.end - last)
     for index, state in enumerate(trajectory.names):
@@ -134,7 +133,7 @@ def test_averages_are_those_of_adaptive_quadrature(name: str, last: float) -> No
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_fractions_of_time(name: str) -> None:
+def test_fractions_of_time(name):
     trajectory = motion(name)
     found = observe(trajectory, 12.5)
     assert math.fsum(found.fractions.values()) == pytest.approx(1, abs=1e-14)
@@ -155,7 +154,7 @@ def test_fractions_of_time(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_works_are_integrals_of_the_histories(name: str) -> None:
+def test_works_are_integrals_of_the_histories(name):
     trajectory = motion(name)
     found = observe(trajectory, trajectory.end - 31.7)
     for index, (label, contact) in enumerate(found.contacts.items()):
@@ -169,7 +168,7 @@ def test_works_are_integrals_of_the_histories(name: str) -> None:
         assert_allclose(contact.mean, mean, rtol=1e-10, atol=1e-11)
 
 
-def test_friction_forces_by_their_law() -> None:
+def test_friction_forces_by_their_law():
     trajectory = friction("A")
     found = observe(trajectory)
     times = np.linspace(0, trajectory.end, 3000).reshape(-1, 3)
@@ -185,7 +184,7 @@ def test_friction_forces_by_their_law() -> None:
     assert_allclose(found.power("first-friction", times)[stuck], 0, atol=1e-12)
 
 
-def test_the_elastic_stop_conserves_and_pushes_back() -> None:
+def test_the_elastic_stop_conserves_and_pushes_back():
     trajectory = motion("elastic-stop")
     found = observe(trajectory)
     energies = stop_energy(trajectory(np.linspace(0, trajectory.end, 5001)), stop=3.0)
@@ -197,7 +196,7 @@ def test_the_elastic_stop_conserves_and_pushes_back() -> None:
     assert_allclose(stop.dissipated, -stop.work, rtol=1e-14)
 
 
-def test_the_stop_holds_a_resting_mass() -> None:
+def test_the_stop_holds_a_resting_mass():
     """After the impacts have accumulated the stop carries the spring's force."""
     trajectory = simulate("rigid-stop", {**RIGID, "r": 0}, [0.9, 3.0, 0, 0], until=1)
     found = observe(trajectory)
@@ -212,13 +211,13 @@ def test_the_stop_holds_a_resting_mass() -> None:
 
 
 @pytest.mark.parametrize("since", [-1, 200.0, 1e9, math.nan])
-def test_a_wrong_beginning(since: object) -> None:
+def test_a_wrong_beginning(since):
     for function in (observe, lyapunov):
         with pytest.raises(InputError, match="since "):
             function(friction(), since)
 
 
-def test_a_motion_that_never_reaches_a_boundary_is_followed_until_a_time() -> None:
+def test_a_motion_that_never_reaches_a_boundary_is_followed_until_a_time():
     data = CHAIN | {"k3": 1}
     with pytest.raises(InputError, match="no boundary is reached any more: follow it until a time"):
         observe(simulate("elastic-stop", data, [0.1, 0, 0, 0], transitions=10))
@@ -226,7 +225,7 @@ def test_a_motion_that_never_reaches_a_boundary_is_followed_until_a_time() -> No
     assert found.fractions["free"] == 1
 
 
-def test_unknown_contacts_and_times() -> None:
+def test_unknown_contacts_and_times():
     found = observe(friction())
     with pytest.raises(InputError, match=r"unknown contact 'first'; .*first-friction"):
         found.force("first", 1)

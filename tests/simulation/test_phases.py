@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 
 import nonsmooth as ns
 from nonsmooth import InputError
-from nonsmooth.derive import Harmonic, RigidStop, System, oscillator
+from nonsmooth.derive import Harmonic, RigidStop, oscillator
 from nonsmooth.runtime.cli.program import app
 
 pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
@@ -19,7 +19,7 @@ START = {"x": "-0.5", "v": 0}
 
 
 @cache
-def two(phase: object = 0, second: object = 3, first: object = 0) -> System:
+def two(phase=0, second=3, first=0):
     return oscillator(
         "two", ["x"], [[1]], [[1]], [[sp.Rational(1, 10)]],
         forcing=[
@@ -31,7 +31,7 @@ def two(phase: object = 0, second: object = 3, first: object = 0) -> System:
 
 
 @pytest.mark.parametrize("phase", [0, 1, 2.5])
-def test_the_orbit_is_that_of_the_simulated_phase(phase: float) -> None:
+def test_the_orbit_is_that_of_the_simulated_phase(phase):
     system = two(phase)
     motion = ns.simulate(system, {}, START, transitions=600)
     orbit = ns.solve(system, {}, itinerary=ns.itinerary_of(motion))
@@ -42,7 +42,7 @@ def test_the_orbit_is_that_of_the_simulated_phase(phase: float) -> None:
 
 
 @pytest.mark.slow
-def test_a_certificate_is_of_the_phase() -> None:
+def test_a_certificate_is_of_the_phase():
     """Its cosine and sine are exact, rational or not, and never as if they were zero."""
     for phase in (sp.atan2(4, 3), 1):
         system = two(phase)
@@ -54,7 +54,7 @@ def test_a_certificate_is_of_the_phase() -> None:
             assert abs(float(certificate.enclosures[name].mid) - float(value)) < 1e-9
 
 
-def test_a_start_that_contradicts_the_phases_is_refused() -> None:
+def test_a_start_that_contradicts_the_phases_is_refused():
     other = {**START, "c2": math.cos(1), "s2": math.sin(1)}
     for second in (3, sp.sqrt(5)):
         with pytest.raises(InputError, match=r"at no time as in the start.*phase="):
@@ -64,7 +64,7 @@ def test_a_start_that_contradicts_the_phases_is_refused() -> None:
         assert again.transitions == 5
 
 
-def test_a_start_off_the_circle_is_refused(tmp_path: object) -> None:
+def test_a_start_off_the_circle_is_refused(tmp_path):
     system = two()
     wrong = {**START, "c1": "0.5"}
     told = r"c1 = 0\.5, s1 = 0: c1\^2 \+ s1\^2 is 0\.25, not 1"

@@ -22,7 +22,7 @@ def motion():
     return nonsmooth.simulate(two_stops(), LONG, start, transitions=3000)
 
 
-def test_the_stick_orbit_from_a_motion() -> None:
+def test_the_stick_orbit_from_a_motion():
     found = nonsmooth.itinerary_of(
         nonsmooth.simulate("dry-friction", STICKING, [0, 0, 0, 0], transitions=100)
     )
@@ -35,7 +35,7 @@ def test_the_stick_orbit_from_a_motion() -> None:
     )
 
 
-def test_what_takes_no_time_is_named() -> None:
+def test_what_takes_no_time_is_named():
     """Impacts that accumulate are chatter; what two regions send back to each other slides."""
     shaken = {"mass": [[1]], "stiffness": [[1]], "forcing": [Harmonic("1/2", cosine=[3])]}
     stop = RigidStop("x", at=1, restitution="3/10", name="stop")
@@ -54,7 +54,7 @@ def long_orbit():
 
 
 @pytest.mark.compiled
-def test_more_than_twenty_impacts() -> None:
+def test_more_than_twenty_impacts():
     orbit = long_orbit()
     count = len(orbit.itinerary)
     assert count >= 20
@@ -74,7 +74,7 @@ def test_more_than_twenty_impacts() -> None:
 
 
 @pytest.mark.compiled
-def test_about_a_period() -> None:
+def test_about_a_period():
     # a motion that never settles passes near unstable orbits
     data = {**DATA, "Omega": "1.26"}
     chaos = nonsmooth.simulate(two_stops(), data, [0, 0.3, 1, 0], transitions=2000)
@@ -94,7 +94,7 @@ def test_about_a_period() -> None:
     assert converged
 
 
-def test_boundaries_that_are_reached_together() -> None:
+def test_boundaries_that_are_reached_together():
     both = nonsmooth.simulate(pair(), DATA, [0.1, 0.1, 0.3, 0.3, 1, 0], transitions=200)
     found = nonsmooth.itinerary_of(both)
     assert sorted(found.itinerary) == [("free", "left+down"), ("free", "right+up")]
@@ -104,7 +104,7 @@ def test_boundaries_that_are_reached_together() -> None:
 
 
 @pytest.mark.compiled
-def test_a_doubled_orbit_is_no_single_one() -> None:
+def test_a_doubled_orbit_is_no_single_one():
     data = {**DATA, "Omega": "1.274"}
     doubled = nonsmooth.simulate(two_stops(), data, [0, 0.3, 1, 0], transitions=3000)
     found = nonsmooth.itinerary_of(doubled, since=0.9 * doubled.end)
@@ -123,7 +123,7 @@ def test_a_doubled_orbit_is_no_single_one() -> None:
     assert min(single.multipliers.real) < -1
 
 
-def test_a_motion_that_does_not_come_back() -> None:
+def test_a_motion_that_does_not_come_back():
     short = nonsmooth.simulate(two_stops(), DATA, [0, 0.3, 1, 0], transitions=6)
     alone = nonsmooth.simulate(two_stops(), DATA, [0, 0.3, 1, 0], until=0.01)
     for motion in (short, alone):
@@ -138,7 +138,7 @@ def test_a_motion_that_does_not_come_back() -> None:
 
 
 @pytest.mark.parametrize(("length", "rate"), [(1e-12, 1e3), (1e6, 1e-9)])
-def test_sizes_of_states_have_their_units(length: float, rate: float) -> None:
+def test_sizes_of_states_have_their_units(length, rate):
     """Two masses, one at a stop at 0 whenever something happens, the other one at rest."""
     names = ["x1", "x2"]
     system = oscillator("two", names, [[1, 0], [0, 1]], [[1, 0], [0, 1]],

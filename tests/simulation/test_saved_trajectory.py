@@ -10,7 +10,6 @@ import zipfile
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -30,12 +29,12 @@ ENDINGS = [".csv", ".npz"]
 
 
 @cache
-def friction() -> Any:
+def friction():
     return simulate("dry-friction", FRICTION, [0.1, -0.2, 0.3, 0.4], until=60)
 
 
 @cache
-def others() -> dict[str, Any]:
+def others():
     grazed = simulate("rigid-stop", STOP, [0, 0, 2, 0], until=30)
     wild, sets = grazed.states.copy(), friction().run.sets.copy()
     wild[-1] = [np.inf, -np.inf, np.nan, -0.0]
@@ -57,11 +56,11 @@ def others() -> dict[str, Any]:
 
 
 @pytest.fixture(params=ENDINGS)
-def path(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
+def path(request, tmp_path):
     return tmp_path / f"motion{request.param}"
 
 
-def refusal(path: Path) -> str:
+def refusal(path):
     """The one line with which a file is refused."""
     with pytest.raises(InputError) as caught:
         nonsmooth.load(path)
@@ -72,7 +71,7 @@ def refusal(path: Path) -> str:
     return message.removeprefix(f"{path}: ")
 
 
-def parts(path: Path) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
+def parts(path):
     """Header and arrays of a file of either kind, by a reader of its own."""
     if path.suffix == ".npz":
         with np.load(path, allow_pickle=False) as found:
@@ -95,7 +94,7 @@ def parts(path: Path) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
     }
 
 
-def checksum(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> str:
+def checksum(header, arrays):
     covered = {name: entry for name, entry in header.items() if name != "sha256"}
     found = hashlib.sha256(json.dumps(covered, sort_keys=True).encode())
     for name in ("times", "states", "before"):
@@ -105,7 +104,7 @@ def checksum(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> str:
     return found.hexdigest()
 
 
-def write(path: Path, header: dict[str, Any], arrays: dict[str, np.ndarray]) -> None:
+def write(path, header, arrays):
     """Write what was changed, with the checksum that belongs to it."""
     header = {**header, "sha256": checksum(header, arrays)}
     if path.suffix == ".npz":
@@ -127,7 +126,7 @@ def write(path: Path, header: dict[str, Any], arrays: dict[str, np.ndarray]) -> 
 
 
 @pytest.mark.parametrize("name", list(others()))
-def test_every_bit_comes_back(name: str, path: Path) -> None:
+def test_every_bit_comes_back(name, path):
     before = others()[name]
     before.save(path)
     after = nonsmooth.load(path)
@@ -152,7 +151,7 @@ def test_every_bit_comes_back(name: str, path: Path) -> None:
     assert os.listdir(path.parent) == [path.name]
 
 
-def test_the_file_tells_where_it_is_from(path: Path) -> None:
+def test_the_file_tells_where_it_is_from(path):
     friction().save(path)
     header, arrays = parts(path)
     told = {
@@ -166,7 +165,7 @@ def test_the_file_tells_where_it_is_from(path: Path) -> None:
     assert tuple(arrays["configurations"]) == friction().configurations
 
 
-def test_pandas_reads_the_table(tmp_path: Path) -> None:
+def test_pandas_reads_the_table(tmp_path):
     pandas = pytest.importorskip("pandas")
     path = tmp_path / "motion.csv"
     friction().save(path)
@@ -180,7 +179,7 @@ def test_pandas_reads_the_table(tmp_path: Path) -> None:
 # --- files that are refused
 
 
-def test_a_cut_file_is_refused(path: Path) -> None:
+def test_a_cut_file_is_refused(path):
     friction().save(path)
     whole = path.read_bytes()
     for length in range(0, len(whole) - 1, 97):
@@ -189,7 +188,7 @@ def test_a_cut_file_is_refused(path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_a_changed_character_is_refused_or_changes_nothing(path: Path) -> None:
+def test_a_changed_character_is_refused_or_changes_nothing(path):
     friction().save(path)
     whole = path.read_bytes()
     refused, places = 0, range(3, len(whole), 97)
@@ -211,13 +210,13 @@ def test_a_changed_character_is_refused_or_changes_nothing(path: Path) -> None:
 @pytest.mark.parametrize(
     "content", [b"", b"t,x\n0,1\n", b"\xff\xfe\x00\x01", b"PK\x05\x06" + b"\0" * 18]
 )
-def test_foreign_files_are_refused(content: bytes, path: Path) -> None:
+def test_foreign_files_are_refused(content, path):
     path.write_bytes(content)
     assert "saved motion" in refusal(path) or "not an .npz file" in refusal(path)
 
 
 @pytest.mark.slow
-def test_an_archive_whose_directory_lies(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_archive_whose_directory_lies(tmp_path, monkeypatch):
     """No more of it is unpacked than its directory tells, but for one piece."""
     path = tmp_path / "motion.npz"
     friction().save(path)
@@ -233,7 +232,7 @@ def test_an_archive_whose_directory_lies(tmp_path: Path, monkeypatch: pytest.Mon
     assert sum(unpacked) < 5_000_000
 
 
-def test_an_array_whose_header_lies(tmp_path: Path) -> None:
+def test_an_array_whose_header_lies(tmp_path):
     path = tmp_path / "motion.npz"
     friction().save(path)
     with zipfile.ZipFile(path) as good:
@@ -248,9 +247,7 @@ def test_an_array_whose_header_lies(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", ["header", "times", "configurations", "boundaries", "states"])
-def test_little_of_a_small_archive_is_unpacked(
-    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_little_of_a_small_archive_is_unpacked(name, tmp_path, monkeypatch):
     """Whichever part of it unpacks to a thousandfold."""
     path = tmp_path / "motion.npz"
     friction().save(path)
@@ -268,14 +265,14 @@ def test_little_of_a_small_archive_is_unpacked(
     assert sum(unpacked) < 10 * path.stat().st_size
 
 
-def test_a_cell_without_end(tmp_path: Path) -> None:
+def test_a_cell_without_end(tmp_path):
     path = tmp_path / "motion.csv"
     friction().save(path)
     path.write_text(path.read_text() + "1" * 200_000 + "\n")
     assert "field larger than field limit" in refusal(path)
 
 
-def test_files_that_are_too_large(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_files_that_are_too_large(path, monkeypatch):
     friction().save(path)
     content = path.read_bytes()
     monkeypatch.setattr(saved_trajectory, "MOTION", replace(saved_trajectory.MOTION, most=1000))
@@ -290,7 +287,7 @@ def test_files_that_are_too_large(path: Path, monkeypatch: pytest.MonkeyPatch) -
         assert refusal(path) == "too large for a saved motion"
 
 
-def put(name: str, entry: object) -> Change:
+def put(name, entry):
     """An entry of the header, or of an entry of it."""
 
     def change(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> None:
@@ -301,7 +298,7 @@ def put(name: str, entry: object) -> Change:
     return change
 
 
-def cell(name: str, place: int, entry: object) -> Change:
+def cell(name, place, entry):
     def change(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> None:
         del header
         arrays[name] = arrays[name].astype("U40" if isinstance(entry, str) else float)
@@ -343,7 +340,7 @@ def cell(name: str, place: int, entry: object) -> Change:
         (cell("times", 3, np.nan), "its times do not increase from 0"),
     ],
 )
-def test_wrong_content_is_refused(change: Change, part: str, path: Path) -> None:
+def test_wrong_content_is_refused(change, part, path):
     friction().save(path)
     header, arrays = parts(path)
     change(header, arrays)
@@ -351,7 +348,7 @@ def test_wrong_content_is_refused(change: Change, part: str, path: Path) -> None
     assert part in refusal(path)
 
 
-def test_missing_entries_are_refused(path: Path) -> None:
+def test_missing_entries_are_refused(path):
     friction().save(path)
     header, arrays = parts(path)
     for name in header:
@@ -362,7 +359,7 @@ def test_missing_entries_are_refused(path: Path) -> None:
         assert refusal(path) == f"{name!r} is missing"
 
 
-def test_arrays_that_do_not_fit(tmp_path: Path) -> None:
+def test_arrays_that_do_not_fit(tmp_path):
     path = tmp_path / "motion.npz"
     friction().save(path)
     header, arrays = parts(path)
@@ -382,7 +379,7 @@ def test_arrays_that_do_not_fit(tmp_path: Path) -> None:
 # --- writing
 
 
-def test_wrong_targets(tmp_path: Path) -> None:
+def test_wrong_targets(tmp_path):
     with pytest.raises(InputError, match=r"motion\.txt does not end in \.npz or \.csv"):
         friction().save(tmp_path / "motion.txt")
     (tmp_path / "file").write_text("mine")

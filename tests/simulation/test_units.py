@@ -3,14 +3,13 @@
 import os
 from fractions import Fraction
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
 
 import nonsmooth as ns
 from tests.engines import ENGINES, with_both, with_engine
-from tests.scaled_systems import Scaled, random_scaled
+from tests.scaled_systems import random_scaled
 
 # units of length, inverse units of time, units of mass
 POWERS_OF_TWO = [
@@ -31,12 +30,12 @@ TRANSITIONS = 40
 scaled_by = cache(random_scaled)
 
 
-def motion(scaled: Scaled, length: Any, rate: Any, mass: Any) -> Any:
+def motion(scaled, length, rate, mass):
     return _motion(os.environ.get("NONSMOOTH_BACKEND"), scaled, length, rate, mass)
 
 
 @cache
-def _motion(backend: str | None, scaled: Scaled, length: Any, rate: Any, mass: Any) -> Any:
+def _motion(backend, scaled, length, rate, mass):
     """Of a backend: two tests compare the same one."""
     return ns.simulate(
         scaled.system,
@@ -47,7 +46,7 @@ def _motion(backend: str | None, scaled: Scaled, length: Any, rate: Any, mass: A
     )
 
 
-def compare(found: Any, rate: Any, wanted: Any, wanted_rate: Any = 1) -> None:
+def compare(found, rate, wanted, wanted_rate=1):
     """The same sequence, at times that differ by rounding."""
     assert found.configurations == wanted.configurations
     assert found.status == wanted.status
@@ -61,7 +60,7 @@ SEEDS = [*(pytest.param(k, marks=[pytest.mark.slow] * (k not in (0, 3))) for k i
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", SEEDS)
-def test_motions_do_not_depend_on_units(seed: int, backend: str) -> None:
+def test_motions_do_not_depend_on_units(seed, backend):
     scaled = scaled_by(seed)
     try:
         wanted = motion(scaled, 1, 1, 1)
@@ -80,7 +79,7 @@ def test_motions_do_not_depend_on_units(seed: int, backend: str) -> None:
 
 @pytest.mark.compiled
 @pytest.mark.parametrize("seed", SEEDS)
-def test_engines_agree(seed: int) -> None:
+def test_engines_agree(seed):
     units = OTHERS[seed % len(OTHERS)]
     try:
         found, other = with_both(motion, scaled_by(seed), *units)

@@ -2,7 +2,6 @@
 
 import pickle
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
@@ -19,7 +18,6 @@ from nonsmooth.derive import (
     RigidStop,
     Slider,
     SoftStop,
-    System,
     chain_matrices,
     oscillator,
 )
@@ -28,7 +26,7 @@ from nonsmooth.derive.building.growing import GrowingSystem
 from nonsmooth.derive.document.describe import describe_system
 
 
-def rubbing(seed: int) -> System:
+def rubbing(seed):
     """Three masses in a row on three belts."""
     rng = np.random.default_rng(seed)
     mass, stiffness, damping = chain_matrices(
@@ -45,7 +43,7 @@ def rubbing(seed: int) -> System:
     )
 
 
-def striking(seed: int) -> System:
+def striking(seed):
     """Three masses in a row, each between its neighbours and a stop; the first is shaken."""
     rng = np.random.default_rng(seed)
     mass, stiffness, damping = chain_matrices(
@@ -62,7 +60,7 @@ def striking(seed: int) -> System:
     )  # fmt: skip
 
 
-def mixed(seed: int) -> System:
+def mixed(seed):
     """A slider, and a contact that lifts."""
     rng = np.random.default_rng(seed)
     mass, stiffness, _ = chain_matrices([1, 2, 3], rng.integers(1, 9, 3).tolist())
@@ -76,21 +74,21 @@ def mixed(seed: int) -> System:
     )  # fmt: skip
 
 
-def alike(_: int) -> System:
+def alike(_):
     """Three equal masses, each with a stop."""
     elements = [RigidStop(x, at=1, restitution="0.5", name=f"s{x}") for x in ("x1", "x2", "x3")]
     return oscillator("alike", ["x1", "x2", "x3"], *([np.eye(3)] * 2), elements=elements)
 
 
 @cache
-def listed(make, seed: int) -> System:
+def listed(make, seed):
     """One for all tests, with what was derived of it."""
     found = make(seed)
     assert not isinstance(found, GrowingSystem)
     return found
 
 
-def visited(make, seed: int) -> System:
+def visited(make, seed):
     """The same as a system of its own, in which nothing was visited."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(growing, "_LARGEST", 0)
@@ -99,7 +97,7 @@ def visited(make, seed: int) -> System:
     return found
 
 
-def compared(make, seed: int, made: System, state, until: float) -> Any:
+def compared(make, seed, made, state, until):
     """The motion of a listed system, which is that of the visited one."""
     expected, found = (
         ns.simulate(system, {}, state, until=until) for system in (listed(make, seed), made)
@@ -112,7 +110,7 @@ def compared(make, seed: int, made: System, state, until: float) -> Any:
     return expected
 
 
-def named(system: System, start: np.ndarray) -> dict[str, float]:
+def named(system, start):
     """A start by names, in which a slider is where its mass is."""
     names = [str(s) for s in system.states]
     state = dict(zip(names, start.tolist(), strict=False))
@@ -122,7 +120,7 @@ def named(system: System, start: np.ndarray) -> dict[str, float]:
 @pytest.mark.slow
 @pytest.mark.parametrize("make", [rubbing, striking, mixed])
 @pytest.mark.parametrize("seed", range(3))
-def test_motions_are_those_of_the_listed_system(make, seed) -> None:
+def test_motions_are_those_of_the_listed_system(make, seed):
     made, rng = visited(make, seed), np.random.default_rng(seed)
     starts = [named(made, rng.uniform(-1, 1, 6) * 0.4) for _ in range(3)]
     assert sum(len(compared(make, seed, made, s, 30).boundaries) for s in starts) >= 20
@@ -137,7 +135,7 @@ def test_motions_are_those_of_the_listed_system(make, seed) -> None:
     ],
     ids=["at rest", "sticking", "pulled", "on all stops", "together"],
 )
-def test_special_starts_belong_where_the_listed_system_puts_them(make, start) -> None:
+def test_special_starts_belong_where_the_listed_system_puts_them(make, start):
     made, until = visited(make, 0), 20 if make is alike else 5
     expected = compared(make, 0, made, named(made, np.array(start)), until)
     if make is alike:
@@ -147,7 +145,7 @@ def test_special_starts_belong_where_the_listed_system_puts_them(make, start) ->
 
 
 @pytest.mark.parametrize("make", [rubbing, striking, mixed])
-def test_a_start_anywhere_belongs_where_the_listed_system_puts_it(make) -> None:
+def test_a_start_anywhere_belongs_where_the_listed_system_puts_it(make):
     """Each with a system of its own, in which nothing was visited before."""
     rng, configurations = np.random.default_rng(11), set()
     for number in range(4):
@@ -162,7 +160,7 @@ def test_a_start_anywhere_belongs_where_the_listed_system_puts_it(make) -> None:
 
 
 @pytest.mark.slow
-def test_many_motions_are_those_of_the_listed_system() -> None:
+def test_many_motions_are_those_of_the_listed_system():
     made, rng = visited(striking, 2), np.random.default_rng(3)
     starts = np.zeros((60, 8))
     starts[:, :6], starts[:, 6] = rng.uniform(-0.45, 0.45, (60, 6)), 1.0
@@ -179,7 +177,7 @@ def test_many_motions_are_those_of_the_listed_system() -> None:
     assert (again.status == expected.status).all()
 
 
-def belt_of_ten() -> System:
+def belt_of_ten():
     """Ten masses in a row on one belt; the last one rubs most."""
     mass, stiffness, damping = chain_matrices(
         [1, 2, "3/2", 1, 2, 3, "5/4", 1, "7/4", 2], [3, 2, 4, 1, 5, 2, 3, 4, 1, 2], ["0.2"] * 10
@@ -194,7 +192,7 @@ def belt_of_ten() -> System:
 
 
 @pytest.mark.slow
-def test_ten_contacts_have_an_orbit_that_solves_saves_and_loads(tmp_path) -> None:
+def test_ten_contacts_have_an_orbit_that_solves_saves_and_loads(tmp_path):
     system = belt_of_ten()
     assert isinstance(pickle.loads(pickle.dumps(system)), GrowingSystem)
     assert pickle.loads(pickle.dumps(system)) == system
@@ -212,7 +210,7 @@ def test_ten_contacts_have_an_orbit_that_solves_saves_and_loads(tmp_path) -> Non
     assert again.stability.verdict == "stable"
 
 
-def test_what_needs_all_configurations_says_how_many_there_are() -> None:
+def test_what_needs_all_configurations_says_how_many_there_are():
     system = belt_of_ten()
     for ask in (lambda: system.configurations, lambda: describe_system(system)):
         with pytest.raises(DeclarationError, match="59,049 configurations") as refusal:
@@ -222,7 +220,7 @@ def test_what_needs_all_configurations_says_how_many_there_are() -> None:
         ns.sweep(system, {}, "V", [0.1], {}, state="x1", configuration="slip")
 
 
-def test_names_of_configurations_are_regimes_that_go_together() -> None:
+def test_names_of_configurations_are_regimes_that_go_together():
     system = belt_of_ten()
     name = "-".join(["slip", "stick"] * 5)
     assert system.configuration(name).name == name

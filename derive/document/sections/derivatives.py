@@ -18,8 +18,6 @@ from nonsmooth.derive.document.wording import Naming
 from nonsmooth.derive.equations.chain import Link
 from nonsmooth.derive.symbols import Symbol, derivative, parts_of_derivative
 
-__all__ = ["LOCAL_MAP", "SALTATION", "derivative_section"]
-
 # LaTeX of what a phase makes of a perturbation on the boundaries, and of a saltation matrix
 LOCAL_MAP = r"""
 [resets: @reset_{@index} ]\left(I - \frac{@field_{@index} @normal_{@index}}{@normal_{@index}

@@ -23,14 +23,6 @@ from nonsmooth.derive.equations.section import passages_of
 from nonsmooth.derive.equations.symmetry import end_conditions, phase_ends, reversor_of
 from nonsmooth.derive.symbols import Symbol
 
-__all__ = [
-    "chain_section",
-    "cycle_end",
-    "cycle_equations",
-    "equation_section",
-    "symmetry_section",
-]
-
 
 def chain_section(view: View) -> list[Block]:
     """Blocks on the states behind the phases, one phase after the other."""

@@ -20,8 +20,6 @@ from nonsmooth.derive.document.symbols import is_response
 from nonsmooth.derive.document.wording import Naming, alike, enumeration, letters_of
 from nonsmooth.derive.flows.modal import Flow, Spectrum
 
-__all__ = ["flow_section"]
-
 _Terms = list[tuple[sp.Expr, sp.Matrix]]
 
 

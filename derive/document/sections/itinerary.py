@@ -14,8 +14,6 @@ from nonsmooth.derive.document.view import Described, View
 from nonsmooth.derive.document.wording import Naming, count, number
 from nonsmooth.derive.equations.section import passages_of
 
-__all__ = ["itinerary_section", "phase_section"]
-
 _PHASES = """
 The orbit has @phases to a period. [many steps: Each phase stays in one configuration for its dwell
 time and ends on one boundary. | It stays in one configuration for its dwell time and ends on one

@@ -19,8 +19,6 @@ from nonsmooth.derive.document.sections.template import (
 from nonsmooth.derive.document.wording import Naming
 from nonsmooth.derive.symbols import Symbol
 
-__all__ = ["configuration_section"]
-
 # of matrices, by the attribute of the motion that they are
 _Letters = dict[tuple[str, sp.Matrix], str]
 

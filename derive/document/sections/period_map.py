@@ -11,8 +11,6 @@ from nonsmooth.derive.document.wording import count
 from nonsmooth.derive.equations.period_map import PeriodMap
 from nonsmooth.derive.symbols import meaning_of
 
-__all__ = ["PERIOD_MAP", "period_map_section"]
-
 PERIOD_MAP = "The map of a period"
 
 _N = r"\tilde N"

@@ -18,8 +18,6 @@ from nonsmooth.derive.equations.program import Stage
 from nonsmooth.derive.equations.reduction import Elimination
 from nonsmooth.derive.symbols import Symbol, inside, meaning_of
 
-__all__ = ["elimination_section", "reduction_section", "solution_section"]
-
 
 def reduction_section(view: View) -> list[Block]:
     """Blocks on what is eliminated along the chain, by which rule, and what remains."""

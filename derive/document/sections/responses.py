@@ -16,8 +16,6 @@ from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.derive.flows.modal import TIME, Flow
 from nonsmooth.derive.symbols import Symbol
 
-__all__ = ["response_flows"]
-
 _REGIMES = (
     (-1, "sin", "<", "underdamped"),
     (0, "", "=", "critically damped"),

@@ -17,14 +17,6 @@ from nonsmooth.derive.document.printer import Notation
 from nonsmooth.derive.document.sections.template import compose, math, sentence
 from nonsmooth.derive.document.wording import Naming, enumeration
 
-__all__ = [
-    "contact_section",
-    "law_section",
-    "model_section",
-    "system_section",
-    "transition_section",
-]
-
 
 def system_section(
     naming: Naming, itinerary: Itinerary | None, required: Iterable[sp.Symbol] = ()

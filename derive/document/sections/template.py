@@ -35,18 +35,6 @@ from nonsmooth.derive.document.blocks import (
 from nonsmooth.derive.document.printer import Notation
 from nonsmooth.derive.document.wording import Naming, enumeration
 
-__all__ = [
-    "by_entries",
-    "compose",
-    "ended",
-    "math",
-    "relation",
-    "sentence",
-    "summed",
-    "transposed",
-    "zeros",
-]
-
 _NAME = r"[a-z]+(?:[_.][a-z]+)*"
 _VALUE = re.compile(f"@({_NAME})")
 _CHOICE = re.compile(rf"\[(many\s+)?({_NAME}):\s?([^\[\]]*?)(?:\s?(?<!\S)\|\s([^\[\]]*))?\]")

@@ -18,8 +18,6 @@ from nonsmooth.derive.equations.reference import ReferenceOrbit
 from nonsmooth.derive.equations.section import passages_of
 from nonsmooth.derive.symbols import parts_of_derivative
 
-__all__ = ["energy_section", "reference_section", "trace_section"]
-
 _DIGITS = 12
 _LARGEST = 3  # map that is shown as a matrix
 _ZERO = sp.Float("1e-20")

@@ -11,8 +11,6 @@ from nonsmooth.derive.document.sections.template import by_entries, compose, mat
 from nonsmooth.derive.document.wording import enumeration, number
 from nonsmooth.derive.equations.energy import is_conservative
 
-__all__ = ["admissibility_section", "passing_section", "stability_section"]
-
 
 def passing_section(cycle: Cycle) -> list[Block]:
     """Blocks with the gradient, fields, reset and saltation matrix of each transition."""

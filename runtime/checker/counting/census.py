@@ -22,8 +22,6 @@ from nonsmooth.runtime.checker.stated.parameters import independent, number_at, 
 from nonsmooth.runtime.checker.stated.shape import check_bits, check_file
 from nonsmooth.runtime.core.rational_functions import RationalFunction
 
-__all__ = ["CensusVerdict", "CountedBox", "Counting", "Side", "check_census", "texts_of"]
-
 _BITS = 64  # doubles cut the boxes
 _SIDE = re.compile(r"(?P<low>.+?) (?P<strict><=?) (?P<name>\w+)(?: <= (?P<high>.+))?")
 _MOST_TURNS = 1000

@@ -14,22 +14,6 @@ from typing import Any, NamedTuple
 
 from flint import arb, arb_mat
 
-__all__ = [
-    "Image",
-    "Linear",
-    "Sides",
-    "balls_of",
-    "contract",
-    "enclosed",
-    "excluding",
-    "floats_around",
-    "inside",
-    "middles_of",
-    "regular",
-    "share_of",
-    "touching",
-]
-
 Sides = tuple[tuple[float, float], ...]  # of a box: exactly these doubles
 
 _INFLATED = 1.5  # of the radii of coordinates, so that their image may lie inside

@@ -26,8 +26,6 @@ from nonsmooth.runtime.checker.counting.contraction import (
 from nonsmooth.runtime.checker.counting.dwell_equations import DwellEquations
 from nonsmooth.runtime.checker.stated.exact import demand
 
-__all__ = ["CUTS", "CoveringBox", "Root", "Walk"]
-
 CUTS = "abcdefghijklmnopqrstuvwxyz"
 _SHRUNK = 0.75  # of its size: a box that was made so small may become smaller still
 _CLOSE = 0.4  # of a box's radius: its image, from which on a root is looked for around it

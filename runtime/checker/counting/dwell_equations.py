@@ -24,8 +24,6 @@ from nonsmooth.runtime.checker.stated.declared import StatedSystem
 from nonsmooth.runtime.checker.stated.exact import leading, reduced
 from nonsmooth.runtime.core.rational_functions import pivot
 
-__all__ = ["DwellEquations", "Given", "Setting"]
-
 _TERMS = 48
 _FLOW_TERMS = 16
 _TINY = arb(2) ** -40

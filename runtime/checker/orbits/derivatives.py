@@ -21,8 +21,6 @@ from nonsmooth.runtime.checker.stated.parameters import (
 )
 from nonsmooth.runtime.core.jets import jet, part_of
 
-__all__ = ["rates_along", "sharper"]
-
 
 def rates_along(
     content: dict[str, Any],

@@ -31,8 +31,6 @@ from nonsmooth.runtime.checker.stated.parameters import number_at, stated_system
 from nonsmooth.runtime.checker.stated.shape import check_bits, check_file, check_sharp
 from nonsmooth.runtime.core.taylor_models import middle_of, space_of
 
-__all__ = ["JudgedEvent", "check_events"]
-
 _SMALL = 2.0**-10  # unknowns that are smaller have a unit of their own
 _GUARD = 96  # bits beyond those of the enclosures
 _INSTANTS = {**dict.fromkeys([*MULTIPLIERS, "vanishing-phase"], ""),

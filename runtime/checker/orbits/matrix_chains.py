@@ -18,8 +18,6 @@ from nonsmooth.runtime.core.taylor_models import middle_of, unit_matrix
 if TYPE_CHECKING:
     from flint import arb_mat
 
-__all__ = ["FramedPhases", "along_chain", "framed_phases"]
-
 _SHORT = 6  # matrices whose plain product is as sharp
 _FLAT = 2.0**-50  # of a column: less of it than that is roundings
 

@@ -18,16 +18,6 @@ from nonsmooth.runtime.checker.stated.declared import StatedBoundary, StatedPhas
 from nonsmooth.runtime.checker.stated.exact import Verdict, demand, exact, product
 from nonsmooth.runtime.core.taylor_models import matrix, range_of
 
-__all__ = [
-    "Border",
-    "Margin",
-    "admissibility",
-    "borders_of",
-    "demand_no_phase",
-    "event_number",
-    "time_of_touch",
-]
-
 _DEEPEST = 60  # halvings of a window of time
 _MOST = 10_000  # windows
 _CLOSE = "{}: it comes closer to zero than the digits tell"

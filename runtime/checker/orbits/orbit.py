@@ -26,20 +26,6 @@ from nonsmooth.runtime.core.taylor_models import (
     unit_matrix,
 )
 
-__all__ = [
-    "CheckedOrbit",
-    "Cut",
-    "Passage",
-    "PhaseNumbers",
-    "flows_over",
-    "followed",
-    "krawczyk",
-    "krawczyk_step",
-    "lower",
-    "newton",
-    "trace_of",
-]
-
 Cut = Callable[[Any], Any]
 _LOW = 2  # order of what need not be sharp
 _TRIES = 4  # sizes of Krawczyk's box, where none is given

@@ -27,8 +27,6 @@ from nonsmooth.runtime.checker.stated.exact import (
 from nonsmooth.runtime.checker.stated.parameters import independent, number_at, stated_system
 from nonsmooth.runtime.checker.stated.shape import check_bits, check_file, check_sharp
 
-__all__ = ["JudgedOrbit", "check"]
-
 _GUARD = 96  # bits beyond those of the enclosures
 _ENOUGH = 128  # bits that do for admissibility
 _SINGULAR = (

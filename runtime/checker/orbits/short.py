@@ -18,8 +18,6 @@ from nonsmooth.runtime.checker.stated.exact import demand, product
 from nonsmooth.runtime.core.rational_functions import pivot
 from nonsmooth.runtime.core.taylor_models import matrix
 
-__all__ = ["Short", "quotient", "quotients", "short_phase"]
-
 
 class Short(NamedTuple):
     """A phase that may vanish, with equations and a section map that are regular there."""

@@ -11,22 +11,6 @@ from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, trace_of
 from nonsmooth.runtime.checker.stated.exact import Verdict, demand
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, middle_of, range_of
 
-__all__ = [
-    "CORNER",
-    "MULTIPLIERS",
-    "TANGENTIAL",
-    "characteristic",
-    "demand_alone",
-    "judged_stability",
-    "multipliers",
-    "others_below",
-    "outside_if_reached",
-    "paired",
-    "passing",
-    "products_less_one",
-    "stability",
-]
-
 MULTIPLIERS = {"flip": -1, "fold": 1, "neimark-sacker": 0}
 _LEAST_SLOPE = 2.0**-72  # of a polynomial at its roots that are told apart
 CORNER = "boundaries are reached together: the Poincare map has a corner"

@@ -12,8 +12,6 @@ from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.stated.exact import demand, exact, product, reduced
 from nonsmooth.runtime.core.rational_functions import pivot
 
-__all__ = ["vanishing"]
-
 
 def vanishing(orbit: CheckedOrbit) -> list[Any]:
     """Return the rows that the file states to be zero where the orbit begins, and prove them.

@@ -28,8 +28,6 @@ from nonsmooth.runtime.checker.stated.parameters import number_at
 from nonsmooth.runtime.checker.stated.shape import check_file
 from nonsmooth.runtime.core.jets import part_of
 
-__all__ = ["FoundBeyond", "check_branch", "found_beyond"]
-
 _FORCING_PHASE = "forcing-phase"
 _ALIKE = ("system", "parameter", "interval", "stability")
 

@@ -15,8 +15,6 @@ from nonsmooth.runtime.checker.stated.exact import Failure, demand, exact
 from nonsmooth.runtime.checker.stated.parameters import independent, stated_system
 from nonsmooth.runtime.core.jets import part_of
 
-__all__ = ["FINISHED", "VANISHED", "check_joint", "checked_tiles", "curve_of", "ending"]
-
 FINISHED, VANISHED = "end of the interval", "a phase vanishes"
 
 

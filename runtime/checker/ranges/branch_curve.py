@@ -14,15 +14,6 @@ from nonsmooth.runtime.checker.stated.parameters import number_at
 from nonsmooth.runtime.core.jets import Jet, jet, part_of
 from nonsmooth.runtime.core.taylor_models import matrix, range_of, unit_matrix
 
-__all__ = [
-    "CheckedCurve",
-    "middle_and_half",
-    "prove_on_parts",
-    "solution",
-    "with_entry",
-    "without_entry",
-]
-
 _CLOSE = 0.6  # of the bits: half of the box around a root
 
 

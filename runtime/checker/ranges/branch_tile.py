@@ -40,8 +40,6 @@ from nonsmooth.runtime.checker.stated.exact import Failure, demand, exact, insid
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import TaylorModel, range_of, space_of
 
-__all__ = ["BITS", "NO_MOTION", "OPEN", "ORDER", "SHARP", "CheckedTile", "TileClaims"]
-
 BITS, SHARP = 64, 192  # of tiles, and of points
 ORDER = 5  # of the models and polynomials: what costs least, measured
 OPEN, NO_MOTION = "undecided", "not admissible"

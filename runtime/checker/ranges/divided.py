@@ -32,17 +32,6 @@ from nonsmooth.runtime.checker.stated.exact import demand
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import TaylorModel, range_of, space_of
 
-__all__ = [
-    "VERDICTS",
-    "Band",
-    "DividingCurve",
-    "Division",
-    "Part",
-    "curve_at",
-    "fraction",
-    "monotone",
-]
-
 Part = Sequence[tuple[Any, Any]]
 _WHOLE = ((fmpq(-1), fmpq(1)),) * 2
 _ORDER = 12  # of what is composed along a curve

@@ -43,15 +43,6 @@ from nonsmooth.runtime.core.taylor_models import (
     space_of,
 )
 
-__all__ = [
-    "ORDER",
-    "DoubledEquations",
-    "JudgedDoubling",
-    "check_doubled",
-    "check_doubling",
-    "twofold",
-]
-
 _BITS, _SHARP = 64, 192
 ORDER = 5  # of the models: that of the polynomials
 _DEEPEST = 5  # halvings of a tube whose claims take smaller ones

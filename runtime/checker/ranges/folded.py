@@ -35,8 +35,6 @@ from nonsmooth.runtime.core.taylor_models import (
     space_of,
 )
 
-__all__ = ["BEYOND", "SMALLEST", "FoldedTile", "Sheets", "beyond_folds", "neighbours"]
-
 SMALLEST = 60  # halvings of the box along an axis
 
 _Side = list[tuple[int, int, int]]

@@ -35,8 +35,6 @@ from nonsmooth.runtime.checker.stated.parameters import independent, number_at, 
 from nonsmooth.runtime.checker.stated.shape import check_file
 from nonsmooth.runtime.core.taylor_models import Space, TaylorModel, middle_of, range_of, space_of
 
-__all__ = ["SHARES", "CheckedBox", "MapTile", "check_tiles", "check_whole"]
-
 _BITS = 64
 _ORDERS = {1: 5, 2: 3}  # of the models, by the number of parameters; 2 for more
 _SHARP, _PLANE = 6, 2  # order where a curve divides a tile, or the low one tells too little

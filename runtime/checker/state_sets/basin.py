@@ -25,8 +25,6 @@ from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.float_sets import Floats, ManySets, Rounded
 from nonsmooth.runtime.core.parallel import in_processes
 
-__all__ = ["AttractedTiles", "attracted_boxes", "check_basin", "contraction"]
-
 _BITS = 80
 _MOST, _FINEST = 2000, fmpq(1, 2**10)  # parts of the core, and of their sides
 _BATCH = 8192

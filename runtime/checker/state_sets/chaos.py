@@ -24,15 +24,6 @@ from nonsmooth.runtime.checker.state_sets.sets import StateSet, TooWide
 from nonsmooth.runtime.checker.stated.exact import demand, exact
 from nonsmooth.runtime.checker.stated.shape import check_bits, check_file
 
-__all__ = [
-    "Covered",
-    "SetMap",
-    "StretchedSets",
-    "check_chaos",
-    "check_entropy",
-    "radius_above",
-]
-
 _Vertex = TypeVar("_Vertex", bound=Hashable)
 
 _BITS = 80

@@ -19,16 +19,6 @@ from nonsmooth.runtime.checker.state_sets.section_maps import Box, divided
 from nonsmooth.runtime.checker.state_sets.sets import StateSet, TooWide
 from nonsmooth.runtime.checker.stated.exact import demand, exact
 
-__all__ = [
-    "SPREADS",
-    "Derivatives",
-    "MappedSet",
-    "Matrix",
-    "check_cones",
-    "check_rates",
-    "positive",
-]
-
 _FINEST = fmpq(1, 2**22)
 SPREADS = (1.0, 0.4, 0.2, 0.1, 0.05)  # of a derivative, against what stretches
 

@@ -19,8 +19,6 @@ from nonsmooth.runtime.checker.stated.exact import (
     reduced,
 )
 
-__all__ = ["CarryingSystem", "Entry", "Unlisted"]
-
 
 class Unlisted(Failure):
     """No transition follows of those that are stated."""

@@ -16,8 +16,6 @@ from nonsmooth.runtime.checker.stated.exact import Elimination
 from nonsmooth.runtime.core.exponentials.float_flows import FloatFlow
 from nonsmooth.runtime.core.float_sets import Floats, ManySets, Rounded, joined_sets, product
 
-__all__ = ["Exit", "ExitFunction", "PhaseExits", "negative", "rounded"]
-
 _WINDOWS = 16  # looked at together
 _LONGEST = 1536  # windows
 _SLACK = 0.5  # of the size of a set: by so much what is on the way in a piece may be larger

@@ -13,8 +13,6 @@ from flint import acb, acb_mat, arb, fmpq_poly
 
 from nonsmooth.runtime.checker.stated.exact import Elimination, product, reduced
 
-__all__ = ["stays_negative"]
-
 Row = Any  # exact, over (y, 1)
 
 

@@ -20,8 +20,6 @@ from nonsmooth.runtime.checker.stated.shape import check_bits, check_file
 from nonsmooth.runtime.core.box_grid import DividedGrid
 from nonsmooth.runtime.core.float_sets import Floats
 
-__all__ = ["Edges", "check_graph", "edges_of", "map_of_boxes", "stays"]
-
 _FEWEST_BITS, _MOST_BITS = 64, 4096
 _BATCH = 1024
 _MORE = 8  # times the parts of one set that the file states

@@ -43,8 +43,6 @@ from nonsmooth.runtime.core.exponentials.float_flows import FloatFlow
 from nonsmooth.runtime.core.float_sets import LONGEST, Floats, ManySets, Rounded, within
 from nonsmooth.runtime.core.rational_functions import pivot
 
-__all__ = ["Arrivals", "ManyMotions"]
-
 _ABOUT_ZERO = 2.0**-30  # a time
 _HALVINGS = 16  # of a set that is lost or comes elsewhere too, as a whole
 _SHARE = 4  # of the portions of a set those that sets have on average, at most

@@ -18,8 +18,6 @@ from nonsmooth.runtime.checker.state_sets.switching import SwitchingSystem
 from nonsmooth.runtime.checker.stated.exact import demand, fixed, product, reduced
 from nonsmooth.runtime.core.rational_functions import pivot
 
-__all__ = ["OneMotion"]
-
 _DEEPEST = 500  # halvings of a phase, at most: its windows are doubles
 _SLOW = "{} is reached tangentially, or comes closer than the digits tell"
 _AT_ONCE = "{} and {} are reached at one instant, or closer together than the digits tell"

@@ -14,17 +14,6 @@ from nonsmooth.runtime.checker.stated.exact import Elimination, leading, product
 from nonsmooth.runtime.core.exponentials.float_flows import FloatFlow
 from nonsmooth.runtime.core.float_sets import ManySets, Rounded, joined_sets
 
-__all__ = [
-    "Departure",
-    "DividingPhase",
-    "KnownStart",
-    "Portions",
-    "Remaining",
-    "direction",
-    "joined_portions",
-    "opposite",
-]
-
 _TOGETHER = 1024  # portions
 _FAR = 2.0**300  # where doubles may soon end
 

@@ -16,8 +16,6 @@ from nonsmooth.runtime.checker.state_sets.switching import StatedSection, Switch
 from nonsmooth.runtime.checker.stated.exact import Failure, demand, exact, reduced
 from nonsmooth.runtime.core.rational_functions import pivot
 
-__all__ = ["Box", "Parallelepiped", "SectionMap", "Way", "divided"]
-
 Box = tuple[tuple[Any, Any], ...]  # ends of coordinates from -1 to 1, exact
 Way = Sequence[Sequence[str]]  # source, boundary and target of each transition
 

@@ -16,8 +16,6 @@ from flint import arb, arb_mat, ctx, fmpq_mat
 
 from nonsmooth.runtime.checker.stated.exact import Failure
 
-__all__ = ["CarryingPhase", "StateSet", "TooWide", "matrix_of", "row_of"]
-
 _ORDER = 7  # of Taylor's polynomials; more at a precision above 128 bits
 _DEEPEST = 14  # halvings of a phase
 _MOST_WINDOWS = 500_000  # of one phase

@@ -14,8 +14,6 @@ from nonsmooth.runtime.checker.stated.declared import StatedTables, Transition
 from nonsmooth.runtime.checker.stated.exact import Elimination, demand, exact, fixed, reduced
 from nonsmooth.runtime.checker.stated.parameters import values_of
 
-__all__ = ["StatedSection", "SwitchingSystem", "echelon_behind"]
-
 
 class SwitchingSystem(StatedTables):
     """The system of a file whose sets may divide, in exact rows.

@@ -13,8 +13,6 @@ from typing import Any
 from nonsmooth.runtime.checker.stated.exact import Elimination, demand
 from nonsmooth.runtime.core.rational_functions import pivot
 
-__all__ = ["ContactLaw"]
-
 _REGIMES = {True: ("slip", "stick", "overshoot"), False: ("free", "contact")}
 
 

@@ -25,16 +25,6 @@ from nonsmooth.runtime.checker.stated.exact import (
 )
 from nonsmooth.runtime.core.rational_functions import RationalFunction, pivot
 
-__all__ = [
-    "StatedBoundary",
-    "StatedPhase",
-    "StatedSystem",
-    "StatedTables",
-    "Step",
-    "Transition",
-    "Way",
-]
-
 _FORCING_PHASE = "forcing-phase"  # ends the one phase of a motion that reaches no boundary
 
 

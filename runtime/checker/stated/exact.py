@@ -13,25 +13,6 @@ from flint import arb, fmpq, fmpq_mat, fmpz
 
 from nonsmooth.runtime.core.rational_functions import RationalFunction, pivot
 
-__all__ = [
-    "NUMBER",
-    "Elimination",
-    "Failure",
-    "Verdict",
-    "agreed_claims",
-    "ball",
-    "demand",
-    "exact",
-    "fixed",
-    "inside",
-    "is_integer",
-    "leading",
-    "number_of",
-    "product",
-    "reduced",
-]
-
-
 NUMBER = re.compile(
     r"[+-]?\d+/\d+|[+-]?(?=\.?\d)\d*(\.\d*)?(e[+-]?\d{1,6})?", re.ASCII
 )  # a fraction, or a decimal with an exponent

@@ -9,8 +9,6 @@ from nonsmooth.runtime.checker.stated.exact import Failure, demand
 from nonsmooth.runtime.core.box_grid import BoxGrid, DividedGrid
 from nonsmooth.runtime.core.errors import InputError
 
-__all__ = ["listed", "stated_divided_grid", "stated_grid"]
-
 _LARGEST = 10**8  # boxes of a grid, and of all its levels
 _LEVELS = 40
 _NUMBERS = 2**40  # of boxes

@@ -12,8 +12,6 @@ from nonsmooth.runtime.checker.stated.declared import StatedSystem
 from nonsmooth.runtime.checker.stated.exact import NUMBER, Failure, demand, exact
 from nonsmooth.runtime.core.irrational_numbers import irrationals
 
-__all__ = ["independent", "number_at", "number_in", "stated_system", "values_of"]
-
 _OPERATORS = {
     ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul,
     ast.Div: operator.truediv, ast.Pow: operator.pow,

@@ -15,8 +15,6 @@ from typing import Any
 
 from nonsmooth.runtime.checker.stated.exact import Failure, demand
 
-__all__ = ["Malformed", "check_bits", "check_file", "check_sharp"]
-
 
 class Malformed(Failure):
     """An entry of a file is missing, unknown, or of another type."""

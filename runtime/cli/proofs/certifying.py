@@ -36,8 +36,6 @@ from nonsmooth.runtime.cli.parsing import assignments, guessed, split, values_an
 from nonsmooth.runtime.cli.reply import Reply, proved
 from nonsmooth.runtime.core.errors import InputError
 
-__all__ = ["EnclosedDigits", "bits_of", "certifying"]
-
 _MORE = 8  # bits beyond those of the digits
 _SUBCOMMANDS = (
     *("orbit", "box", "branch", "event", "doubling", "all"),

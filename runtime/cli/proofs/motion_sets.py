@@ -26,8 +26,6 @@ from nonsmooth.runtime.cli.proofs.certifying import certifying
 from nonsmooth.runtime.cli.reply import Reply
 from nonsmooth.runtime.core.workload import SECONDS, hours_told
 
-__all__ = ["certify_basin", "certify_chaos", "certify_region"]
-
 _SOON = 60.0  # seconds: of what takes no longer nothing is said before
 
 

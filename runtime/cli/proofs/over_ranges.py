@@ -32,8 +32,6 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.explore.continuation.branch import Branch
     from nonsmooth.runtime.orbits.orbit import Orbit
 
-__all__ = ["certify_box", "certify_branch", "certify_doubling", "certify_event"]
-
 _ENOUGH = Fraction(99, 100)  # share of a box that has to be decided for an answer
 
 OneRange = Annotated[

@@ -19,8 +19,6 @@ from nonsmooth.runtime.core.float_sets import (
 if TYPE_CHECKING:
     from flint import arb_mat
 
-__all__ = ["FloatFlow", "Windows"]
-
 _TERMS = 16  # of Taylor's polynomial over a step
 
 

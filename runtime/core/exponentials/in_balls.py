@@ -17,8 +17,6 @@ from typing import Any
 from nonsmooth.runtime.core.taylor_models import matrix, middle_of
 from nonsmooth.runtime.core.values import flint_precision
 
-__all__ = ["difference_in_balls", "difference_in_models", "difference_near"]
-
 _SLOPE_BITS = 40  # of derivatives that are multiplied by radii
 _GUARD = 30
 _WIDE = 6  # bits of an enclosure that is worth another

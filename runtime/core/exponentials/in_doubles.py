@@ -20,8 +20,6 @@ import numpy as np
 
 from nonsmooth.runtime.core.exponentials.matrices import eigenvalues
 
-__all__ = ["divided_differences", "exponential_difference"]
-
 _NEAR = 3.0  # distance times time up to which roots are taken together
 _TERMS = 34  # of an exponential series whose argument is at most that
 

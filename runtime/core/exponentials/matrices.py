@@ -7,8 +7,6 @@ from __future__ import annotations
 
 import numpy as np
 
-__all__ = ["eigenvalues", "exponentials", "inverses", "sorted_by_size"]
-
 _LARGEST = 1e6  # norm of an exponent
 _NORM, _DEGREE = 0.5, 15  # the series' rest is below 0.5^16 / 16! = 7e-19
 

@@ -20,8 +20,6 @@ import numpy as np
 from nonsmooth.runtime.explore.charting.grid import Block, Grid
 from nonsmooth.runtime.shooting.newton import CONVERGED
 
-__all__ = ["Columns", "Solver", "anchor_starts", "solve_block"]
-
 _SAME = 1e-6  # relative difference of one orbit found twice
 _NEAR = 0.05  # relative difference of orbits of one branch at points next to each other
 _BRANCH = 0.3  # relative range of an unknown over the corners of a cell on one branch

@@ -20,8 +20,6 @@ from zarr.storage import LocalStore
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.workload import check_memory
 
-__all__ = ["BoundedStore", "chunk_bytes"]
-
 _HEADER, _SIZE = 16, slice(4, 8)  # bytes of Blosc's header, and where the content's size stands
 _BESIDE = 4096  # bytes of an object beside its content, at most
 _WIDTHS = {"float64": 8, "int8": 1, "bool": 1, "int16": 2}

@@ -41,18 +41,6 @@ from nonsmooth.runtime.simulation.simulate import checked_count
 if TYPE_CHECKING:
     from xarray import Dataset
 
-__all__ = [
-    "Progress",
-    "Work",
-    "begun_problem",
-    "chart",
-    "chart_problem",
-    "is_begun",
-    "load_chart",
-    "reading",
-    "work_on",
-]
-
 TRANSITIONS = 2000
 MOST_THREADS = 1024
 LARGEST_IN_MEMORY = 1 << 24  # points

@@ -27,8 +27,6 @@ from nonsmooth.runtime.shooting.newton import CONVERGED
 if TYPE_CHECKING:
     from xarray import Dataset
 
-__all__ = ["Part", "counts_of", "parts_of", "title_of"]
-
 _SEVERAL = 5  # limits, or numbers of transitions, that are told apart: the most frequent ones
 _BLOCK = 1 << 20  # points that are counted at a time
 

@@ -16,8 +16,6 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 
-__all__ = ["LATTICE", "Axes", "Block", "Grid", "axis_of", "chunk_shape"]
-
 _CELLS = {1: 128, 2: 32, 3: 12}  # between anchors along each axis, by the number of axes
 _FEWEST_CELLS = 6
 LATTICE = f"cells along an axis: {_CELLS[1]}, {_CELLS[2]}, {_CELLS[3]}, {_FEWEST_CELLS}"

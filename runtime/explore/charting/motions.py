@@ -43,16 +43,6 @@ from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
 from nonsmooth.runtime.simulation.starting import start_state
 
-__all__ = [
-    "AttractorProblem",
-    "BasinProblem",
-    "attractor_problem",
-    "basin_problem",
-    "held_attractor_problem",
-    "held_basin_problem",
-    "is_found",
-]
-
 _LONGEST = 32  # phases of a cycle that is looked for
 _FOUND = "nonsmooth found orbits"
 _FIRST_LOOK = 60  # transitions, about, after which most motions of basins have settled

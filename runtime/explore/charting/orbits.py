@@ -49,8 +49,6 @@ from nonsmooth.runtime.orbits.solve import (
 )
 from nonsmooth.runtime.shooting.newton import STATUS
 
-__all__ = ["OrbitChart", "held_orbit_chart", "orbit_chart"]
-
 
 @dataclass(frozen=True)
 class OrbitChart(ChartProblem):

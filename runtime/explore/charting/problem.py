@@ -30,18 +30,6 @@ from nonsmooth.runtime.model.naming import units_of
 from nonsmooth.runtime.model.parameters import value_of
 from nonsmooth.runtime.model.saved_system import SavedSystem, named, system_in
 
-__all__ = [
-    "MISSING",
-    "ChartProblem",
-    "Variable",
-    "fixed_values",
-    "held_text",
-    "kernels_held",
-    "labelled",
-    "number",
-    "table_hash",
-]
-
 MISSING = -128  # status of a point that is not computed yet
 _POINTS = 1 << 11  # of a chunk whose points are motions: about a second
 

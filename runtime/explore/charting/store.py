@@ -34,19 +34,6 @@ from nonsmooth.runtime.explore.charting.grid import Axes, Grid, axis_of
 from nonsmooth.runtime.explore.charting.problem import ChartProblem, Variable
 from nonsmooth.runtime.model.saved_system import SAVED_VERSION
 
-__all__ = [
-    "ATTRIBUTE",
-    "FORMAT",
-    "Store",
-    "check_zarr",
-    "open_arrays",
-    "open_store",
-    "read_axes",
-    "read_identity",
-    "reader",
-    "write_chunk",
-]
-
 ATTRIBUTE, FORMAT = "nonsmooth", f"nonsmooth chart {3 + SAVED_VERSION}"
 _METADATA = "zarr.json"
 _LARGEST = 50_000_000  # bytes of metadata

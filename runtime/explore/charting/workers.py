@@ -26,8 +26,6 @@ from nonsmooth.runtime.explore.charting.grid import Block
 from nonsmooth.runtime.explore.charting.problem import ChartProblem
 from nonsmooth.runtime.explore.charting.store import Store, open_arrays, write_chunk
 
-__all__ = ["connected", "locked", "run_cluster", "run_threads"]
-
 Result = TypeVar("Result")
 
 _TRIES = 20

@@ -28,8 +28,6 @@ from nonsmooth.runtime.orbits.orbit_file import KeptOrbit
 from nonsmooth.runtime.simulation.observables import observe
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["Branch", "Locus", "StabilityOfPoint", "forcing_frequencies", "usual_quantities"]
-
 StabilityOfPoint = Literal["stable", "neutral", "unstable", "undecided"]
 _POINTS = 4000  # in a period of a Motion: an error of 1e-6 of the amplitude
 

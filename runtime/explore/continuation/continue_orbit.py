@@ -46,8 +46,6 @@ from nonsmooth.runtime.orbits.equations import OrbitEquations, equations_of
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
 from nonsmooth.runtime.shooting.newton import SHORTEST
 
-__all__ = ["MOST_EVENTS", "check_interval", "continue_orbit"]
-
 MOST_POINTS, MOST_EVENTS = 2000, 500  # of a branch, of a curve of events
 _DIFFERENCE = 1e-5  # in units of the sizes
 MET = "it meets the branch that it doubles"

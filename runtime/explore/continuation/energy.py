@@ -18,8 +18,6 @@ from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, numbers_in
 
-__all__ = ["energy_of"]
-
 _ZERO = 1e-10  # relative size of a singular value, or of a number, that is zero
 _KEPT = 1e-7  # relative difference of the energy at the starts of two phases
 

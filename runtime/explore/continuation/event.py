@@ -20,17 +20,6 @@ from nonsmooth.runtime.core.registry import Shown
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves, ends_of, interior_maxima
 from nonsmooth.runtime.orbits.equations import OrbitEquations
 
-__all__ = [
-    "KINDS",
-    "Event",
-    "EventKind",
-    "Monitor",
-    "Monitors",
-    "OrbitKind",
-    "monitors_of",
-    "point_of",
-]
-
 _NEAR = 1e-6  # how near to the unit circle a pair of multipliers has to be at its event
 _NEAR_ONE = 1e-3  # how near to -1 or 1 a multiplier has to be: there it may be double
 _ZERO = 1e-9  # relative size below which a boundary function counts as zero at an end

@@ -23,8 +23,6 @@ from nonsmooth.runtime.explore.continuation.event import KINDS, Event, Monitor, 
 from nonsmooth.runtime.explore.continuation.stepping import correct, tangent_at
 from nonsmooth.runtime.orbits.equations import OrbitEquations
 
-__all__ = ["Track", "describe", "locate_all", "locate_limits"]
-
 _SAME = 1e-9  # of a chord: two names of one event
 _TOUCHING = 1e-6  # of a chord: two crossings of one number that are one touch
 _TOUCHED = 1e-11, 1e-13  # of an extremum's surroundings, of a usual value: zero but for rounding

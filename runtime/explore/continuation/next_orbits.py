@@ -40,14 +40,6 @@ from nonsmooth.runtime.shooting.table_newton import solve_shape
 if TYPE_CHECKING:
     from nonsmooth.runtime.explore.continuation.branch import Branch
 
-__all__ = [
-    "canonical_itinerary",
-    "composed_family",
-    "next_itineraries",
-    "orbits_beside",
-    "other_branch",
-]
-
 _CLOSE = (1e-5, 1e-4)  # from the collision, in units of the branch's range: very near
 _DISTANCES = (1e-3, 1e-2)  # from the collision, in units of the branch's range
 _LONGER, _MOST_WAYS = 2, 300  # phases that a way may have more; ways

@@ -16,17 +16,6 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, check_integer
 
-__all__ = [
-    "INTERRUPTED",
-    "STEP",
-    "Path",
-    "check_steps",
-    "correct",
-    "scaled_rows",
-    "tangent_at",
-    "trace_both_ways",
-]
-
 STEP = 0.01  # the largest one, in the curve's units
 MOST_ITERATIONS = 8
 TOLERANCE = 1e-9  # of the last step, which Newton's method squares

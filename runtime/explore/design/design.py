@@ -37,8 +37,6 @@ from nonsmooth.runtime.explore.design.worst_over import BranchPoints, optimise_w
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.simulation.simulate import checked_count
 
-__all__ = ["along", "design"]
-
 MOST_ITERATIONS = 200
 _OPTIMAL = 1e-5  # of the gradient that is left
 _SOLVED = 1e-9

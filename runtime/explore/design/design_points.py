@@ -15,12 +15,6 @@ from nonsmooth.runtime.orbits.equations import OrbitEquations, equations_of
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.newton import CONVERGED
 
-__all__ = [
-    "Beyond",
-    "DesignPoint",
-    "DesignPoints",
-]
-
 _REFUSED = "the orbit is no motion of the real system beyond"
 _UNDETERMINED = "the equations determine no orbit beyond (a grazing or a fold)"
 _LEAST = 2.0**-10  # of a way: the shortest step

@@ -33,19 +33,6 @@ from nonsmooth.runtime.explore.design.quantities import (
     unit_of,
 )
 
-__all__ = [
-    "INTERRUPTED",
-    "Aim",
-    "Ended",
-    "MarginKey",
-    "Optimality",
-    "Rows",
-    "Trial",
-    "optimality",
-    "optimise",
-    "watched_margins",
-]
-
 _INSIDE = 1e-10  # of a margin's unit: an orbit at the limit is a motion despite of rounding
 _ACTIVE, _ACTIVE_BOUND = 1e-6, 1e-7
 INTERRUPTED = "interrupted"

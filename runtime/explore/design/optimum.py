@@ -23,18 +23,6 @@ from nonsmooth.runtime.model.saved_system import check_same_system
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
 from nonsmooth.runtime.orbits.orbit_file import KeptOrbit
 
-__all__ = [
-    "AIMS",
-    "CONVERGED",
-    "NOT_REACHED",
-    "ActiveLimit",
-    "Design",
-    "DesignCondition",
-    "DesignQuestion",
-    "condition_in",
-    "design_question",
-]
-
 AIMS = ("minimise", "maximise", "solve")
 CONVERGED, NOT_REACHED = 0, 1
 _ASKED = ("aim", "quantity", "parameters", "bounds", "conditions", "worst_over")

@@ -30,24 +30,6 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.orbit import Orbit
     from nonsmooth.runtime.shooting.multipliers import MultiplierDerivatives
 
-__all__ = [
-    "MULTIPLIER",
-    "RADIUS",
-    "ExtremeKey",
-    "LevelRows",
-    "QuantityValues",
-    "corner_of",
-    "extreme_keys",
-    "extreme_rows",
-    "is_extreme",
-    "is_largest_of_several",
-    "is_pure",
-    "measure",
-    "multiplier_rows",
-    "radius_rows",
-    "unit_of",
-]
-
 RADIUS, MULTIPLIER = "spectral_radius", "multiplier"
 _PURE = (RADIUS, MULTIPLIER, "trace", "determinant")
 _LEAST_UNIT = 1e-3  # of what the bounds change: the unit of a quantity that begins near zero

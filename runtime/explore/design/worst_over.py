@@ -27,12 +27,6 @@ from nonsmooth.runtime.explore.design.optimising import (
 )
 from nonsmooth.runtime.explore.design.quantities import extreme_keys
 
-__all__ = [
-    "BranchPoints",
-    "optimise_worst",
-    "spread",
-]
-
 _FINE = 1e-12  # of the interval: place of an extreme
 _BESIDE = 1e-4  # of the interval: for the second derivative at an extreme
 _APART = 1e-7  # of the interval: nearer ones are one

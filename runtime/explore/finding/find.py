@@ -50,15 +50,6 @@ from nonsmooth.runtime.simulation.recurrence import (
 from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
 from nonsmooth.runtime.simulation.starting import on_circles
 
-__all__ = [
-    "Found",
-    "FoundEquilibrium",
-    "FoundOrbit",
-    "find_orbits",
-    "label_names",
-    "start_box",
-]
-
 Solved = TypeVar("Solved", Orbit, Equilibrium)
 _TOLERANCES = (1e-10, 1e-7, 1e-4, 1e-2)  # of a return: the tightest that finds one decides
 _EXACT = 1e-7  # of a return: of a motion that has settled

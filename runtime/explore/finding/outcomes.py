@@ -43,20 +43,6 @@ from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
 from nonsmooth.runtime.simulation.engines import Trajectories
 from nonsmooth.runtime.simulation.recurrence import recurrent_lengths, scales_of, sizes_of
 
-__all__ = [
-    "EQUILIBRIUM",
-    "PERIODIC",
-    "UNINTERRUPTED",
-    "Attractors",
-    "Outcome",
-    "Settled",
-    "attractors_of",
-    "labels_of_ends",
-    "pursued_outcomes",
-    "settled",
-    "settled_texts",
-]
-
 _ARRIVED = 1e-3  # how near to an attractor a motion has to end, relative to its size
 _NOTHING = 1e-9  # of a state's size: a part of a motion that is none
 _SLOW = 1e-12  # rate of a motion that neither decays nor grows, in units of the fastest

@@ -31,19 +31,6 @@ from nonsmooth.runtime.simulation.recurrence import (
 )
 from nonsmooth.runtime.simulation.simulate import simulate_one
 
-__all__ = [
-    "add_orbit",
-    "admissible",
-    "converging",
-    "image_of",
-    "in_a_family",
-    "orbit_scale",
-    "primitive_orbit",
-    "repeated_part",
-    "same_orbit",
-    "settled_orbit",
-]
-
 _SAME = 1e-7  # difference of two orbits, in units of the period and of the states' scales
 _TRANSITIONS = 600  # after which a motion has settled
 _TURNS, _MOST = 1e-9, 1e-4  # of the turns of one orbit: at least, or what its digits leave

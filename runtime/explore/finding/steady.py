@@ -15,15 +15,6 @@ from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.simulation.starting import configurations_of, on_circles
 
-__all__ = [
-    "Equilibrium",
-    "equilibria",
-    "forcing_period",
-    "forcing_turns",
-    "responses",
-    "same_state",
-]
-
 _DEPENDENT = 1e-10  # relative singular value below which equations are dependent
 _ROUNDING = 4 * np.finfo(float).eps  # of a root: what is smaller than its error is zero
 _SAME = 1e-9  # of each number of a state: how near two roots of it are

@@ -28,8 +28,6 @@ from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
 from nonsmooth.runtime.simulation.simulate import follow as follow_motion
 from nonsmooth.runtime.simulation.starting import configuration_of, start_state
 
-__all__ = ["Sweep", "check_sweep", "sweep"]
-
 _CHUNK = 64  # values of the parameter between two reports of progress
 _KEPT = 65  # entries at the end of a motion that is classified
 

@@ -33,15 +33,6 @@ from nonsmooth.runtime.simulation.engines import Trajectories
 from nonsmooth.runtime.simulation.recurrence import sizes_of
 from nonsmooth.runtime.simulation.simulate import simulate_many
 
-__all__ = [
-    "Pursued",
-    "Stretching",
-    "natural_size",
-    "numbers_of",
-    "pursue",
-    "stretching",
-]
-
 _ENDURING = 4096  # transitions for which every motion is followed on, at least
 _FOLLOWED = 5  # in which a motion that grows is followed on, each as long as all before
 _STEADY = 3  # of them, one after the other, in which what escapes grows steadily

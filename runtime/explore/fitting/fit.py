@@ -44,8 +44,6 @@ from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.simulation.simulate import checked_count, simulate_one
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["Fit", "FittedExperiment", "FittedResponse", "FittedSeries", "fit"]
-
 _AT_BOUND = 1e-6  # of the width between the bounds
 _PAST = 1e-9  # of the length of a record: a motion ends behind its last event
 _NOTHING = 1e-13  # of a residual's change, for a change of the unknown by its own size

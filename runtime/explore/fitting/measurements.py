@@ -28,8 +28,6 @@ from nonsmooth.runtime.core.result_files import DAMAGED, array_in, naming
 from nonsmooth.runtime.explore.fitting.outputs import KINDS, output_of, response_quantity
 from nonsmooth.runtime.model.structure import Structure
 
-__all__ = ["Experiment", "Measured", "MeasuredSeries", "boundary_named", "measured", "usual_size"]
-
 _SIGMA = "sigma_"
 _CONSTANT = 1e-12
 _ENDINGS = (".csv", ".npz", ".nc", ".zarr")

@@ -32,8 +32,6 @@ from nonsmooth.runtime.explore.fitting.steady_responses import (
 from nonsmooth.runtime.explore.fitting.unknowns import Unknowns
 from nonsmooth.runtime.model.kernels import SystemKernels
 
-__all__ = ["FitProblem", "Minimum", "Residuals", "minimise"]
-
 Noise = Mapping[str, float]  # standard deviations of columns that have none of their own
 
 _TOLERANCE = 1e-12

@@ -27,8 +27,6 @@ from nonsmooth.runtime.simulation.observables import acceleration_rows, force_ro
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.motion_derivatives import OrbitMotionDerivatives
 
-__all__ = ["KINDS", "Output", "ResponseQuantity", "output_of", "response_quantity"]
-
 # the grammar of expressions has integers: a decimal is a quotient of two
 _DECIMAL = re.compile(r"(?<![\w.])(\d+\.\d*|\.\d+|\d+(?=[eE]))([eE][+-]?\d+)?(?![\w.])")
 _TOLERANCE = 1e-9

@@ -23,8 +23,6 @@ from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
 from nonsmooth.runtime.simulation.simulate import simulate_one
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["Prediction", "predict", "times_of_events"]
-
 _LONGER = (1.0, 1.25, 2.0, 4.0)  # times as long as the record, while recorded events are missing
 _PAST = 1e-9  # of its length, beyond the last time
 _AT_ONCE = 1e-12  # of the motion: a sample that an event comes so near to is at the event

@@ -29,17 +29,6 @@ from nonsmooth.runtime.simulation.moved_phases import MovedPhases
 from nonsmooth.runtime.simulation.phase_functions import boundary_rows, local_maxima, phases_of
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = [
-    "NearestGrazing",
-    "Statistics",
-    "check_loss",
-    "combination_text",
-    "loss_of",
-    "nearest",
-    "nearest_grazing",
-    "statistics",
-]
-
 Loss = Callable[[np.ndarray], np.ndarray]
 _NOTHING = 1e-9  # of the largest singular value: below it a combination is not identified
 _TAKES_PART = 1e-4  # of a unit vector

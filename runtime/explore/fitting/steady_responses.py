@@ -34,8 +34,6 @@ from nonsmooth.runtime.simulation.starting import on_circles
 if TYPE_CHECKING:
     from nonsmooth.runtime.explore.fitting.fit import Fit
 
-__all__ = ["KnownResponses", "look", "points_under", "predict_steady", "response_curves"]
-
 _STARTS = 6  # at random, at each point
 _SEARCHED = 60  # starts of a search for an orbit that is told
 _SHORTEST = 0.25  # step of the way to other parameters: then a response is lost

@@ -16,8 +16,6 @@ from nonsmooth.runtime.model.kernels import ParameterTable, SystemKernels
 from nonsmooth.runtime.model.naming import shown_name, start_names
 from nonsmooth.runtime.model.structure import structure_of
 
-__all__ = ["FreeNumber", "MotionSettings", "Unknowns", "unknowns_of"]
-
 OFFSET = "offset"
 _VANISHING = 1e-6  # of the size of the guess
 Bounds = Mapping[str, tuple[object, object]]

@@ -7,8 +7,6 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
 
-__all__ = ["HOLDING", "ContactEvent", "ContactRows", "Law", "Regimes", "law_of"]
-
 HOLDING = ("stick", "contact")
 Regimes = tuple[str, ...]
 

@@ -13,8 +13,6 @@ from typing import Any, NamedTuple
 
 from nonsmooth.runtime.model.contacts.law import HOLDING, ContactEvent, Law, Regimes
 
-__all__ = ["Combination", "Path", "SignRequirement", "Stage", "requirements", "signs"]
-
 Combination = dict[int, Any]  # coefficients of rows
 
 

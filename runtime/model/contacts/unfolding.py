@@ -17,8 +17,6 @@ from nonsmooth.runtime.model.contacts.law import ContactEvent, Law, law_of
 from nonsmooth.runtime.model.contacts.stages import Combination, Path, Stage, requirements, signs
 from nonsmooth.runtime.model.kernel_records import SystemKernels
 
-__all__ = ["Route", "UnfoldedKernels", "unfolded"]
-
 
 class Route(NamedTuple):
     """A path of the law from a configuration through boundaries that are reached together."""

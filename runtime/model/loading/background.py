@@ -40,8 +40,6 @@ from nonsmooth.runtime.model.loading.caching import (
 )
 from nonsmooth.runtime.model.loading.compiling import compile_files, compiler, load_extension
 
-__all__ = ["Declaration", "KernelLibrary", "build", "lacking"]
-
 _WORTH_BUILDING = 0.1  # seconds that NumPy takes for all that was asked for
 _WORTH_WAITING = 2.0  # seconds that NumPy takes for what is asked for at once
 _LONGEST_BUILD = 900.0  # seconds

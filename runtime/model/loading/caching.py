@@ -29,18 +29,6 @@ from types import ModuleType
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import PARTIAL, read_file, write_file
 
-__all__ = [
-    "MOST_BYTES",
-    "Modules",
-    "cache_folder",
-    "cached",
-    "made_folder",
-    "module_of_text",
-    "store_library",
-    "stored",
-    "stored_library",
-]
-
 MOST_BYTES = 256 << 20  # of the folder's entries together
 _FORGOTTEN = 3600.0  # seconds after which what a killed process left is removed
 _CHECKSUM = "# sha256 "

@@ -18,8 +18,6 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, MissingExtra
 
-__all__ = ["compile_files", "compiler", "extension_in", "load_extension"]
-
 # No contraction into fused multiply-adds: every build gives the same bits. No traps: loops that
 # choose between two results use vectors.
 _FLAGS = ["-O3", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math"]

@@ -21,14 +21,6 @@ from typing import Any, Protocol, runtime_checkable
 
 from nonsmooth.runtime.core.errors import InputError, one_line
 
-__all__ = [
-    "Declared",
-    "DeclaredOrbit",
-    "DeclaredSystem",
-    "declaration_in",
-    "hash_of_text",
-]
-
 _DERIVATION = ("nonsmooth.derive", "nonsmooth.derive.systems")
 _SYMBOLIC = ("sympy", "math", "fractions", "itertools")
 # what of the derivation reads other files, or imports what is named to it

@@ -17,8 +17,6 @@ from nonsmooth.runtime.core.files import (
 from nonsmooth.runtime.core.result_files import parsed
 from nonsmooth.runtime.model.loading.compiling import extension_in
 
-__all__ = ["COMMAND", "PROVENANCE", "FolderRecord", "check_own_folder", "recorded", "write_folder"]
-
 COMMAND = "nonsmooth generate"
 PROVENANCE = "PROVENANCE.json"
 _LARGEST = 1 << 24  # bytes of it

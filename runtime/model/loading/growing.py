@@ -24,17 +24,6 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.loading.caching import cached, module_of_text, stored
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 
-__all__ = [
-    "NOT_VISITED",
-    "GrowingDeclaration",
-    "Growth",
-    "JoinedKernel",
-    "Visit",
-    "growth_for",
-    "growth_of",
-    "recalled",
-]
-
 NOT_VISITED = "not-visited"
 Visit = tuple[str, tuple[str, ...]]  # a configuration, and boundaries reached together, or none
 _MOST_TRIED = 4096  # combinations of regimes

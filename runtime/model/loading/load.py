@@ -35,19 +35,6 @@ from nonsmooth.runtime.model.loading.growing import (
     growth_of,
 )
 
-__all__ = [
-    "library_of",
-    "load_declared",
-    "load_grown",
-    "load_many_points",
-    "load_named",
-    "load_path",
-    "located",
-    "many_points_key",
-    "orbits_of",
-    "remember",
-]
-
 _KEY = re.compile(r"[0-9a-f]{16}")
 _ADDRESS = re.compile(rf"(?P<name>[\w-]+)@(?P<key>{_KEY.pattern})")
 _MOST_MODULES = 128  # of 15 kB each; more are kept as packed text

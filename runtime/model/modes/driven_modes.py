@@ -21,8 +21,6 @@ from nonsmooth.runtime.model.modes.natural_units import dependence
 from nonsmooth.runtime.model.modes.simple_modes import NumericModes, is_moderate, simple_modes
 from nonsmooth.runtime.model.structure import mode_shapes
 
-__all__ = ["driven_modes"]
-
 _RESONANCE = 1e-6  # of the largest eigenvalue: nearer to it a response is not told well
 
 

@@ -22,8 +22,6 @@ from nonsmooth.runtime.model.factored_flows import FactoredFlows, Flows, arrays_
 from nonsmooth.runtime.model.structure import ModeShape
 from nonsmooth.runtime.model.time_functions import function_orders
 
-__all__ = ["NaturalUnits", "balanced", "dependence", "fall_rates", "natural_units"]
-
 _SWEEPS = 40  # of balancing
 _LARGEST = 2.0**500  # a unit beyond it, or below its inverse, is none
 

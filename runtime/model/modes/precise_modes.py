@@ -33,8 +33,6 @@ from nonsmooth.runtime.model.modes.subspace_modes import groupings, leads
 from nonsmooth.runtime.model.structure import mode_shapes
 from nonsmooth.runtime.model.time_functions import functions_at
 
-__all__ = ["best_modes", "exponentials_at", "precise_candidates"]
-
 _EPSILON = float(np.finfo(float).eps)
 _NEARNESS = (1e-9, 1e-7, 3e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1, math.inf)  # of the largest modulus
 _HUGE = 1e100  # entry of a term that belongs to no cluster

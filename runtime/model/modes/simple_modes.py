@@ -17,8 +17,6 @@ from nonsmooth.runtime.model.factored_flows import Flows
 from nonsmooth.runtime.model.modes.natural_units import dependence
 from nonsmooth.runtime.model.structure import ModeShape, mode_shapes
 
-__all__ = ["ModeGroup", "NumericModes", "is_moderate", "simple_modes", "snapped"]
-
 _EPSILON = float(np.finfo(float).eps)
 _APART = 1e-9  # of the largest modulus: eigenvalues that are nearer are not simple
 _LARGE = 30.0  # norm of a projector: as much, squared, may be lost of the digits

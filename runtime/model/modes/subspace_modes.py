@@ -22,13 +22,6 @@ from nonsmooth.runtime.model.factored_flows import FactoredFlows
 from nonsmooth.runtime.model.modes.simple_modes import NumericModes, snapped
 from nonsmooth.runtime.model.structure import mode_shapes
 
-__all__ = [
-    "LARGE",
-    "groupings",
-    "leads",
-    "subspace_modes",
-]
-
 LARGE = 20  # states from which on factors are faster than matrices
 _EPSILON = float(np.finfo(float).eps)
 _NEARNESS = (1e-9, 1e-7, 3e-6, 1e-4)  # of the largest modulus: what is taken together

@@ -15,8 +15,6 @@ from nonsmooth.runtime.model.loading.declared import declaration_in
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.files.named_entries import declared_table
 
-__all__ = ["check_declaration", "write_itineraries"]
-
 _STEM = "found"
 _WIDTH = 92
 

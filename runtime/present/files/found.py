@@ -26,16 +26,6 @@ from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.orbit_file import check_solves
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 
-__all__ = [
-    "FOUND",
-    "found_held",
-    "found_orbit",
-    "found_system",
-    "held_found",
-    "load_found",
-    "save_found",
-]
-
 
 @dataclass(frozen=True, kw_only=True)
 class FoundOrbitEntries:

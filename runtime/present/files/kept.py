@@ -27,8 +27,6 @@ if TYPE_CHECKING:
     )
     from nonsmooth.runtime.proof.sets.basin_certificate import BasinCertificate
 
-__all__ = ["KINDS", "KeptKind", "format_named", "load_events", "save_result"]
-
 _PROOF = 4 + SAVED_VERSION  # version of the files of proofs
 _PLANE = 2  # parameters of a box with curves
 

@@ -16,8 +16,6 @@ from nonsmooth.runtime.core.result_files import FileFormat, format_in, naming, p
 from nonsmooth.runtime.present.files.kept import KINDS, format_named
 from nonsmooth.runtime.present.files.motions import ENDINGS, load_trajectory
 
-__all__ = ["file_schemas", "format_of", "load"]
-
 # by the format that a file names: what reads other kinds, imported when there is one to read
 _READERS: Mapping[str, str] = MappingProxyType(
     {

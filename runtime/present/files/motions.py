@@ -35,8 +35,6 @@ from nonsmooth.runtime.model.structure import Structure
 from nonsmooth.runtime.simulation.starting import check_forcing
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["ENDINGS", "load_trajectory", "save_trajectory"]
-
 ENDINGS = (".npz", ".csv")
 # How many times as large as what is stored: of times, which differ; of text. Names repeat.
 _LOOSEST = {"times": 16, "header": 100}

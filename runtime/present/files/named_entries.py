@@ -21,15 +21,6 @@ from nonsmooth.runtime.present.files import found as finding
 from nonsmooth.runtime.present.files.loading import load
 from nonsmooth.runtime.shooting.symmetry import images_of
 
-__all__ = [
-    "declared_table",
-    "held_kernels",
-    "orbit_to_hold",
-    "saved_kernels",
-    "saved_listing",
-    "saved_orbit",
-]
-
 _DESIGN = "nonsmooth design"
 _PERIOD = {
     "name": "period",

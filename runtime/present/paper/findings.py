@@ -19,8 +19,6 @@ from nonsmooth.runtime.model.naming import symbol
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.solve import solve
 
-__all__ = ["DIGITS", "PAPER", "Answer"]
-
 DIGITS = 30
 PAPER: dict[str, Any] = tomllib.loads(
     files("nonsmooth.runtime.present.paper").joinpath("paper.toml").read_text(encoding="utf-8")

@@ -19,8 +19,6 @@ if TYPE_CHECKING:
     from markdown_it.tree import SyntaxTreeNode as Node
     from markupsafe import Markup
 
-__all__ = ["to_html", "to_markdown"]
-
 # maths, emphasised words, and what else Markdown does not take as it is
 _SPECIAL = re.compile(r"(?P<maths>\$[^$]+\$)|\*(?P<words>[^*]+)\*|[\\`*_~<$|]|&(?=#?\w+;)")
 _WITH = {"image": "paragraph", "strong": "table", "math_block": "paragraph"}

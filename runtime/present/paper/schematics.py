@@ -16,8 +16,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import ArrayLike
 
-__all__ = ["schematic"]
-
 Point = tuple[float, float]
 
 _WIDTH = 5.7

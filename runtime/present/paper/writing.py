@@ -26,8 +26,6 @@ from nonsmooth.runtime.proof.certify_orbit import certify
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["reproduce"]
-
 AGREES = "agrees within the printed digits"
 _BESIDE = 0.05  # of the parameter: from a border collision to an orbit that has all phases
 

@@ -29,8 +29,6 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.explore.continuation.branch import Branch, Locus
     from nonsmooth.runtime.explore.continuation.event import Event
 
-__all__ = ["draw_branch", "draw_locus"]
-
 ANGULAR = "angular"
 FREQUENCIES = (ANGULAR, "cycles")
 _GREY = "#999999"

@@ -16,8 +16,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from xarray import Dataset
 
-__all__ = ["chart_figure"]
-
 _MOST = 800  # points along an axis: a picture shows no more
 _LEAST_LABEL = 0.05  # width of a part that bears its label, in units of the map's
 # Tol's schemes "vibrant" and "muted"; what is no motion is grey, darker for each limit

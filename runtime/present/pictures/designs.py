@@ -19,8 +19,6 @@ if TYPE_CHECKING:
 
     from nonsmooth.runtime.explore.design.optimum import Design
 
-__all__ = ["draw_design"]
-
 _WIDTH, _HEIGHT = 6.4, 3.0
 _POINTS = 61
 

@@ -20,29 +20,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = [
-    "LINES",
-    "SHADES",
-    "band_style",
-    "check_picture",
-    "chosen_masses",
-    "configuration_color",
-    "dot_style",
-    "draw_arrow",
-    "draw_levels",
-    "drawn_alone",
-    "finish",
-    "fits",
-    "given_axes",
-    "line_style",
-    "mark_style",
-    "noun",
-    "shaded",
-    "tex_number",
-    "widen",
-    "within",
-]
-
 _HUES = ("#0072B2", "#D55E00", "#009E73", "#CC79A7")
 _DASHES: tuple[Any, ...] = ("-", (0, (5, 1.6)), "-.", ":")
 _MARKS = "osD^vPX*"

@@ -24,8 +24,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["fit_figure", "plot_fit"]
-
 _WIDTH, _HEIGHT = 7.2, 5.2  # inches, of one experiment
 _MOST = 4  # experiments in one figure
 _MARKERS = ("o", "s", "^", "D")

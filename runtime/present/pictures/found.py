@@ -25,8 +25,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["draw_sweep", "found_figure"]
-
 _KINDS = ("time", "velocity", "phase", "all")
 
 _MOST_ROWS = 12

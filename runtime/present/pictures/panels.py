@@ -29,14 +29,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
-__all__ = [
-    "draw_multipliers",
-    "draw_portraits",
-    "draw_positions",
-    "draw_strip",
-    "draw_velocities",
-]
-
 _BAND = 0.12  # of the height of a history, for shares of time
 _PIECE = 64  # points of a curve that are drawn at once
 _JUMP = 1e-9  # relative change of a state in an impact

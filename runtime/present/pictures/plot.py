@@ -26,15 +26,6 @@ if TYPE_CHECKING:
 
     from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = [
-    "draw",
-    "draw_all",
-    "figure_bytes",
-    "motion_figure",
-    "plot_motion",
-    "save_figure",
-]
-
 _METADATA: dict[str, dict[str, Any]] = {  # without dates, by the ending of the file
     ".png": {},
     ".svg": {"Date": None},

@@ -18,8 +18,6 @@ from nonsmooth.runtime.proof.branch.certified_doubling import CertifiedDoubling
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-__all__ = ["draw_box", "draw_certified_branch", "draw_doubling"]
-
 # the colours of charts: Tol's scheme "vibrant"; white is what is not known
 _COLORS = {
     "stable": "#0077BB",

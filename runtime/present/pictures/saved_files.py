@@ -22,8 +22,6 @@ from nonsmooth.runtime.simulation.trajectory import Trajectory
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["figure_of"]
-
 _BRANCH = "nonsmooth branch"
 
 

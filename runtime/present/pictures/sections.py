@@ -24,8 +24,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["draw_basin", "draw_chaos", "draw_graph"]
-
 _COLORS = ("#CC3311", "#0077BB", "#EE7733", "#009988", "#EE3377", "#AA3377", "#332288")
 _TRAPPING, _UNKNOWN, _IMAGES, _SMALL = "#D5E8D4", "#555555", "#8899AA", "#BBAA44"
 _SHOWN = 7  # components with a colour and a vertex of their own

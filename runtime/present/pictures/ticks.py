@@ -10,8 +10,6 @@ from matplotlib.axes import Axes
 from matplotlib.text import Text
 from matplotlib.ticker import AutoLocator, MaxNLocator, ScalarFormatter
 
-__all__ = ["number_axes"]
-
 _GAP = 0.5  # of the size of a label: between two
 _MOST = 9  # intervals between labels
 

@@ -24,8 +24,6 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.orbit import Orbit
     from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["BINS", "MANY", "View", "orbit_view", "trajectory_view"]
-
 MANY = 150  # transitions, or oscillations, that cannot be told apart any more
 BINS = 500
 _STEP = 0.1  # radians of the fastest oscillation between two points

@@ -36,8 +36,6 @@ from nonsmooth.runtime.proof.certificate import (
     ball_of,
 )
 
-__all__ = ["BITS", "DIGITS", "VERDICTS", "BoxCertificate", "Tile"]
-
 BITS = 64  # working precision on tiles: their size is what makes the balls wide
 KeptBall = Annotated[Stated, ball_of(BITS)]
 

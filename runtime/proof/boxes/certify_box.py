@@ -37,11 +37,6 @@ from nonsmooth.runtime.proof.kept_state import KeptState
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 from nonsmooth.runtime.proof.refusals import as_read, asking, refusal
 
-__all__ = [
-    "MOST_TILES",
-    "certify_box",
-]
-
 
 class BoxRefusals:
     """The reasons why the checker does not prove what is stated of tiles; "" where it does.

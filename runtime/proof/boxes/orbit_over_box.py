@@ -33,16 +33,6 @@ from nonsmooth.runtime.proof.orbit_to_prove import (
 )
 from nonsmooth.runtime.proof.statement import closing_json, declaration_json
 
-__all__ = [
-    "Region",
-    "checked_box",
-    "given_of",
-    "region_at",
-    "region_of",
-    "stated_orbits",
-    "with_open_ones",
-]
-
 
 @dataclass(frozen=True, eq=False)
 class Region:

@@ -25,8 +25,6 @@ from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place, Point
 if TYPE_CHECKING:
     from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate, Tile
 
-__all__ = ["EventCurve", "OpenBox", "ProvedRegion", "curves_of", "open_boxes_of", "regions_of"]
-
 _PARTS = 64  # of a tile, for the area of a side
 _DRAWN = 16  # points of a curve in each tile
 _ON = 1e-9  # how near to an edge a curve ends there, in shares of the box

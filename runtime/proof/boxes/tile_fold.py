@@ -22,8 +22,6 @@ from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import matrix, range_of
 from nonsmooth.runtime.proof.boxes.tile_event import chebyshev_nodes, through_nodes
 
-__all__ = ["FoldSearch"]
-
 _NODES = 9  # places at which the fold is sought
 _FARTHEST = 3.0  # of a fold from the middle of a tile; half of the tile is 1
 _STEPS = 12

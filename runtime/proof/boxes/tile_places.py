@@ -6,8 +6,6 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-__all__ = ["Interval", "Place", "Point"]
-
 Interval = tuple[Fraction, Fraction]
 Point = tuple[Fraction, Fraction]  # of a plane
 

@@ -44,8 +44,6 @@ from nonsmooth.runtime.proof.branch.tiles import (
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 from nonsmooth.runtime.proof.refusals import REFUSED, holds
 
-__all__ = ["BordersOfBranch"]
-
 _TRIES = 8
 _LARGER = 16  # times the orbit's distance: what is tried first by the parameter
 _WIDE = 1e-4  # of the interval: the first tile at least

@@ -18,21 +18,6 @@ from nonsmooth.runtime.proof.certificate import (
     ball_of,
 )
 
-__all__ = [
-    "FINISHED",
-    "NOT_ADMISSIBLE",
-    "STATED",
-    "UNDECIDED",
-    "VANISHED",
-    "BranchEvent",
-    "BranchInterval",
-    "BranchTile",
-    "CertifiedBranch",
-    "DrawnOverParameter",
-    "KeptBall",
-    "OrbitBeyond",
-]
-
 STATED = 112  # bits of the numbers at an event
 NOT_ADMISSIBLE, UNDECIDED = "not admissible", "undecided"  # beside what stability is called
 FINISHED = "end of the interval"

@@ -21,8 +21,6 @@ from nonsmooth.runtime.proof.branch.certified_branch import (
 )
 from nonsmooth.runtime.proof.certificate import Decided
 
-__all__ = ["CertifiedDoubling", "DoubledOrbits", "Ended"]
-
 Ended = Literal["complete", "unfinished", "no flip", "not covered", "not proved"]
 
 

@@ -43,12 +43,6 @@ from nonsmooth.runtime.proof.kept_state import KeptState
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 from nonsmooth.runtime.proof.refusals import REFUSED, holds
 
-__all__ = [
-    "MOST_TILES",
-    "asked_interval",
-    "certify_branch",
-]
-
 _FIRST = Fraction(1, 8)  # of the interval, or of the size of an unknown
 _GROWTH, _SHRINK = Fraction(2), Fraction(1, 3)
 _LEAST = Fraction(1, 2**45)  # of these: what stays undecided at an event

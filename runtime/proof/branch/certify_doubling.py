@@ -45,11 +45,6 @@ from nonsmooth.runtime.proof.exact_tables import rational_of
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 from nonsmooth.runtime.proof.refusals import as_read, refusal
 
-__all__ = [
-    "certify_doubling",
-    "flip_with_direction",
-]
-
 _FLIP_BITS = 192  # bits of the numbers at the flip
 _NEWTON_STEPS = 3  # of Newton's method: each doubles the powers of the amplitude that are right
 _WIDER = (2, 8, 32)  # times what is missed: radii that are tried

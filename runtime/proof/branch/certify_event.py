@@ -32,8 +32,6 @@ from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, guess_of
 from nonsmooth.runtime.proof.refusals import REFUSED, as_read
 from nonsmooth.runtime.proof.statement import decimals
 
-__all__ = ["certify_event", "certify_events"]
-
 _NEIGHBOURS = 4
 _KNOWN = 1e-6  # residual of the orbit at the computed event
 # how far from the computed event it is still that, in units of the unknowns

@@ -17,8 +17,6 @@ from nonsmooth.runtime.proof.certificate import (
     precise,
 )
 
-__all__ = ["EventCertificate", "EventCertificates", "events_claim"]
-
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
 class EventCertificate(StatedOrbits):

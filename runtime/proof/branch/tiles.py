@@ -42,17 +42,6 @@ from nonsmooth.runtime.proof.certificate import Stated, file_json
 from nonsmooth.runtime.proof.exact_tables import rational_of
 from nonsmooth.runtime.proof.refusals import REFUSED, as_read, asking, holds
 
-__all__ = [
-    "JudgedTile",
-    "checked_curve",
-    "checked_tile",
-    "judged_tile",
-    "middle_fraction",
-    "precision_of",
-    "proposed_tile",
-    "stated_branch",
-]
-
 _LONG = 6  # phases of a cycle beyond which rounding errors grow too much for few bits
 _NARROW = Fraction(1, 2**24)  # size of a tile, in that of its coordinate, that takes more, too
 _ORDERS = (1, 3)  # of the steps to the polynomials of a tube, before the last one

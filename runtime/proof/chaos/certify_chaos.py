@@ -33,8 +33,6 @@ from nonsmooth.runtime.proof.sets.sections import (
 )
 from nonsmooth.runtime.simulation.simulate import simulate_one
 
-__all__ = ["certify_chaos"]
-
 _BITS = 80
 _CONE_PARTS = 4  # times as many for derivatives
 _BASES = 800  # points of the motion about which sets stand

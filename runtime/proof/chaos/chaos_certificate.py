@@ -16,8 +16,6 @@ from nonsmooth.runtime.proof.chaos.cone_conditions import ConeCondition
 from nonsmooth.runtime.proof.chaos.h_sets import HSet
 from nonsmooth.runtime.proof.sets.sections import SectionRecord
 
-__all__ = ["ChaosCertificate"]
-
 _MOST_STEPS = 512  # of a word
 
 

@@ -35,8 +35,6 @@ from nonsmooth.runtime.proof.chaos.h_sets import HSet, grid_in_cube, logarithm_b
 if TYPE_CHECKING:
     from nonsmooth.runtime.checker.state_sets.cones import Matrix
 
-__all__ = ["ConeCondition", "cone_condition"]
-
 _SHARES = tuple(Fraction(4) ** k for k in range(-3, 4))  # of the stable coordinates in a form
 _SEARCHED = 24  # powers of 2 of rates
 _ROUNDS = 30  # of a bisection

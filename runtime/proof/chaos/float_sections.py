@@ -16,8 +16,6 @@ from nonsmooth.runtime.proof.sets.sections import MapSection, Way, ways_of
 from nonsmooth.runtime.simulation.engines import Trajectories
 from nonsmooth.runtime.simulation.simulate import simulate_many
 
-__all__ = ["FloatSection", "Mapped"]
-
 _KEPT = 48  # transitions among which the next passage is looked for
 _MOST = 512  # transitions in one iterate
 _ROUNDING = 1e-12  # of a boundary's function

@@ -24,8 +24,6 @@ from nonsmooth.runtime.core.json_codec import Exact
 if TYPE_CHECKING:
     from nonsmooth.runtime.checker.state_sets.sets import StateSet
 
-__all__ = ["HSet", "decimal_set", "grid_in_cube", "growth", "logarithm_below", "outline"]
-
 _SHORT = 10**6  # denominator of a bound, at most
 _DIGITS = 6  # of a logarithm
 

@@ -22,8 +22,6 @@ import numpy as np
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
 from nonsmooth.runtime.proof.chaos.h_sets import HSet, decimal_set, grid_in_cube, growth
 
-__all__ = ["Horseshoe", "StretchedOrbits", "candidates", "orbits_on"]
-
 _SEED = 3
 _POINT = 1e-9  # of the range along a motion: points of a section that are one
 _ORBITS, _LENGTH = 600, 10  # each begins behind the end of the one before

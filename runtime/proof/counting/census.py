@@ -13,8 +13,6 @@ from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.model.saved_system import KeptOrbitName
 from nonsmooth.runtime.proof.certificate import Certificate, Declaration
 
-__all__ = ["Bounds", "Census", "Counted", "Open"]
-
 Bounds = Mapping[str, tuple[Exact, Exact]]  # of each unknown that was searched: decimal texts
 
 

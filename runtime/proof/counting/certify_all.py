@@ -42,10 +42,6 @@ from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
 from nonsmooth.runtime.shooting.translations import translations_of
 
-__all__ = [
-    "certify_all",
-]
-
 SHORTEST = "1e-6"
 _HUNDREDTHS = 100
 

@@ -16,8 +16,6 @@ from nonsmooth.runtime.core.values import Value, as_value, flint_precision
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["Enclosure", "Proof", "exactly"]
-
 
 @dataclass(frozen=True, eq=False)
 class Enclosure:

@@ -20,8 +20,6 @@ from nonsmooth.runtime.proof.chaos.h_sets import HSet, decimal_set, grid_in_cube
 from nonsmooth.runtime.proof.refusals import REFUSED
 from nonsmooth.runtime.proof.sets.sections import Way
 
-__all__ = ["AttractingCore", "Undecided", "attracting_core"]
-
 _LARGEST, _SMALLEST = 2, 24  # powers of 1/2: sizes of sets that are tried, of the scale
 _POWERS = (1, 2, 4, 8)
 _UP = 2**20

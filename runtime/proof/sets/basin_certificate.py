@@ -19,8 +19,6 @@ from nonsmooth.runtime.proof.chaos.h_sets import HSet
 from nonsmooth.runtime.proof.sets.runs import Flags, Numbers
 from nonsmooth.runtime.proof.sets.sections import SectionRecord
 
-__all__ = ["BasinCertificate"]
-
 
 @dataclass(frozen=True, kw_only=True)
 class VerdictEntries:

@@ -14,8 +14,6 @@ from nonsmooth.runtime.checker.state_sets.graph import Edges, edges_of
 from nonsmooth.runtime.checker.state_sets.many_sets import Arrivals
 from nonsmooth.runtime.core.box_grid import DividedGrid
 
-__all__ = ["BoxGraph"]
-
 Numbers = NDArray[np.int_]
 Flags = NDArray[np.bool_]
 

@@ -33,11 +33,6 @@ from nonsmooth.runtime.proof.sets.sections import (
     stated_section,
 )
 
-__all__ = [
-    "certify_basin",
-    "next_tiles",
-]
-
 _SEED = 20
 _SAMPLED = 64  # of so many tiles one is looked at, wherever it is, before the best are
 _BLOCK = 4  # tiles along each coordinate

@@ -34,8 +34,6 @@ from nonsmooth.runtime.proof.sets.sections import (
 from nonsmooth.runtime.simulation.simulate import follow, simulate_one
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["certify_graph"]
-
 _BITS = 64
 _FEWEST_BITS, _MOST_BITS = 64, 4096
 _WIDER = 0.25  # of the sampled extent, at each side

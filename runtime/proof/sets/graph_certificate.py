@@ -18,15 +18,6 @@ from nonsmooth.runtime.proof.sets.box_graphs import BoxGraph
 from nonsmooth.runtime.proof.sets.runs import Flags, Numbers, check_size
 from nonsmooth.runtime.proof.sets.sections import SectionRecord
 
-__all__ = [
-    "Component",
-    "GraphEntries",
-    "RegionCertificate",
-    "entries_of",
-    "graph_of",
-    "stated_graph",
-]
-
 _MOST = 10**8  # edges
 
 

@@ -11,8 +11,6 @@ from numpy.typing import NDArray
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import by
 
-__all__ = ["Flags", "Numbers", "check_size"]
-
 _MOST = 10**8  # boxes of a grid
 
 

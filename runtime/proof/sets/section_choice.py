@@ -23,13 +23,6 @@ from nonsmooth.runtime.proof.sets.sections import (
 from nonsmooth.runtime.simulation.simulate import follow
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = [
-    "MetSection",
-    "Sampled",
-    "sampled_sections",
-    "section_of",
-]
-
 
 class MetSection(NamedTuple):
     """A section, coordinates (d,) of a point of the orbit on it, and returns in one period."""

@@ -37,28 +37,6 @@ from nonsmooth.runtime.proof.exact_tables import ExactSystem, Row
 from nonsmooth.runtime.proof.statement import declaration_json, system_declaration
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 
-__all__ = [
-    "MapSection",
-    "SectionRecord",
-    "Way",
-    "angle_of",
-    "check_same_section",
-    "forcing_section",
-    "listed_declaration",
-    "listed_transition",
-    "named_way",
-    "phases",
-    "reached_text",
-    "refused_as_input",
-    "section_entries",
-    "sections_behind",
-    "stated_section",
-    "transition_section",
-    "visited_declaration",
-    "ways_of",
-    "whole_system",
-]
-
 Way = tuple[int, frozenset[int], int]  # configuration, boundaries, configuration
 
 
