@@ -131,7 +131,7 @@ def served(site):
 class Window:
     """A page of a browser that is driven over a pair of pipes."""
 
-    def __init__(self, commands: int, answers: int) -> None:
+    def __init__(self, commands, answers):
         self._commands, self._answers = commands, answers
         self._said = b""
         self._count = 0
@@ -143,7 +143,7 @@ class Window:
         for domain in ("Page", "Runtime", "Log", "Network"):
             self.ask(f"{domain}.enable")
 
-    def ask(self, method: str, **parameters: object) -> dict[str, Any]:
+    def ask(self, method, **parameters):
         """Send one command of the DevTools protocol and give its result."""
         self._count += 1
         message = {"id": self._count, "method": method, "params": parameters}
@@ -157,19 +157,19 @@ class Window:
                 return answer["result"]
             self._events.append(answer)
 
-    def run(self, script: str) -> Any:
+    def run(self, script):
         """Give the value of an expression, awaited, in the page."""
         asked = {"expression": script, "awaitPromise": True, "returnByValue": True}
         answer = self.ask("Runtime.evaluate", **asked)
         assert "exceptionDetails" not in answer, answer["exceptionDetails"]
         return answer["result"].get("value")
 
-    def resize(self, width: int) -> None:
+    def resize(self, width):
         """Give the window a width in pixels."""
         size = {"width": width, "height": 1000, "deviceScaleFactor": 1, "mobile": False}
         self.ask("Emulation.setDeviceMetricsOverride", **size)
 
-    def open(self, address: str, width: int) -> None:
+    def open(self, address, width):
         """Open a page in a window of a width in pixels and wait until it has loaded."""
         self.resize(width)
         self._events.clear()
@@ -177,12 +177,12 @@ class Window:
         while not any(event["method"] == "Page.loadEventFired" for event in self._events):
             self._events.append(self._next_message())
 
-    def look(self, address: str, *widths: int) -> list[Seen]:
+    def look(self, address, *widths):
         """Open a page and say what is seen in windows of these widths, one after the other."""
         self.open(address, widths[0])
         return [self._seen(address, width) for width in widths]
 
-    def _seen(self, address: str, width: int) -> Seen:
+    def _seen(self, address, width):
         self.resize(width)
         facts = json.loads(self.run(LOOK))
         asked = [e["params"] for e in self._events if e["method"] == "Network.requestWillBeSent"]
@@ -194,7 +194,7 @@ class Window:
             requests=[url for url in urls if url.startswith("http") and url.split("/")[2] != site],
         )
 
-    def _next_message(self) -> dict[str, Any]:
+    def _next_message(self):
         until = time.monotonic() + SECONDS
         while b"\0" not in self._said:
             ready, _, _ = select([self._answers], [], [], max(0.0, until - time.monotonic()))

@@ -6,7 +6,6 @@ a last entry 1, which makes every field, boundary and reset linear.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from functools import cache
 from typing import Any
 
@@ -16,9 +15,8 @@ import sympy as sp
 from scipy.linalg import expm, null_space
 
 from nonsmooth import solve
-from nonsmooth.derive import Phase, SecondOrder
+from nonsmooth.derive import SecondOrder
 from nonsmooth.derive.systems import declaration
-from nonsmooth.runtime.orbits.orbit import Orbit
 
 elastic_stop, rigid_stop = map(declaration, ("elastic-stop", "rigid-stop"))
 
@@ -68,9 +66,7 @@ def _tables(name, modules):
 class Piece:
     """One phase in numbers: field, exit boundary, reset, and all boundaries by name."""
 
-    def __init__(
-        self, phase: Phase, names: Sequence[str], tables: Any, dwell: Any, precise: bool
-    ) -> None:
+    def __init__(self, phase, names, tables, dwell, precise):
         field, jump, boundaries, held = tables
 
         def matrix(rows: Any) -> Any:
@@ -83,20 +79,20 @@ class Piece:
         self.held = [matrix([row]) for row in held]
         self.precise = precise
 
-    def flow(self, time: Any) -> Any:
+    def flow(self, time):
         """Matrix exponential."""
         if self.precise:
             return mpmath.expm(self.field * time, method="taylor")
         return expm(self.field * time)
 
-    def saltation(self, end: Any, following: Piece) -> Any:
+    def saltation(self, end, following):
         """R + (f+ - R f-) n/(n f-) at the state in front of the transition."""
         before = self.field @ end
         behind = following.field @ (self.jump @ end)
         rate = (self.normal @ before)[0, 0]
         return self.jump + (behind - self.jump @ before) @ self.normal / rate
 
-    def exit_time(self, start: Any, near: float) -> float:
+    def exit_time(self, start, near):
         """When the exit boundary is reached, by Newton's method from a time nearby."""
         time = near
         for _ in range(50):
@@ -112,7 +108,7 @@ class Piece:
 class Declared:
     """An orbit's phases in numbers: floats, or mpmath's global context at its precision."""
 
-    def __init__(self, orbit: Orbit, *, precise: bool = False) -> None:
+    def __init__(self, orbit, *, precise=False):
         self.orbit, self.itinerary = orbit, itinerary_of(orbit.name)
         number, modules = (mpmath.mpf, "mpmath") if precise else (float, "math")
         names, self.states, boundaries, numbers = _tables(orbit.name, modules)
@@ -131,7 +127,7 @@ class Declared:
         self.start = mpmath.matrix(start) if precise else np.array(start)[:, None]
 
     @property
-    def steps(self) -> list[tuple[Piece, Any, Any]]:
+    def steps(self):
         """Each phase with the states at its start and at its end, in front of the reset."""
         found, state = [], self.start
         for piece in self.pieces:
@@ -141,24 +137,24 @@ class Declared:
         return found
 
     @property
-    def end(self) -> Any:
+    def end(self):
         """State after one turn."""
         piece, _, end = self.steps[-1]
         return piece.jump @ end
 
     @property
-    def missed(self) -> Any:
+    def missed(self):
         """By how much a phase misses its boundary, or a turn its start, at most."""
         ends = [abs((piece.normal @ end).item()) for piece, _, end in self.steps]
         return max(*ends, abs(self.end - self.start).max())
 
-    def saltations(self) -> list[Any]:
+    def saltations(self):
         """Saltation matrix of each transition, without the last row and column."""
         following = [*self.pieces[1:], self.pieces[0]]
         found = [p.saltation(e, f) for (p, _, e), f in zip(self.steps, following, strict=True)]
         return [s[: self.size, : self.size] for s in found]
 
-    def monodromy(self, *, saltations: bool = True) -> Any:
+    def monodromy(self, *, saltations=True):
         """Product over a period of the flows and saltation matrices, or of flows and resets."""
         product = mpmath.eye(self.size) if self.pieces[0].precise else np.eye(self.size)
         jumps = self.saltations()
@@ -168,7 +164,7 @@ class Declared:
             product = jump @ (piece.flow(piece.dwell)[: self.size, : self.size] @ product)
         return product
 
-    def image(self, start: np.ndarray) -> tuple[np.ndarray, list[float]]:
+    def image(self, start):
         """State after one turn from anywhere nearby, and the dwell times."""
         state, times = start, []
         for piece in self.pieces:
@@ -176,7 +172,7 @@ class Declared:
             state = piece.jump @ (piece.flow(times[-1]) @ state)
         return state, times
 
-    def embedding(self) -> tuple[np.ndarray, list[int]]:
+    def embedding(self):
         """Directions in which the section extends, one for each of its coordinates.
 
         The end of the last phase lies on its exit boundary, at the velocities that were held;

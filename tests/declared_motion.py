@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import cache
 from typing import Any
 
 import sympy as sp
 from mpmath import MPContext
-
-from nonsmooth.derive import System
 
 mp = MPContext()
 mp.dps = 60
@@ -26,7 +23,7 @@ def number(value):
 class DeclaredMotion:
     """Fields, rows and resets as a declaration has them; states carry a last entry 1."""
 
-    def __init__(self, system: System, values: Mapping[str, str]) -> None:
+    def __init__(self, system, values):
         at = {p.symbol: sp.Rational(str(Fraction(values[p.name]))) for p in system.parameters}
         states, last = system.states, [0] * len(system.states)
         zero = dict.fromkeys(states, 0)
@@ -54,7 +51,7 @@ class DeclaredMotion:
             for t in system.transitions
         ]  # fmt: skip
 
-    def run(self, configuration: str, start: Sequence[Any], transitions: int) -> tuple[Any, ...]:
+    def run(self, configuration, start, transitions):
         """Configurations, boundaries, instants and states behind so many transitions."""
         state, now = mp.matrix([*map(number, start), 1]), mp.mpf(0)
         names, sets, instants, states = [configuration], [], [now], [state]
@@ -75,7 +72,7 @@ class DeclaredMotion:
             states.append(state)
         return tuple(names), tuple(sets), instants, states
 
-    def flow(self, configuration: str, state: Any, duration: Any) -> Any:
+    def flow(self, configuration, state, duration):
         """The state after a time no longer than a step, by the series of the exponential."""
         field, term, total = self.fields[configuration] * duration, state, state
         for k in range(1, 80):
@@ -85,7 +82,7 @@ class DeclaredMotion:
                 break
         return total
 
-    def after(self, configuration: str, boundary: str, state: Any) -> tuple[str, Any]:
+    def after(self, configuration, boundary, state):
         """By the first transition whose conditions hold."""
         for source, boundaries, target, conditions, reset in self.transitions:
             if (source, boundaries) == (configuration, {boundary}) and all(
@@ -94,7 +91,7 @@ class DeclaredMotion:
                 return target, reset * state
         raise AssertionError(f"no transition from {configuration} at {boundary}")
 
-    def leading(self, row: Any, along: str, state: Any) -> Any:
+    def leading(self, row, along, state):
         """The first of a function and its derivatives along a motion that is not zero."""
         values = []
         for _ in range(len(state)):
@@ -102,7 +99,7 @@ class DeclaredMotion:
             row *= self.fields[along]
         return next((value for value in values if abs(value) > OWN_ERROR), 0)
 
-    def root(self, configuration: str, row: Any, state: Any) -> Any:
+    def root(self, configuration, row, state):
         """Where a boundary is crossed within a step, by Newton's method between its ends."""
         low, high = mp.mpf(0), STEP
         field, at = self.fields[configuration], high
@@ -117,7 +114,7 @@ class DeclaredMotion:
             at = better
         return at
 
-    def agrees(self, proof: Any, start: Sequence[Any], narrow: float) -> None:
+    def agrees(self, proof, start, narrow):
         """Assert that the proved sequence is the motion's, and that narrow enclosures hold it."""
 
         def holds(enclosure: Any, value: Any) -> bool:

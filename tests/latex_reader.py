@@ -5,14 +5,13 @@ from __future__ import annotations
 import math
 import random
 import re
-from collections.abc import Iterable
 from functools import cache
 from typing import Any
 
 import numpy as np
 import sympy as sp
 
-from nonsmooth.derive import EquationSystem, derive_equations
+from nonsmooth.derive import derive_equations
 from nonsmooth.derive.document.describe import describe_orbit
 from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.systems import SYSTEMS, declaration
@@ -33,22 +32,22 @@ def reading(values):
 class Written:
     """An orbit with its document, and numbers for all that stands in it."""
 
-    def __init__(self, equations: EquationSystem) -> None:
+    def __init__(self, equations):
         self.equations, itinerary = equations, equations.itinerary
         self.name = f"{itinerary.system.name}/{itinerary.name}"
         self.document = describe_orbit(equations)
         self.notation = self.document.shown.naming.notation
 
     @property
-    def lines(self) -> list[Any]:
+    def lines(self):
         return [line for formula in self.document.formulas for line in formula.lines]
 
-    def line(self, left: str) -> Any:
+    def line(self, left):
         """The only line with that left-hand side."""
         (found,) = (line for line in self.lines if line.left == left)
         return found
 
-    def complete(self, known: Any) -> Any:
+    def complete(self, known):
         """Spectrum and functions of time from parameters and dwell times."""
         known = dict(known)
         for symbol, expression in self.equations.spectrum.entries:
@@ -57,7 +56,7 @@ class Written:
             known[symbol] = float(expression.xreplace(known))
         return known
 
-    def drawn(self, seed: int) -> Any:
+    def drawn(self, seed):
         """Any numbers: of parameters and dwell times, and of every symbol of the lines."""
         draw = random.Random(seed)
         dwell_times = [link.dwell for link in self.equations.chain.links]
@@ -75,7 +74,7 @@ class Written:
         return self.complete(known)
 
     @property
-    def angles(self) -> dict[str, tuple[sp.Symbol, sp.Symbol]]:
+    def angles(self):
         """Angles that are written, by the symbols of their cosines and sines."""
         subjects = [line.subject for line in self.lines if isinstance(line.subject, sp.Symbol)]
         written = {self.notation.symbol(s): s for s in subjects}
@@ -85,7 +84,7 @@ class Written:
             if text.startswith(r"\cos ")
         }
 
-    def at(self, orbit: Any) -> Numbers:
+    def at(self, orbit):
         """The numbers of a solved orbit, all stages included."""
         named = {str(s): s for s in (*self.equations.unknowns, *self.notation.constants)}
         named |= {p.name: p.symbol for p in self.equations.system.parameters}
@@ -96,7 +95,7 @@ class Written:
                 found[link.dwell] = float(sp.sympify(link.duration).xreplace(found))
         return self.run(self.complete(found), (*self.equations.chain.stages,))
 
-    def run(self, known: Numbers, stages: Iterable[Any]) -> Numbers:
+    def run(self, known, stages):
         """Run stages on numbers."""
         known = dict(known)
         for stage in stages:
@@ -104,7 +103,7 @@ class Written:
                 known[symbol] = float(expression.xreplace(known))
         return known
 
-    def reader(self, numbers: Numbers) -> Reading:
+    def reader(self, numbers):
         """Read with these numbers, and with what the document names on the way."""
         names: dict[str, Any] = {r"\pi": math.pi}
         for symbol, value in numbers.items():

@@ -7,7 +7,6 @@ by Newton's method with exponentials of the fields in balls, of which the middle
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import Any
 
 import numpy as np
 from flint import arb, arb_mat
@@ -20,7 +19,6 @@ from nonsmooth.derive import (
     RigidStop,
     Slider,
     SoftStop,
-    System,
     oscillator,
 )
 from nonsmooth.runtime.core.arithmetic import Balls
@@ -92,15 +90,13 @@ def random_oscillator(rng, name, masses=None):
 class MovedMotion:
     """A motion's sequence of configurations, followed in fifty digits from moved numbers."""
 
-    def __init__(self, system: System, motion: Any, apart: np.ndarray | None = None) -> None:
+    def __init__(self, system, motion, apart=None):
         self.system, self.motion = system, motion
         own = np.zeros(motion.transitions, dtype=bool) if apart is None else apart
         linearisation = MotionLinearisation(motion, (), np.empty((0, 0)), np.empty(0), own)
         self.transitions, self.instants = linearisation.transitions, linearisation.instants
 
-    def difference(
-        self, parameters: dict[str, float], start: np.ndarray, times: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray]:
+    def difference(self, parameters, start, times):
         """Derivatives of event times (n - 1,) and of states (m, N) at fixed times.
 
         Parameters
@@ -125,9 +121,7 @@ class MovedMotion:
                 for up, down in zip(above, below, strict=True)
             )
 
-    def one_sided(
-        self, parameters: dict[str, float], start: np.ndarray, times: np.ndarray, sign: int
-    ) -> np.ndarray:
+    def one_sided(self, parameters, start, times, sign):
         """Derivatives of states (m, N) at fixed times on one side, where the motion is exact.
 
         Parameters
@@ -154,9 +148,7 @@ class MovedMotion:
             found = [float(((a - b) / width).mid()) for a, b in zip(moved[1], here[1], strict=True)]
         return np.reshape(found, (len(times), -1))
 
-    def _followed(
-        self, parameters: dict[str, float], start: np.ndarray, times: np.ndarray, step: Fraction
-    ) -> tuple[list[arb], list[arb]]:
+    def _followed(self, parameters, start, times, step):
         motion, run = self.motion, self.motion.run
         data = {
             name: as_value(Fraction(float(value)) + step * Fraction(parameters.get(name, 0.0)))

@@ -8,7 +8,6 @@ but velocities, as restitution says. There is one motion from a start that obeys
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 import sympy as sp
@@ -23,9 +22,9 @@ class Newton:
     """An oscillator as it is declared: what `oscillator` takes but for the name."""
 
     def __init__(
-        self, coordinates: list[str], mass: Any, stiffness: Any,
-        damping: Any = None, *, load: Any = (), forcing: Any = (), elements: Any = (),
-    ) -> None:  # fmt: skip
+        self, coordinates, mass, stiffness,
+        damping = None, *, load = (), forcing = (), elements = (),
+    ):  # fmt: skip
         self.names, size = coordinates, len(coordinates)
         self.mass, self.stiffness, self.damping = (
             np.zeros((size, size)) if part is None else np.array(part, dtype=float)
@@ -37,7 +36,7 @@ class Newton:
         both = zip(self.elements, self.rows, strict=True)  # a stop may be the load of friction
         self._loads_first = sorted(both, key=lambda each: isinstance(each[0], Friction))
 
-    def _row(self, entries: Any) -> np.ndarray:
+    def _row(self, entries):
         """Numbers by coordinates, of a name, of numbers in their order, or of those by name."""
         if isinstance(entries, str):
             entries = {entries: 1}
@@ -45,14 +44,14 @@ class Newton:
             entries = dict(zip(self.names, entries, strict=False))
         return np.array([self._number(entries.get(name, 0)) for name in self.names])
 
-    def _number(self, text: Any, state: dict[str, float] | None = None) -> float:
+    def _number(self, text, state=None):
         if isinstance(text, int | float):
             return float(text)
         found = sp.sympify(text)
         known = {symbol: (state or {})[symbol.name] for symbol in found.free_symbols}
         return float(found.subs(known) if known else found)
 
-    def obeyed_by(self, motion: Any) -> None:
+    def obeyed_by(self, motion):
         """Check all phases that are long enough to take differences, and all transitions."""
         for begin, end in pairwise([*motion.times.tolist(), motion.end]):
             if end > begin + 0.01:
@@ -68,7 +67,7 @@ class Newton:
             self._struck(before[:size], before[size : 2 * size], behind[size : 2 * size])
             self._begun(motion, k + 1)
 
-    def _between(self, motion: Any, time: float) -> None:
+    def _between(self, motion, time):
         size = len(self.names)
         near = motion(time + _STEP * np.array([-2, -1, 1, 2]))
         changes = np.array([1, -8, 8, -1]) @ near / (12 * _STEP)
@@ -90,7 +89,7 @@ class Newton:
                 low, high = self._limits(element, state, pushes)
                 assert low - _FORCE < force < high + _FORCE, (time, element, force)
 
-    def _outer(self, time: float, state: np.ndarray) -> np.ndarray:
+    def _outer(self, time, state):
         """Forces of springs, dampers, loads and harmonics."""
         size = len(self.names)
         found = self.load - self.stiffness @ state[:size] - self.damping @ state[size : 2 * size]
@@ -103,12 +102,12 @@ class Newton:
             )
         return found
 
-    def _moved(self, row: np.ndarray, state: dict[str, float]) -> tuple[float, float]:
+    def _moved(self, row, state):
         """Place and velocity along a direction."""
         size, values = len(self.names), [*state.values()]
         return float(row @ values[:size]), float(row @ values[size : 2 * size])
 
-    def _told(self, element: Any, row: np.ndarray, state: dict[str, float], pushes: Any) -> Any:
+    def _told(self, element, row, state, pushes):
         """The force of an element by its law; None where it is what holds it at rest."""
         place, rate = self._moved(row, state)
         if isinstance(element, Slider):
@@ -135,19 +134,19 @@ class Newton:
         push = self._number(element.stiffness) * depth + self._number(element.damping) * side * rate
         return -side * (max(push, 0.0) if element.released == "force" else push) * (depth > 0)
 
-    def _load(self, element: Any, state: dict[str, float], pushes: dict[str, float]) -> float:
+    def _load(self, element, state, pushes):
         normal = getattr(element.normal, "name", element.normal)
         return pushes[normal] if isinstance(normal, str) and normal in pushes else (
             self._number(normal, state))  # fmt: skip
 
-    def _limits(self, element: Any, state: dict[str, float], pushes: Any) -> tuple[float, float]:
+    def _limits(self, element, state, pushes):
         if isinstance(element, Friction):
             static = element.kinetic if element.static is None else element.static
             limit = self._number(static) * self._load(element, state, pushes)
             return -limit, limit
         return (-np.inf, 0.0) if element.side == "upper" else (0.0, np.inf)
 
-    def _struck(self, place: np.ndarray, before: np.ndarray, behind: np.ndarray) -> None:
+    def _struck(self, place, before, behind):
         """Velocities jump along the stops that are struck, as their restitution says."""
         rows = []
         for element, row in zip(self.elements, self.rows, strict=True):
@@ -164,7 +163,7 @@ class Newton:
         along = np.linalg.lstsq(rows_.T, jump, rcond=None)[0]
         assert abs(jump - along @ rows_).max() < 4 * _PLACE * self.mass.max()
 
-    def _begun(self, motion: Any, k: int) -> None:
+    def _begun(self, motion, k):
         """The only contact with friction slips from rest where its static limit is exceeded."""
         rubs = [(e, row) for e, row in zip(self.elements, self.rows, strict=True)
                 if isinstance(e, Friction)]  # fmt: skip

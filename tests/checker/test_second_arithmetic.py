@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
@@ -68,7 +68,7 @@ def meet(one, other):
 class StatedOrbit:
     """A cycle as a file states it, in intervals: its equations, their Jacobian, its return map."""
 
-    def __init__(self, content: dict[str, Any]) -> None:
+    def __init__(self, content):
         declared = content["declaration"]
         given = [Fraction(content["parameters"][name]) for name in declared["parameters"]]
 
@@ -95,7 +95,7 @@ class StatedOrbit:
             whole = ([*rows, [*last, k]] for k, rows in enumerate((field, reset)))
             self.phases.append((*map(iv.matrix, whole), exit_row))
 
-    def passed(self, unknowns: Sequence[Any]) -> list[tuple[Any, Any, Any]]:
+    def passed(self, unknowns):
         """Of each phase: its flow, the state where it ends, and the velocity there."""
         state = iv.matrix([*unknowns[: self.size], 1])
         found = []
@@ -106,14 +106,14 @@ class StatedOrbit:
             state = reset * end
         return found
 
-    def residual(self, unknowns: Sequence[Any]) -> list[Any]:
+    def residual(self, unknowns):
         passed = self.passed(unknowns)
         last = self.phases[-1][1] * passed[-1][1]
         returned = [last[i] - unknowns[i] for i in range(self.size)]
         exits = zip(self.phases, passed, strict=True)
         return returned + [_along(row, end) for (_, _, row), (_, end, _) in exits]
 
-    def jacobian(self, unknowns: Sequence[Any]) -> Any:
+    def jacobian(self, unknowns):
         """The residual's derivatives: by the start through all flows, by each time from its end."""
         count, size = len(unknowns), self.size
         moved = iv.matrix(size + 1, count)
@@ -133,7 +133,7 @@ class StatedOrbit:
                 found[i, j] = moved[i, j] - int(i == j)
         return found
 
-    def trace(self, unknowns: Sequence[Any]) -> Any:
+    def trace(self, unknowns):
         """Trace of the return map: each phase ends where its boundary is reached, not at a time."""
         moved = iv.eye(self.size + 1)
         phases = zip(self.phases, self.passed(unknowns), strict=True)

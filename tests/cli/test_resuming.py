@@ -118,6 +118,7 @@ def begun(words, progress, told):
         update(shown, task, **options)
 
     with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("sys.argv", ["nonsmooth", *shlex.split(words)])
         if told:
             patch.setattr(Progress, "add_task", adding)
             patch.setattr(Progress, "update", updating)

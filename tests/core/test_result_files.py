@@ -18,7 +18,6 @@ import pytest
 import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.runtime.core.result_files import checksum_of
-from nonsmooth.runtime.explore.finding.find import Found
 from tests.certified import LOOP, kicked, loop, prove_basin, prove_doubling, prove_graph
 from tests.horseshoes import folded_horseshoe
 from tests.shared import shared_file
@@ -260,7 +259,7 @@ def test_no_entry_is_missing_unknown_or_of_another_type(kind, tmp_path):
         path.write_text(json.dumps(signed(other)))
         try:
             found = ns.load(path)
-            if isinstance(found, Found):  # one wrong entry leaves the others
+            if hasattr(found, "equilibria"):  # one wrong entry leaves the others
                 _ = [each.orbit for each in found.orbits]
                 _ = [each.equilibrium for each in found.equilibria]
         except InputError as problem:

@@ -180,17 +180,17 @@ EXAMPLES = {
 class Derived:
     """The emitted kernels of one orbit, at high precision."""
 
-    def __init__(self, itinerary: Itinerary) -> None:
+    def __init__(self, itinerary):
         self.orbit: EquationSystem = derive_equations(itinerary)
         kernels = (spectrum_kernel(self.orbit.spectrum), *orbit_kernels(self.orbit))
         self._found = {o.name: (k, i) for k in kernels for i, o in enumerate(k.outputs)}
         self._functions: dict[str, Any] = {}
 
     @property
-    def names(self) -> list[str]:
+    def names(self):
         return [str(p) for p in self.orbit.parameters]
 
-    def run(self, name: str, values: Sequence[Any], unknowns: Sequence[Any] = ()) -> Any:
+    def run(self, name, values, unknowns=()):
         """One result at parameters, and at unknowns or the reduced ones."""
         kernel, place = self._found[name]
         if kernel.name not in self._functions:
@@ -205,7 +205,7 @@ class Derived:
         found = self._functions[kernel.name](*given, lib=LIB, **first)
         return found[place] if place else found
 
-    def solved(self, values: Sequence[Any], guess: Sequence[Any]) -> list[Any]:
+    def solved(self, values, guess):
         """Newton's method at sixty digits."""
         unknowns = MP.matrix(list(guess))
         for _ in range(60):
@@ -224,7 +224,7 @@ class Derived:
 class Solved:
     """An example derived from one of its phases on, with its orbit."""
 
-    def __init__(self, name: str, rotation: int = 0) -> None:
+    def __init__(self, name, rotation=0):
         example = EXAMPLES[name]
         self.derived = Derived(example.itinerary().rotated(rotation))
         self.orbit = orbit = self.derived.orbit
@@ -245,12 +245,12 @@ class Solved:
             guess = [known[n] + MP.mpf(source.uniform(-1, 1)) / 1000 for n in symbols]
         self.unknowns = self.derived.solved(self.values, guess)
 
-    def at(self, name: str) -> Any:
+    def at(self, name):
         """A result of the kernels at the orbit."""
         return self.derived.run(name, self.values, self.unknowns)
 
     @cached_property
-    def known(self) -> dict[sp.Symbol, Any]:
+    def known(self):
         """Numbers of all parameters, those that are solved for too, and of the unknowns."""
         orbit = self.orbit
         found = dict(zip(orbit.parameters, self.values, strict=True))
@@ -259,17 +259,17 @@ class Solved:
         return {p.symbol: MP.mpf(0) for p in orbit.system.parameters} | found
 
     @cached_property
-    def dwell_times(self) -> dict[str, Any]:
+    def dwell_times(self):
         links = self.orbit.chain.links
         return {str(link.dwell): number(link.duration, self.known) for link in links}
 
     @cached_property
-    def states(self) -> list[list[Any]]:
+    def states(self):
         """State at the start and behind every transition."""
         return self.at("states")
 
     @property
-    def reduced(self) -> list[Any]:
+    def reduced(self):
         """Unknowns of the reduced equations."""
         known = {str(s): v for s, v in self.known.items()} | self.dwell_times
         for index, state in enumerate(self.states):
@@ -278,10 +278,10 @@ class Solved:
         return [known[str(u)] for u in self.orbit.reduction.unknowns]
 
     @cached_property
-    def poincare(self) -> Any:
+    def poincare(self):
         return MP.matrix(self.at("poincare_jacobian") or 0)
 
-    def multipliers(self) -> list[Any]:
+    def multipliers(self):
         size = self.poincare.rows
         found = MP.eig(self.poincare, left=False, right=False) if size > 1 else list(self.poincare)
         large = [m for m in found if abs(m) > MP.mpf(10) ** -20]
@@ -437,7 +437,7 @@ def affine(functions, states, last=1):
 class Independent:
     """Flow by matrix exponentials, exits by Newton's method on time, resets as declared."""
 
-    def __init__(self, example: Solved) -> None:
+    def __init__(self, example):
         system, phases = example.orbit.system, example.itinerary.phases
         states = system.states
         self.pieces = []
@@ -452,7 +452,7 @@ class Independent:
             numbers = (table(part, example.known) for part in (field, boundary, jump))
             self.pieces.append((*numbers, example.dwell_times[phase.dwell_time]))
 
-    def image(self, state: Sequence[Any]) -> list[Any]:
+    def image(self, state):
         """State after one turn; each exit is the one nearest to the orbit's own."""
         y = MP.matrix([*state, 1])
         for field, normal, jump, time in self.pieces:

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import ctypes
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -112,7 +112,7 @@ class Case:
     run: tuple[Callable[..., Any], ...]
     field: Callable[..., Any]
 
-    def after(self, values: Mapping[str, Any], t: Any, state: Sequence[Any], lib: Any) -> Any:
+    def after(self, values, t, state, lib):
         numbers = [values[n] for n in self.parameters]
         spectrum, _ = self.run[0]([values[n] for n in self.spectrum], lib=lib)
         return self.run[1](numbers, spectrum, t, state, lib=lib)

@@ -27,7 +27,7 @@ NESTED.append(NESTED)
 class Told:
     """What is told by a text that can be run."""
 
-    def __str__(self) -> str:
+    def __str__(self):
         """Give the text."""
         return RUN
 

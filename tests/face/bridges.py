@@ -80,14 +80,14 @@ class Laws:
     """What holds of each library; a subclass has a fixture `bridge`."""
 
     @pytest.mark.parametrize("lead", [(), (4,), (2, 3), (0,)])
-    def test_values_are_those_of_the_function(self, bridge: Bridge, lead: tuple[int, ...]) -> None:
+    def test_values_are_those_of_the_function(self, bridge, lead):
         source, function = bridge.of()
         for way in bridge.ways:
             found = np.asarray(way(function, at(*lead)))
             assert found.dtype == np.float64
             assert_array_equal(found, source(at(*lead)))
 
-    def test_jacobians_are_those_of_the_function(self, bridge: Bridge) -> None:
+    def test_jacobians_are_those_of_the_function(self, bridge):
         source, function = bridge.of()
         x, many, vmap = at(), at(2, 3), bridge.transformations.vmap
         weights = bridge.tensor(WEIGHTS)
@@ -106,7 +106,7 @@ class Laws:
             assert_allclose(along, source.jvp(many, dx), rtol=1e-14)
 
     @pytest.mark.parametrize("axis", [0, 1])
-    def test_a_batch_is_one_call(self, bridge: Bridge, axis: int) -> None:
+    def test_a_batch_is_one_call(self, bridge, axis):
         calls: list[str] = []
         source, function = bridge.of(calls=calls)
         x, (way, *_) = at(5), bridge.ways
@@ -121,10 +121,10 @@ class Laws:
         assert_allclose(found, source.vjp(x, np.ones((5, 3))), rtol=1e-14)
 
     @pytest.mark.parametrize("lead", [(), (3,), (2, 2)])
-    def test_its_own_checker_agrees(self, bridge: Bridge, lead: tuple[int, ...]) -> None:
+    def test_its_own_checker_agrees(self, bridge, lead):
         bridge.check(bridge.of()[1], at(*lead))
 
-    def test_it_composes_with_what_the_library_differentiates(self, bridge: Bridge) -> None:
+    def test_it_composes_with_what_the_library_differentiates(self, bridge):
         _, function = bridge.of()
 
         def plain(x: Any) -> Any:
@@ -141,7 +141,7 @@ class Laws:
         found, expected = (bridge.ways[-1](thrice(step), at(4)) for step in (function, plain))
         assert_allclose(found, expected, rtol=1e-13)
 
-    def test_where_there_is_no_value_all_is_nan(self, bridge: Bridge) -> None:
+    def test_where_there_is_no_value_all_is_nan(self, bridge):
         _, function = bridge.of()
         x, (way, *_) = np.array([[1.0, 2.0], [11.0, 2.0]]), bridge.ways
         gradient = bridge.transformations.grad(lambda x: function(x).sum())
@@ -149,16 +149,14 @@ class Laws:
             assert_array_equal(np.isnan(found).any(axis=1), [False, True])
             assert_array_equal(np.isnan(found).all(axis=1), [False, True])
 
-    def test_second_derivatives_are_refused(self, bridge: Bridge) -> None:
+    def test_second_derivatives_are_refused(self, bridge):
         _, function = bridge.of()
         for outer in bridge.jacobians():
             for inner in bridge.jacobians():
                 with pytest.raises(ns.InputError, match="first derivatives only"):
                     outer(inner(function))(bridge.tensor(at()))
 
-    def test_without_the_library_the_command_is_told(
-        self, bridge: Bridge, monkeypatch: pytest.MonkeyPatch
-    ) -> None:
+    def test_without_the_library_the_command_is_told(self, bridge, monkeypatch):
         monkeypatch.setitem(sys.modules, bridge.name, None)
         with pytest.raises(ns.MissingExtra, match=rf'pip install "nonsmooth\[{bridge.name}\]"'):
             bridge.of()

@@ -7,7 +7,6 @@ differences in 40 digits.
 from __future__ import annotations
 
 from functools import partial
-from typing import Any
 
 import numpy as np
 import pytest
@@ -41,7 +40,7 @@ def checked(function, x, *, forward=True, **options):
 
 class TestJax(Laws):
     @pytest.fixture(params=MODES)
-    def bridge(self, jax: Any, request: pytest.FixtureRequest) -> Bridge:
+    def bridge(self, jax, request):
         forward = request.param == "both"
         return Bridge(
             name="jax",

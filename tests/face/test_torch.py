@@ -25,7 +25,7 @@ def torch():
 
 class TestTorch(Laws):
     @pytest.fixture(params=[False, True])
-    def bridge(self, torch: Any, request: pytest.FixtureRequest) -> Bridge:
+    def bridge(self, torch, request):
         options = {"check_forward_ad": True, "check_batched_grad": True}
         options |= {"check_batched_forward_grad": True, "check_undefined_grad": True}
 
@@ -44,7 +44,7 @@ class TestTorch(Laws):
             reverse_calls=["evaluate 5", "pull 5"] if request.param else ["differentiate 5"],
         )
 
-    def test_backward_is_one_call_and_once(self, bridge: Bridge, torch: Any) -> None:
+    def test_backward_is_one_call_and_once(self, bridge, torch):
         calls: list[str] = []
         source, function = bridge.of(calls=calls)
         x = torch.tensor(at(5), requires_grad=True)

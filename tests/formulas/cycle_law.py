@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from nonsmooth.derive.document.blocks import Formula, Paragraph, Table
+from nonsmooth.derive.document.blocks import Formula, Paragraph
 from tests.formulas.latex import read_latex
-from tests.formulas.law import Broken, Facts, Motion, SystemLaw, relations_of
+from tests.formulas.law import Broken, Motion, SystemLaw, relations_of
 from tests.formulas.layout import plain
 from tests.formulas.pages import inline
 from tests.formulas.values import Reading, name_of
@@ -25,7 +25,7 @@ SECTIONS = (
 class Orbit:
     """A periodic orbit that a solver found, with the states along it by exponentials."""
 
-    def __init__(self, facts: Facts, solved: Any) -> None:
+    def __init__(self, facts, solved):
         self.cycle = cycle = facts.document.shown
         self.facts, self.phases = facts, cycle.itinerary.phases
         self.passings = [cycle.passings[cycle.number(k) - 1] for k in range(1, cycle.count + 1)]
@@ -40,10 +40,10 @@ class Orbit:
             self.ends.append(phi @ self.behind[-1] + forcing)
             self.behind.append(reset @ self.ends[-1] + jump)
 
-    def number(self, matrix: Any) -> np.ndarray:
+    def number(self, matrix):
         return np.array(matrix.xreplace(self.facts.given), dtype=float)
 
-    def shift(self, moved: np.ndarray) -> np.ndarray:
+    def shift(self, moved):
         """How far the orbit does not come back, along directions that nothing depends on."""
         return np.asarray(np.linalg.lstsq(self.directions, moved, rcond=None)[0])
 
@@ -51,21 +51,21 @@ class Orbit:
 class CycleLaw(SystemLaw):
     """Every formula is a name, or true on an orbit."""
 
-    def __init__(self, facts: Facts, orbit: Orbit) -> None:
+    def __init__(self, facts, orbit):
         super().__init__(facts)
         self.cycle, self.orbit = orbit.cycle, orbit
         self.transition: int | None = None
 
-    def whole(self) -> int:
+    def whole(self):
         """Check all sections."""
         return self.check(SECTIONS)
 
     @property
-    def parameters(self) -> tuple[Any, ...]:
+    def parameters(self):
         itinerary = self.cycle.itinerary
         return (*super().parameters, *filter(None, (itinerary.period,)))
 
-    def enter(self, block: Any) -> None:
+    def enter(self, block):
         super().enter(block)
         if not isinstance(block, Formula):
             text = block.text if isinstance(block, Paragraph) else ""
@@ -73,7 +73,7 @@ class CycleLaw(SystemLaw):
             self.transition = int(found[1]) if found else None
 
     @property
-    def names(self) -> dict[str, Any]:
+    def names(self):
         if self.where in ("The system", "Configurations", "Modal analysis"):
             return super().names
         if self.transition is None:
@@ -88,7 +88,7 @@ class CycleLaw(SystemLaw):
         }
 
     @cached_property
-    def along(self) -> dict[str, Any]:
+    def along(self):
         """What the letters of the document stand for on the orbit."""
         cycle, orbit, facts, letters = self.cycle, self.orbit, self.facts, self.cycle.letters
         naming, count = facts.naming, self.cycle.count
@@ -154,7 +154,7 @@ class CycleLaw(SystemLaw):
             say(naming.notation.symbol(cycle.itinerary.period.symbol), float(sum(orbit.times)))
         return found
 
-    def statement(self, row: Any, condition: Any) -> None:
+    def statement(self, row, condition):
         """For every phase, or transition, if its number is open."""
         text = plain(row)
         cycle = self.cycle
@@ -175,13 +175,13 @@ class CycleLaw(SystemLaw):
                 super().statement(row, condition)
         self.indices, self.count, self.phase = known, count + 1, 0
 
-    def is_open(self, row: Any) -> bool:
+    def is_open(self, row):
         # an orbit need not be admissible
         return super().is_open(row) or "g(" in plain(row)
 
     phase = 0
 
-    def with_functions(self, names: dict[str, Any], row: Any) -> dict[str, Any]:
+    def with_functions(self, names, row):
         names = super().with_functions(names, row)
         if not self.phase or "g(" not in plain(row):
             return names
@@ -208,7 +208,7 @@ class CycleLaw(SystemLaw):
 
     # -- tables
 
-    def table(self, table: Table) -> None:
+    def table(self, table):
         if table.header[:5] == ("Phase", "Configuration", "Dwell time", "Flow", "Left by"):
             self.phases(table)
         elif table.header == ("Transition", "Required", "Along"):
@@ -216,7 +216,7 @@ class CycleLaw(SystemLaw):
         else:
             super().table(table)
 
-    def phases(self, table: Table) -> None:
+    def phases(self, table):
         names = super().names | self.along
         for k, (row, phase) in enumerate(zip(table.rows, self.orbit.phases, strict=True), start=1):
             number, configuration, dwell, flow, boundary, last = row
@@ -240,7 +240,7 @@ class CycleLaw(SystemLaw):
                 raise Broken(last)
             self.count += 1
 
-    def required(self, table: Table) -> None:
+    def required(self, table):
         number = 0
         for place, text, _ in table.rows:
             number = int(place.strip("$")) if place else number

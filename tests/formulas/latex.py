@@ -48,27 +48,27 @@ def read_latex(text):
 
 
 class _Reader:
-    def __init__(self, tokens: list[str]) -> None:
+    def __init__(self, tokens):
         self.tokens = tokens
 
-    def next(self) -> str:
+    def next(self):
         if not self.tokens:
             raise Unreadable("the formula ends inside a group")
         return self.tokens.pop(0)
 
-    def expect(self, token: str) -> None:
+    def expect(self, token):
         found = self.next()
         if found != token:
             raise Unreadable(f"{found} in place of {token}")
 
-    def row(self, *ends: str) -> Row:
+    def row(self, *ends):
         """Items up to one of the ends, which is left."""
         items: list[Item] = []
         while self.tokens and self.tokens[0] not in ends and self.tokens[0] != "}":
             items += self.element(items)
         return row_of(items)
 
-    def element(self, before: list[Item]) -> Row:
+    def element(self, before):
         """What one token begins; scripts take the last item in front of them."""
         token = self.next()
         if token in ("_", "^", "'"):
@@ -98,13 +98,13 @@ class _Reader:
             return _styled(token[1:], self.verbatim())
         return (_atom(token),)
 
-    def argument(self) -> Row:
+    def argument(self):
         """A group, or one item."""
         if self.tokens[:1] == ["{"]:
             return self.element([])
         return row_of(self.element([]))
 
-    def verbatim(self) -> str:
+    def verbatim(self):
         """The text of a group."""
         self.expect("{")
         text = ""
@@ -112,7 +112,7 @@ class _Reader:
             text += token[1:] if token.startswith("\\") else token
         return text
 
-    def matrix(self) -> Table:
+    def matrix(self):
         if self.verbatim() != "matrix":
             raise Unreadable("an environment inside a formula")
         rows: list[list[Row]] = [[]]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
 from copy import copy
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
@@ -76,16 +75,16 @@ class Facts:
     given: Numbers
 
     @property
-    def naming(self) -> Any:
+    def naming(self):
         """How symbols are written, which is all that the document of a system shows."""
         return getattr(self.document.shown, "naming", self.document.shown)
 
     @cached_property
-    def letters(self) -> Any:
+    def letters(self):
         return letters_of(self.naming, (*self.system.states, *self.naming.notation.constants))
 
     @cached_property
-    def numbers(self) -> Numbers:
+    def numbers(self):
         """All that follows from the parameters."""
         found, constants = dict(self.given), {*self.naming.notation.constants}
         for line in (line for formula in self.document.formulas for line in formula.lines):
@@ -94,11 +93,11 @@ class Facts:
         return found
 
     @property
-    def state(self) -> np.ndarray:
+    def state(self):
         return np.array([self.given[s] for s in self.system.states])
 
     @cached_property
-    def fields(self) -> dict[str, tuple[np.ndarray, np.ndarray]]:
+    def fields(self):
         """Matrix and offset of every configuration."""
         found = {c.name: c.dynamics.field(self.system.states) for c in self.system.configurations}
         return {
@@ -106,16 +105,16 @@ class Facts:
             for name, (matrix, offset) in found.items()
         }
 
-    def flow(self, name: str, time: float) -> tuple[np.ndarray, np.ndarray]:
+    def flow(self, name, time):
         """Phi and what does not depend on the state."""
         a, b = self.fields[name]
         found = expm(np.block([[a, b], [np.zeros((1, len(a) + 1))]]) * time)
         return found[:-1, :-1], found[:-1, -1:]
 
-    def value(self, expression: sp.Expr) -> float:
+    def value(self, expression):
         return float(sp.sympify(expression).xreplace(self.given))
 
-    def held_state(self, name: str) -> np.ndarray:
+    def held_state(self, name):
         """The state, with the velocities that a configuration holds."""
         state, dynamics = self.state, self.system.configuration(name).dynamics
         if isinstance(dynamics, SecondOrder):
@@ -124,17 +123,17 @@ class Facts:
         return state
 
     @cached_property
-    def inside(self) -> dict[str, dict[str, Any]]:
+    def inside(self):
         """Names inside the configurations that were asked for."""
         return {}
 
-    def names(self, configuration: str) -> dict[str, Any]:
+    def names(self, configuration):
         """Names of a document, inside a configuration."""
         if configuration not in self.inside:
             self.inside[configuration] = self.made(configuration)
         return self.inside[configuration]
 
-    def made(self, configuration: str, time: float = 0.83) -> dict[str, Any]:
+    def made(self, configuration, time=0.83):
         """Those names, with what they stand for."""
         notation, system = self.naming.notation, self.system
         found: dict[str, Any] = {name_of(r"\mathrm{e}"): np.e, "π": np.pi, "t": time}
@@ -187,7 +186,7 @@ class Facts:
         }  # fmt: skip
         return found | self.responses
 
-    def steady(self, moved: Any, a: np.ndarray) -> dict[str, Any]:
+    def steady(self, moved, a):
         """Phase of the only forcing, and the harmonic response of every state to it."""
         found: dict[str, Any] = {name_of(r"\mathrm{i}"): 1j}
         if len(self.system.forcing) != 1:
@@ -215,7 +214,7 @@ class Facts:
         return found
 
     @cached_property
-    def responses(self) -> dict[str, Any]:
+    def responses(self):
         """Characteristic factors and impulse responses, by the numbers of the document."""
         known = self.naming.notation.responses
         functions = response_functions(known, self.numbers)
@@ -231,11 +230,11 @@ class Facts:
             found[name_of(rf"{known.letter}_{{{label}}}")] = lambda t: t
         return found
 
-    def is_response(self, left: Row) -> bool:
+    def is_response(self, left):
         """Whether a relation says what an impulse response is."""
         return plain(left).startswith(f"{name_of(self.naming.notation.responses.letter)}_")
 
-    def one_cluster(self, configuration: str) -> dict[str, Any]:
+    def one_cluster(self, configuration):
         """All eigenvalues as one cluster: what is said of clusters holds for it too."""
         a, _ = self.fields[configuration]
         return {
@@ -243,7 +242,7 @@ class Facts:
             f"{name_of(self.letters.projector)}_{{1}}": np.eye(len(a) + 1),
         }
 
-    def matrices(self, dynamics: SecondOrder) -> dict[str, Any]:
+    def matrices(self, dynamics):
         """M, C and K: of the system, and of one configuration."""
         chosen = [c.dynamics for c in self.system.configurations]
         second = [d for d in chosen if isinstance(d, SecondOrder)]
@@ -259,7 +258,7 @@ class Facts:
 class SystemLaw:
     """Go through a document: every formula is a name, true, or what was declared."""
 
-    def __init__(self, facts: Facts) -> None:
+    def __init__(self, facts):
         self.document, self.facts = facts.document, facts
         self.count = 0
         self.defined: dict[str, Any] = {}
@@ -268,7 +267,7 @@ class SystemLaw:
         self.where = ""
         self.indices: dict[str, Any] = {}
 
-    def check(self, sections: Iterable[str]) -> int:
+    def check(self, sections):
         """Check these sections, and say how many formulas were held against something."""
         for title in sections:
             self.where = title
@@ -289,7 +288,7 @@ class SystemLaw:
 
     # -- where a formula stands
 
-    def enter(self, block: Any) -> None:
+    def enter(self, block):
         if isinstance(block, Heading) or not isinstance(block, Paragraph):
             return
         known = {c.name for c in self.facts.system.configurations}
@@ -303,11 +302,11 @@ class SystemLaw:
             self.inside = chosen[0]
 
     @property
-    def names(self) -> dict[str, Any]:
+    def names(self):
         return {**self.facts.names(self.inside), **self.flows, **self.defined}
 
     @cached_property
-    def flows(self) -> dict[str, Any]:
+    def flows(self):
         """Flows by the numbers that the document gives them, in blocks and whole."""
         found: dict[str, Any] = {}
         half = len(self.facts.system.states) // 2
@@ -338,7 +337,7 @@ class SystemLaw:
 
     # -- what is said
 
-    def paragraph(self, text: str) -> None:
+    def paragraph(self, text):
         if text.startswith("Throughout, "):
             return self.constraints(text)
         if text.startswith("The parameters obey"):
@@ -358,29 +357,29 @@ class SystemLaw:
         return None
 
     @property
-    def about_centre(self) -> str:
+    def about_centre(self):
         state = self.facts.naming.state
         return rf"{state}(t) = d + \Phi(t)\,({state}(0) - d)"
 
-    def centre(self, value: Any) -> None:
+    def centre(self, value):
         """The motion keeps its form about the centre."""
         self.defined["d"] = value
         self.statements(self.about_centre)
         self.used |= {"d", f"d_{{{self.inside}}}"}
 
-    def constraints(self, text: str) -> None:
+    def constraints(self, text):
         for part in re.split(r"(?<=\*),? and |(?<=\*), ", text.removeprefix("Throughout, ")):
             (name,) = re.findall(r"in \*([^*]+)\*", part)
             shown = [self.left(f, "=") for f in inline(part)]
             self.same(shown, self.facts.system.configuration(name).constraints)
 
-    def left(self, formula: str, sign: str) -> Row:
+    def left(self, formula, sign):
         left, right = split(read_latex(formula), sign)
         if plain(right) != "0":
             raise Broken(formula)
         return left
 
-    def same(self, shown: Sequence[Row], declared: Sequence[sp.Expr]) -> None:
+    def same(self, shown, declared):
         """Expressions as they are written, and as they are declared."""
         reading = Reading(self.plain_names)
         found = [reading(row) for row in shown]
@@ -390,14 +389,14 @@ class SystemLaw:
         self.count += len(shown)
 
     @property
-    def plain_names(self) -> dict[str, float]:
+    def plain_names(self):
         notation = self.facts.naming.notation
         return {name_of(notation.symbol(s)): v for s, v in self.facts.given.items()} | {
             "π": np.pi,
             name_of(r"\mathrm{e}"): np.e,
         }
 
-    def statements(self, latex: str) -> None:
+    def statements(self, latex):
         """Whatever a formula says, part by part."""
         whole, condition = _condition(read_latex(latex))
         for row in parts_of(whole):
@@ -410,7 +409,7 @@ class SystemLaw:
                     f"{self.document.title}, {self.where}, {self.inside}: {latex}: {problem}"
                 ) from problem
 
-    def statement(self, row: Row, condition: Row) -> None:
+    def statement(self, row, condition):
         sides, signs = relations_of(row)
         names = self.with_functions(self.names, row)
         if "∑" in plain(row):
@@ -450,7 +449,7 @@ class SystemLaw:
             raise Broken(f"false at {values}")
         self.count += 1
 
-    def where_equal(self, condition: Row) -> SystemLaw | None:
+    def where_equal(self, condition):
         """The same law where a condition of equality holds: one parameter is solved for."""
         sides, signs = relations_of(condition)
         if signs != ["="]:
@@ -474,7 +473,7 @@ class SystemLaw:
                     return at(symbol, brentq(gap, values[k], values[k + 1], (symbol,), xtol=1e-14))
         return None
 
-    def holds(self, condition: Row) -> bool:
+    def holds(self, condition):
         """Whether a case of an impulse response is the one at hand."""
         sides, signs = relations_of(condition)
         if len(signs) != 1:
@@ -482,11 +481,11 @@ class SystemLaw:
         one, other = map(Reading(self.names), sides)
         return {"<": one < other, "=": one == other, ">": one > other, "≠": one != other}[signs[0]]
 
-    def is_open(self, row: Row) -> bool:
+    def is_open(self, row):
         """Whether a relation holds for some values and not for others."""
         return "∈" in plain(row)
 
-    def with_functions(self, names: dict[str, Any], row: Row) -> dict[str, Any]:
+    def with_functions(self, names, row):
         """Coordinates as functions, where one is meant."""
         for name in list(names):
             # a coordinate is a function where it stands in front of one time
@@ -496,7 +495,7 @@ class SystemLaw:
 
     # -- tables
 
-    def table(self, table: Table) -> None:
+    def table(self, table):
         kinds = {
             ("Parameter", "Meaning", "Domain"): self.domains,
             ("Configuration", "Boundary", "Inside", "Acts when"): self.boundaries,
@@ -509,7 +508,7 @@ class SystemLaw:
         }
         kinds[table.header](table)
 
-    def domains(self, table: Table) -> None:
+    def domains(self, table):
         notation = self.facts.naming.notation
         known = {f"${notation.symbol(p.symbol)}$": p for p in self.parameters}
         for name, _, domain in table.rows:
@@ -533,10 +532,10 @@ class SystemLaw:
             raise Broken(f"not in the table: {list(known)}")
 
     @property
-    def parameters(self) -> tuple[Any, ...]:
+    def parameters(self):
         return self.facts.system.parameters
 
-    def boundaries(self, table: Table) -> None:
+    def boundaries(self, table):
         inside = ""
         shown = set()
         for configuration, boundary, formula, acts in table.rows:
@@ -552,7 +551,7 @@ class SystemLaw:
             if {b for n, b in shown if n == name} != {b.name for b in boundaries}:
                 raise Broken(f"boundaries of {name}")
 
-    def conditions(self, table: Table) -> None:
+    def conditions(self, table):
         self.numbered = {}
         for number, text, along in table.rows:
             negated, formula = text.startswith("not "), text.removeprefix("not ")
@@ -560,7 +559,7 @@ class SystemLaw:
             self.numbered[number] = (value, not negated, along.strip("*"))
             self.count += 1
 
-    def rules(self, table: Table) -> None:
+    def rules(self, table):
         self.outcomes: dict[str, list[Any]] = {}
         rule = ""
         for name, target, conditions, reset in table.rows:
@@ -568,7 +567,7 @@ class SystemLaw:
             numbers = re.findall(r"\$C_\{\d+\}\$", conditions)
             self.outcomes.setdefault(rule, []).append((target, numbers, reset))
 
-    def events(self, table: Table) -> None:
+    def events(self, table):
         source, shown = "", list[tuple[Any, ...]]()
         for name, boundaries, rule in table.rows:
             source = name.strip("*") or source
@@ -576,10 +575,10 @@ class SystemLaw:
                 shown += [(source, together, *outcome) for outcome in self.outcomes[rule]]
         self.leading(shown)
 
-    def transitions(self, table: Table) -> None:
+    def transitions(self, table):
         self.leading((s.strip("*"), b, t, [], *(reset or [""])) for s, b, t, *reset in table.rows)
 
-    def leading(self, shown: Iterable[tuple[Any, ...]]) -> None:
+    def leading(self, shown):
         """From where to where it goes behind which boundaries, in the order that is declared."""
         left = list(self.facts.system.transitions)
         for source, boundaries, target, numbers, reset in shown:
@@ -597,7 +596,7 @@ class SystemLaw:
         if left:
             raise Broken(f"transitions that are not shown: {left}")
 
-    def reset(self, transition: Any, text: str) -> None:
+    def reset(self, transition, text):
         notation = self.facts.naming.notation
         wanted = {name_of(notation.symbol(s)): e for s, e in transition.reset.items()}
         for formula in inline(text):
@@ -608,7 +607,7 @@ class SystemLaw:
         if wanted:
             raise Broken(f"resets that are not shown: {wanted}")
 
-    def contacts(self, table: Table) -> None:
+    def contacts(self, table):
         declared = {c.name: c for c in self.facts.system.contacts}
         name, shown = "", set()
         for contact, velocity, surface, configuration, force in table.rows:

@@ -23,7 +23,6 @@ from tests.formulas.layout import (
     Fraction,
     Item,
     Root,
-    Row,
     Script,
     Table,
     Unreadable,
@@ -74,17 +73,17 @@ class Reading:
     indices: Mapping[str, int] = field(default_factory=dict)
     ranges: Mapping[str, Sequence[int]] = field(default_factory=dict)
 
-    def at(self, **indices: Any) -> Reading:
+    def at(self, **indices):
         """The same names at other indices."""
         # only the first mapping is ever written to
         names = ChainMap(indices, self.names)
         return replace(self, names=names, indices={**self.indices, **indices})
 
-    def latex(self, text: str) -> Any:
+    def latex(self, text):
         """Value of LaTeX."""
         return self(read_latex(text))
 
-    def __call__(self, row: Row) -> Any:
+    def __call__(self, row):
         """Value of one expression, term by term."""
         terms, signs = divided(without_spaces(row), "+-±")
         if signs and not terms[0]:
@@ -95,7 +94,7 @@ class Reading:
         values = [_Walk(self, term).product() for term in terms]
         return _scalar(reduce(_added, map(operator.mul, factors, values)))
 
-    def label(self, row: Row) -> str:
+    def label(self, row):
         """Text of an index, its letters replaced by their numbers."""
 
         def number(match: re.Match[str]) -> str:
@@ -108,7 +107,7 @@ class Reading:
 
         return _INDEX.sub(number, plain(row)) if self.indices else plain(row)
 
-    def name(self, item: Item, *, above: bool = True) -> str:
+    def name(self, item, *, above=True):
         """An item as it is called."""
         if not isinstance(item, Script):
             return plain((item,))
@@ -123,14 +122,14 @@ class Unit:
 
     scale: Any = 1.0
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other):
         return self.scale * other if _is_array(other) else Unit(self.scale * _scalar(other))
 
     __rmul__ = __mul__
     # or NumPy would take it for an entry
     __array_ufunc__ = None
 
-    def of(self, size: int) -> np.ndarray:
+    def of(self, size):
         """The matrix."""
         return np.asarray(self.scale * np.eye(size))
 
@@ -141,24 +140,24 @@ UNIT = Unit()
 class _Walk:
     """One pass over a term."""
 
-    def __init__(self, reading: Reading, row: Row) -> None:
+    def __init__(self, reading, row):
         self.reading, self.row, self.place = reading, list(row), 0
 
     # -- looking ahead
 
-    def item(self) -> Item | None:
+    def item(self):
         return self.row[self.place] if self.place < len(self.row) else None
 
-    def sign(self) -> str:
+    def sign(self):
         return _sign(self.item())
 
-    def spaces(self) -> None:
+    def spaces(self):
         while (item := self.item()) and isinstance(item, Atom) and item.kind == "space":
             self.place += 1
 
     # -- grammar
 
-    def product(self) -> Any:
+    def product(self):
         value = self.factor()
         self.spaces()
         while (item := self.item()) is not None:
@@ -178,14 +177,14 @@ class _Walk:
             self.spaces()
         return value
 
-    def factor(self) -> Any:
+    def factor(self):
         value = self.plain_factor()
         while self.sign() == "!":
             self.place += 1
             value = math.factorial(int(value))
         return value
 
-    def plain_factor(self) -> Any:
+    def plain_factor(self):
         self.spaces()
         item = self.item()
         if item is None:
@@ -222,7 +221,7 @@ class _Walk:
             return float(item.text)
         raise Unreadable(f"unknown: {plain((item,))} in {plain(self.row)}")
 
-    def scripted(self, item: Script) -> Any:
+    def scripted(self, item):
         """A name with an index, a label above, or a power."""
         reading = self.reading
         name = reading.name(item)
@@ -237,7 +236,7 @@ class _Walk:
             return _power(reading((item.base,)), item.above, reading)
         raise Unreadable(f"unknown: {name} in {plain(self.row)}")
 
-    def applied(self, value: Any) -> Any:
+    def applied(self, value):
         """A function takes the brackets behind it; a number must not look like one."""
         sign = self.sign()
         if callable(value):
@@ -255,11 +254,11 @@ class _Walk:
                 raise Unreadable(f"a number applied: {plain(self.row)}")
         return value
 
-    def arguments(self) -> list[Any]:
+    def arguments(self):
         inside, self.place = self.enclosed(self.place)
         return [self.reading(part) for part in split(inside, ",;")]
 
-    def enclosed(self, place: int) -> tuple[Row, int]:
+    def enclosed(self, place):
         """What stands in the brackets that open at a place, and where they end."""
         depth = 0
         for end in range(place, len(self.row)):
@@ -269,7 +268,7 @@ class _Walk:
                 return tuple(self.row[place + 1 : end]), end + 1
         raise Unreadable(f"an open bracket: {plain(self.row)}")
 
-    def bracket(self) -> Any:
+    def bracket(self):
         inside, end = self.enclosed(self.place)
         closing, self.place = self.row[end - 1], end
         parts = [self.reading(part) for part in split(inside, ",")]
@@ -282,7 +281,7 @@ class _Walk:
                 value = _power(value, closing.above, self.reading)
         return value
 
-    def matrix(self, table: Table) -> Any:
+    def matrix(self, table):
         entries = [[self.reading(entry) for entry in row] for row in table.rows]
         if not any(_is_array(entry) for row in entries for entry in row):
             return np.array(entries)
@@ -294,7 +293,7 @@ class _Walk:
             row[:] = [e if _is_array(e) else np.full((height, w), e) for e, w in wide]
         return np.block(entries)
 
-    def derivative(self, item: Item) -> Any:
+    def derivative(self, item):
         """The derivative of a name, which is a name of its own."""
         text = self.reading.name(item)
         for end in range(len(self.row), self.place, -1):  # what is restricted has a longer name
@@ -310,7 +309,7 @@ class _Walk:
                 raise Unreadable(f"is the derivative raised, or what is derived? {plain(self.row)}")
         raise Unreadable(f"unknown: {text} of {plain(self.row)}")
 
-    def function(self, name: str, power: Row) -> Any:
+    def function(self, name, power):
         """A function by its name, of brackets or of the symbols that follow."""
         reading = self.reading
         known = _FUNCTIONS.get(name)
@@ -331,7 +330,7 @@ class _Walk:
             value = known(reading(tuple(self.row[start : self.place])))
         return _power(value, power, reading) if power else value
 
-    def repeated(self, text: str, item: Item) -> Any:
+    def repeated(self, text, item):
         """A sum or a product; factors of later numbers stand on the left."""
         body, self.place = tuple(self.row[self.place :]), len(self.row)
         letter, numbers = self.numbers(item, text)
@@ -340,7 +339,7 @@ class _Walk:
             return float(text == "∏")
         return reduce(_added if text == "∑" else _times, values)
 
-    def numbers(self, item: Script, text: str) -> tuple[str, Sequence[int]]:
+    def numbers(self, item, text):
         """The letter that a sum counts with, and its values."""
         if len(item.below) == 1:
             letter = plain(item.below)

@@ -27,12 +27,12 @@ class Paper:
     steps: tuple[str, ...]
 
     @property
-    def results(self) -> dict[str, Any]:
+    def results(self):
         """Numbers, as they are in the file."""
         found: dict[str, Any] = json.loads(self.read("results.json"))
         return found
 
-    def read(self, name: str) -> str:
+    def read(self, name):
         """The text of a file."""
         return (self.folder / name).read_text(encoding="utf-8")
 

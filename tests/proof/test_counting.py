@@ -83,10 +83,10 @@ class Line:
 
     domain = ((-0.25, 0.5),)
 
-    def __init__(self, size: str) -> None:
+    def __init__(self, size):
         self.size = arb(size)
 
-    def linear(self, sides: Any, *, between: bool = False) -> Linear:
+    def linear(self, sides, *, between=False):
         """Rows [1 + u, -u - size] and [0, u] on (q, 1), where no larger q than 1 is asked for."""
         (m,) = middles_of(sides)
         centre = arb_mat([[1 + m, -m - self.size], [arb(0), m]])

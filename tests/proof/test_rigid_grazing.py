@@ -35,7 +35,7 @@ class Closed:
     (gap D + (1 + r) h V)^2 + (k V / w)^2 = D^2 A^2, with the amplitude A without the stop.
     """
 
-    def __init__(self, w: str, r: str) -> None:
+    def __init__(self, w, r):
         mpmath.mp.dps = 50
         w_, r_, beta = mpmath.mpf(w), mpmath.mpf(r), mpmath.mpf(1) / 20
         period, nu = 2 * mpmath.pi / w_, mpmath.sqrt(1 - beta**2)
@@ -47,7 +47,7 @@ class Closed:
         self.amplitude = 1 / mpmath.sqrt((1 - w_**2) ** 2 + (2 * beta * w_) ** 2)
         self.share = (1 + r_) * self.h
 
-    def speed(self, gap: float) -> Any:
+    def speed(self, gap):
         """The lowest positive speed of an impact."""
         a = self.share**2 + self.k**2
         b = 2 * mpmath.mpf(gap) * self.d * self.share

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -25,14 +24,14 @@ class Line:
     parameter_names = ("root",)
     frequency_places = ()
 
-    def __init__(self, slope: float = 1.0, ahead: float = 0.0, size: float = 1.0) -> None:
+    def __init__(self, slope=1.0, ahead=0.0, size=1.0):
         self.slope, self.ahead, self.size = slope, ahead, size
         self.table: dict[str, Any] = {"vanishing": [], "durations": [{"tau": 1}]}
 
-    def spectrum(self, parameters: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def spectrum(self, parameters):
         return parameters[..., :0], parameters[..., :0]
 
-    def evaluate(self, *quantities: str, at: Sequence[np.ndarray]) -> Any:
+    def evaluate(self, *quantities, at):
         parameters, unknowns = at[0], at[2]
         slopes = np.full((*parameters.shape, 1), self.slope)
         residual = self.slope * (unknowns - parameters)
@@ -48,10 +47,10 @@ class Line:
         values = [known[quantity] for quantity in quantities]
         return values[0] if len(values) == 1 else values
 
-    def expand(self, parameters: Any, spectrum: Any, x: np.ndarray) -> tuple[Any, np.ndarray]:
+    def expand(self, parameters, spectrum, x):
         return x, np.ones((len(x), 1))
 
-    def durations(self, values: Any) -> dict[str, Any]:
+    def durations(self, values):
         return {"tau": values["tau"] - self.ahead}
 
 

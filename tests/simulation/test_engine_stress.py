@@ -18,7 +18,7 @@ from stressing_motions import (
 from stressing_steps import broken_step
 
 import nonsmooth as ns
-from nonsmooth.runtime.model.engine_run import LONGEST_WAIT
+from nonsmooth.runtime.model import engine_run
 from nonsmooth.runtime.model.kernels import compiled_engine
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.simulation.simulate import follow
@@ -121,7 +121,7 @@ def test_a_wait_up_to_the_last_radian_ends_quietly():
         found = follow(system, state, 0)
         if len(found.times) == 1:
             assert found.status.name == "QUIET"
-        wait = 1.5 * LONGEST_WAIT / np.hypot(*system.exponents[0].T).max()
+        wait = 1.5 * engine_run.LONGEST_WAIT / np.hypot(*system.exponents[0].T).max()
         later = follow(system, state, 0, wait)
         assert later.status.name == "UNTIL" or len(later.times) > 1
 

@@ -22,7 +22,6 @@ from nonsmooth.derive import (
     oscillator,
 )
 from nonsmooth.derive.building import growing
-from nonsmooth.derive.building.growing import GrowingSystem
 from nonsmooth.derive.document.describe import describe_system
 
 
@@ -84,7 +83,7 @@ def alike(_):
 def listed(make, seed):
     """One for all tests, with what was derived of it."""
     found = make(seed)
-    assert not isinstance(found, GrowingSystem)
+    assert not isinstance(found, growing.GrowingSystem)
     return found
 
 
@@ -93,7 +92,7 @@ def visited(make, seed):
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(growing, "_LARGEST", 0)
         found = make(seed)
-    assert isinstance(found, GrowingSystem)
+    assert isinstance(found, growing.GrowingSystem)
     return found
 
 
@@ -194,7 +193,7 @@ def belt_of_ten():
 @pytest.mark.slow
 def test_ten_contacts_have_an_orbit_that_solves_saves_and_loads(tmp_path):
     system = belt_of_ten()
-    assert isinstance(pickle.loads(pickle.dumps(system)), GrowingSystem)
+    assert isinstance(pickle.loads(pickle.dumps(system)), growing.GrowingSystem)
     assert pickle.loads(pickle.dumps(system)) == system
     motion = ns.simulate(system, {}, [0.1 * k for k in range(10)] + [0.0] * 10, until=300)
     assert motion.status.name == "UNTIL"
