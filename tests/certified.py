@@ -220,7 +220,7 @@ def content_of(found):
     """What the file of what was found holds."""
     with tempfile.TemporaryDirectory() as folder:
         found.save(Path(folder) / "found.json")
-        content: dict[str, Any] = json.loads((Path(folder) / "found.json").read_text())
+        content = json.loads((Path(folder) / "found.json").read_text())
         return content
 
 

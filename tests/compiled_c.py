@@ -5,7 +5,6 @@ from __future__ import annotations
 import ctypes
 import shutil
 import subprocess
-from typing import Any
 
 import pytest
 
@@ -20,7 +19,7 @@ STRICT = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off")
 
 def executed(kernel):
     """The function that the emitted source of a kernel defines."""
-    namespace: dict[str, Any] = {}
+    namespace = {}
     exec(python_kernel(kernel, None), namespace)
     return namespace[kernel.name.replace("-", "_")]
 

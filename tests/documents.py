@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import Any
 
 import pytest
 import sympy as sp
@@ -32,7 +31,7 @@ from tests.shared import shared_value
 def declarations():
     """Systems and itineraries by name."""
     zeta, omega = sp.symbols("zeta omega", positive=True)
-    found: dict[str, Any] = {}
+    found = {}
     for name in SYSTEMS:
         found[name] = declaration(name).system
     for path in sorted(GALLERY.glob("*.py")):
@@ -87,8 +86,8 @@ LARGE = {
 
 def marked(listed, *long):
     """Mark as slow large documents, `long` ones and all orbits of a system but one."""
-    cases: list[Any] = []
-    seen: set[str] = set()
+    cases = []
+    seen = set()
     for name in listed:
         system, _, orbit = name.partition("/")
         slow = {name, system} & {*LARGE, *long} or (orbit and system in seen)

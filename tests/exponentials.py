@@ -29,7 +29,7 @@ def forced(draw):
     stiffness = draw(st.sampled_from([1.0, 1.0, 1.0, 0.0, -1.0])) * frequency**2
     pair = (stiffness, 2 * damping * frequency)
     force = ((frequency * (1 + draw(_besides))) ** 2, 0.0)
-    driver: list[list[Factor]] = [[], [(0.0,)], [(0.0,), (0.0,)], [force], [(draw(_decimals),)]]
+    driver = [[], [(0.0,)], [(0.0,), (0.0,)], [force], [(draw(_decimals),)]]
     return [pair, *draw(st.sampled_from(driver))]
 
 

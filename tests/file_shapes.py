@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from typing import Any
 
 from nonsmooth.runtime.checker import CHECKS
 from nonsmooth.runtime.present.files.loading import file_schemas
@@ -15,7 +14,7 @@ _TEXTS = ("$schema", "$defs", "title", "description")  # told to people
 
 def file_shapes():
     """What the annotations of the records of proofs give, by format and record."""
-    found: dict[str, Any] = {}
+    found = {}
     for name in CHECKS:
         schema = file_schemas()[name]
         for other, own in schema["$defs"].items():

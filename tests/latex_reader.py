@@ -105,7 +105,7 @@ class Written:
 
     def reader(self, numbers):
         """Read with these numbers, and with what the document names on the way."""
-        names: dict[str, Any] = {r"\pi": math.pi}
+        names = {r"\pi": math.pi}
         for symbol, value in numbers.items():
             if symbol in self.notation.functions:
                 continue

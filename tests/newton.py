@@ -75,7 +75,7 @@ class Newton:
         missing = self.mass @ rates - self._outer(time, motion(time))
         state, open_ = dict(zip(motion.names, motion(time).tolist(), strict=True)), []
         state |= {f"{n}'": x for n, x in zip(motion.names, changes.tolist(), strict=True)}
-        pushes: dict[str, float] = {}
+        pushes = {}
         for element, row in self._loads_first:
             force = self._told(element, row, state, pushes)
             pushes[element.name] = -(force or 0.0)  # of an upper stop

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import Any
 
 import numpy as np
 import sympy as sp
@@ -88,7 +87,7 @@ def _direction(rng, names):
 def _elements(rng, names):
     kinds = ["soft", "rigid", "friction", "slider", "pressed", "soft-friction"]
     kind = str(rng.choice(kinds))
-    found: list[Any] = []
+    found = []
     if kind in ("soft", "pressed", "soft-friction"):
         found.append(
             SoftStop(
@@ -158,7 +157,7 @@ def random_scaled(seed):
         ],
         **({} if load is None else {"load": load}),
     )  # fmt: skip
-    start: dict[str, tuple[float, str]] = {}
+    start = {}
     for k in range(count):
         start[names[k]] = (float(rng.integers(-8, 1)) / 16, "x")
         start[f"v{k + 1}"] = (float(rng.integers(-8, 9)) / 16, "v")

@@ -7,13 +7,11 @@ import json
 import runpy
 import subprocess
 import sys
-from collections.abc import Callable
 from contextlib import nullcontext
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 from types import SimpleNamespace
-from typing import Any
 
 import pytest
 from flint import arb, arb_mat, ctx
@@ -39,7 +37,7 @@ from tests.certified import (
 )
 
 STICK = "dry-friction/global-stick"
-SUBJECTS: dict[str, Callable[[], Any]] = {
+SUBJECTS = {
     "global-stick": lambda: ns.solve(STICK),
     "symmetric": lambda: ns.solve("dry-friction/symmetric"),
     "rigid": lambda: ns.solve("rigid-stop/one-impact"),
@@ -448,7 +446,7 @@ def with_entry(content, change):
     return json.dumps(signed(entries))
 
 
-WRONG: list[tuple[Callable[[str], str], int, str, str]] = [
+WRONG = [
     (lambda text: text, 0, "every claim holds", ""),
     *(
         (lambda text, k=k: with_entry(text, lambda c: c["parameters"].update(k=k)), code, told, "")
@@ -537,7 +535,7 @@ def test_bounds_that_are_fractions_are_shown(tmp_path):
 )
 def test_the_energy_gives_back_the_coordinate_left_out(first, last, given_back):
     """Where it changes with it all the way between the ends of the cycle, as x^2/2 does with x."""
-    orbit: Any = SimpleNamespace(
+    orbit = SimpleNamespace(
         numbers=arb_mat,
         now=SimpleNamespace(starts=[arb_mat([[x], [1]]) for x in (first, 5, last)]),
         declared=SimpleNamespace(

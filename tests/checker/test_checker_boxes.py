@@ -5,7 +5,6 @@ from __future__ import annotations
 import copy
 import json
 import random
-from collections.abc import Callable
 from fractions import Fraction
 from functools import cache
 from itertools import permutations
@@ -33,7 +32,7 @@ WRONG = (Failure, ArithmeticError, KeyError, ValueError, TypeError, IndexError)
 
 Box = dict[str, tuple[object, object]]
 RIGID = "rigid-stop/one-impact"
-MAPS: dict[str, tuple[Callable[[], Any], Box, int]] = {
+MAPS = {
     "stick": (
         lambda: ns.solve("dry-friction/global-stick"),
         {"V": ("0.99", "1.01"), "eta": ("0.99", "1.01")},
@@ -72,7 +71,7 @@ def written(name):
 @pytest.fixture
 def content(request):
     """The entries of the map that a test is about."""
-    found: dict[str, Any] = json.loads(written(request.param))
+    found = json.loads(written(request.param))
     return found
 
 
@@ -196,7 +195,7 @@ def test_constants_may_not_depend_on_each_other():
     for divisor, alright in (
         (constant, True), (parameter * constant - 1, True), (constant * constant - 2, False),
     ):  # fmt: skip
-        declared: Any = SimpleNamespace(exactly=SimpleNamespace(divisors=[fmpq(3), divisor]))
+        declared = SimpleNamespace(exactly=SimpleNamespace(divisors=[fmpq(3), divisor]))
         if alright:
             independent(declared, [arb(2).sqrt()], box)
             continue
@@ -348,7 +347,7 @@ def test_a_map_of_a_users_file(tmp_path):
 def test_a_state_of_another_system_is_not_resumed(tmp_path):
     source = tmp_path / "own.py"
     source.write_text(OWN)
-    box: Box = {"r": ("0.78", "0.82")}
+    box = {"r": ("0.78", "0.82")}
     state = ns.certify.box(ns.solve(f"{source}:loop"), box, tiles=1)
     source.write_text(OWN.replace('"1/10"', '"3/10"'))
     with pytest.raises(InputError, match="another declaration"):
@@ -400,7 +399,7 @@ def test_open_tiles_are_beyond_folds_where_nothing_else_is_beside_them(seed, ste
         for half in (0, 1):
             places.append([*place[:axis], (2 * step + half, level + 1), *place[axis + 1 :]])
     verdicts = [drawn.choice(("undecided", "divided")) for _ in places]
-    events: list[Any] = []
+    events = []
     for _ in places:
         centre = [drawn.randint(-16, 16) / 8, 0.0, *(drawn.randint(-4, 4) / 8 for _ in "ab")]
         bends = 2 * abs(centre[2]) + 3 * abs(centre[3])
@@ -408,8 +407,8 @@ def test_open_tiles_are_beyond_folds_where_nothing_else_is_beside_them(seed, ste
         above, axis = drawn.choice(("beyond a fold", "stable")), drawn.choice((1, 2))
         event = {"kind": "fold", "centre": centre, "radius": 1 / 16, "above": above, "axis": axis}
         events.append(drawn.choice((event, event, event, None)))
-    beside: list[set[int]] = [set() for _ in places]
-    true: list[set[bool]] = [set() for _ in places]  # of what is beside open tiles, but open ones
+    beside = [set() for _ in places]
+    true = [set() for _ in places]  # of what is beside open tiles, but open ones
     for k, other in permutations(range(len(places)), 2):
         pairs = zip(ends(places[k]), ends(places[other]), strict=True)
         edge = [(max(low, least), min(high, most)) for (low, high), (least, most) in pairs]

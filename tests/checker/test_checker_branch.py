@@ -2,7 +2,6 @@
 
 import copy
 import json
-from collections.abc import Callable
 from fractions import Fraction
 from itertools import product
 from typing import Any
@@ -30,7 +29,7 @@ Content = dict[str, Any]
 def content():
     path = shared_file("branch of friction", prove_branch)
     assert ns.certify.check(path).claims == {"branch": "proved"}
-    found: Content = json.loads(path.read_text())
+    found = json.loads(path.read_text())
     return found
 
 
@@ -48,7 +47,7 @@ def preloaded(tmp_path_factory):
     assert [tile.before for tile in found.tiles] == ["stable"]
     path = tmp_path_factory.mktemp("preloaded") / "branch.json"
     found.save(path)
-    content: Content = json.loads(path.read_text())
+    content = json.loads(path.read_text())
     return content
 
 
@@ -110,7 +109,7 @@ def call_it_stable(content):
         tile.update(event=None, before="stable", after="stable")
 
 
-ATTACKS: list[Callable[[Content], object]] = [
+ATTACKS = [
     drop_an_event,
     exchange_the_sides,
     call_it_stable,
@@ -186,7 +185,7 @@ def width(number):
 def test_a_tile_is_proved_on_parts(content, preloaded):
     """On each half of a tile the orbits are at least as narrowly enclosed, and are there."""
     for tile in [*checked_tiles(content), *checked_tiles(preloaded)]:
-        seen: list[Any] = []
+        seen = []
 
         def prove(point: Any, seen: list[Any] = seen) -> None:
             seen.append(point)

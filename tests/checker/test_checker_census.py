@@ -5,7 +5,6 @@ from __future__ import annotations
 import copy
 import json
 from functools import cache
-from typing import Any
 
 import pytest
 import sympy as sp
@@ -45,7 +44,7 @@ def _census():
 def content(tmp_path):
     """Of a file with two orbits: half a turn, and a whole one, on the right."""
     _census().save(tmp_path / "census.json")
-    found: dict[str, Any] = json.loads((tmp_path / "census.json").read_text())
+    found = json.loads((tmp_path / "census.json").read_text())
     assert found["count"] == 2
     return found
 

@@ -2,7 +2,6 @@
 
 import copy
 import json
-from collections.abc import Callable
 from typing import Any
 
 import pytest
@@ -28,12 +27,12 @@ DOUBLING = "nonsmooth.runtime.checker.ranges.doubling"
 def content():
     path = shared_file("nonsmooth certified doubling", prove_doubling)
     assert ns.certify.check(path).claims == {"doubling": "proved"}
-    found: Content = json.loads(path.read_text())
+    found = json.loads(path.read_text())
     return found
 
 
 KRAWCZYK = "Krawczyk's test fails"
-EDITS: list[tuple[Callable[[Content, Content], object], str | None]] = [
+EDITS = [
     (lambda c, d: d.update(side="below"), "they are not below the flip"),
     (lambda c, d: d.update(verdict="stable"), "at one of them it is unstable"),
     (lambda c, d: d.update(reason="none"), "a reason of another verdict"),

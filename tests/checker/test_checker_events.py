@@ -8,7 +8,6 @@ import random
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 import mpmath
 import numpy as np
@@ -119,14 +118,14 @@ def written(name, folder):
 def content(request, tmp_path_factory):
     """The file of a branch's events."""
     folder = Path(tmp_path_factory.getbasetemp())
-    found: dict[str, Any] = json.loads(written(request.param, folder))
+    found = json.loads(written(request.param, folder))
     return found
 
 
 def event_of(content, kind):
     """The last of a kind, alone in its file."""
     content["events"] = [event for event in content["events"] if event["kind"] == kind][-1:]
-    found: dict[str, Any] = content["events"][0]
+    found = content["events"][0]
     return found
 
 

@@ -101,7 +101,7 @@ def no_family(content):
 
 
 Change = Callable[[Any], Any]
-FALSE: dict[str, dict[str, Change]] = {
+FALSE = {
     "census-derived": {
         "census at another parameter": census_at,
         "census in a smaller box": smaller_box,
@@ -196,7 +196,7 @@ def test_names_that_are_there_twice_are_refused(tmp_path):
     [("value", "undecided and has no value"), ("trace", "existence is undecided")],
 )
 def test_what_is_undecided_has_no_numbers(name, told):
-    found: Any = ns.certify(ns.solve("dry-friction/solution-ii"))
+    found = ns.certify(ns.solve("dry-friction/solution-ii"))
     if name == "value":
         branch = ns.continue_orbit(ns.solve("rigid-stop/one-impact"), "T", (5.5, 7.5))
         proofs = (ns.certify.event(branch, event) for event in branch.events)

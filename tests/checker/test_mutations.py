@@ -12,7 +12,6 @@ import json
 import os
 import random
 import re
-from collections.abc import Callable
 from contextlib import redirect_stdout
 from fractions import Fraction
 from functools import cache
@@ -57,7 +56,7 @@ def _events(*branches):
     return Several()
 
 
-FILES: dict[str, Callable[[], Any]] = {
+FILES = {
     "derived": lambda: ns.certify(ns.solve(STICK)),
     "unstable": lambda: ns.certify(ns.solve("dry-friction/symmetric")),
     "derivatives": lambda: ns.certify(ns.solve(STICK), derivatives=["eta", "e1"]),
@@ -279,7 +278,7 @@ def sampled(content, drawn, count):
     found = list(mutations(content))
     if not count or len(found) <= count:
         return found
-    groups: dict[Any, list[Mutation]] = {}
+    groups = {}
     for mutation in found:
         shape = (mutation.what, *(x for x in mutation.path if isinstance(x, str)))
         groups.setdefault(shape, []).append(mutation)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
@@ -11,11 +10,10 @@ import pytest
 from mpmath import iv, mp, workdps
 
 import nonsmooth as ns
-from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.certified import loop
 
 DIGITS = 50
-ORBITS: dict[str, Callable[[], Orbit]] = {
+ORBITS = {
     "global-stick": lambda: ns.solve("dry-friction/global-stick"),
     "symmetric": lambda: ns.solve("dry-friction/symmetric", {"V": "1.1"}),
     "kicked": loop,
@@ -31,7 +29,7 @@ def file(request, tmp_path_factory):
 
 @pytest.fixture
 def content(file):
-    found: dict[str, Any] = json.loads(file.read_text("utf-8"))
+    found = json.loads(file.read_text("utf-8"))
     return found
 
 

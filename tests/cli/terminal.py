@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import sys
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import pytest
 from typer.main import get_command
@@ -15,7 +15,7 @@ from nonsmooth.runtime.cli.program import app
 
 def all_commands():
     """The commands by their words, subcommands in place of the command that has them."""
-    group: Any = get_command(app)
+    group = get_command(app)
     return {
         " ".join(filter(None, (name, own))): each
         for name, command in group.commands.items()

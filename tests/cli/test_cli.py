@@ -11,7 +11,6 @@ import tempfile
 from decimal import Decimal, localcontext
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 import pytest
 from typer.main import get_command
@@ -28,7 +27,7 @@ from tests.user_systems import declare
 ORBIT = "dry-friction/global-stick"
 GRAZING = ("rigid-stop/one-impact", "m1=1", "m2=2", "k1=2", "k2=4", "T=pi")
 PROGRAM = (sys.executable, "-m", "nonsmooth")
-GROUP: Any = get_command(app)
+GROUP = get_command(app)
 COMMANDS = all_commands()
 EXAMPLES = [
     line
@@ -68,7 +67,7 @@ def told(*arguments, code=0):
     """Give the one JSON document on stdout; nothing else may be there."""
     found, out, err = run(*arguments, "--json")
     assert found == code, err
-    document: dict[str, Any] = json.loads(out)
+    document = json.loads(out)
     return document
 
 
@@ -362,7 +361,7 @@ def test_long_numbers_are_grouped():
     code, out, _ = run("verify", ORBIT, "--digits", "120")
     assert code == 0
     assert max(map(len, out.splitlines())) <= 80
-    trace: str = told("verify", ORBIT, "--digits", "120")["trace"]
+    trace = told("verify", ORBIT, "--digits", "120")["trace"]
     assert trace in re.sub(r"\s", "", out)
 
 

@@ -95,7 +95,7 @@ def marked(*proved):
     return pytest.mark.parametrize("writer", writers, ids="".join)
 
 
-WATCHING: list[set[str]] = []  # of each test that watches: files that are opened to be written
+WATCHING = []  # of each test that watches: files that are opened to be written
 
 
 def watch(event, arguments):
@@ -259,7 +259,7 @@ def test_a_fault_while_a_file_is_written(place):
         for fault in ("kill", "twice")[: 2 - command.startswith("chart ")]
     ]
     assert [outcome["fault"] for outcome in outcomes] == [fault for _, fault in expected]
-    left: list[str] = []
+    left = []
     for (command, fault), outcome in zip(expected, outcomes, strict=True):
         told, changed = f"{command}: {outcome}", outcome["changed"]
         if fault == "kill":

@@ -6,7 +6,6 @@ import inspect
 import json
 import re
 from collections import defaultdict
-from typing import Any
 
 import pytest
 import typer
@@ -20,7 +19,7 @@ ORBIT = "dry-friction/global-stick"
 
 def options():
     """Options by name, and the commands that have them."""
-    found: dict[str, dict[str, Any]] = defaultdict(dict)
+    found = defaultdict(dict)
     for name, command in COMMANDS.items():
         for option in command.params:
             if option.opts[0].startswith("--"):

@@ -3,25 +3,15 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 import pytest
 from flint import arb, arb_mat, fmpq
 
 from nonsmooth.runtime.checker.stated.exact import Elimination, product, reduced
+from nonsmooth.runtime.core import taylor_models
 from nonsmooth.runtime.core.rational_functions import symbols
-from nonsmooth.runtime.core.taylor_models import (
-    AT_BOTH_ENDS,
-    BENT_MEAN,
-    MEAN,
-    TaylorModel,
-    averaged,
-    lifted,
-    matrix,
-    range_of,
-    space_of,
-)
+from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
 from nonsmooth.runtime.core.values import flint_precision
 
 SPACES = [(1, 1), (1, 4), (2, 1), (2, 3), (3, 2)]
@@ -150,25 +140,29 @@ def test_an_exponential_holds_what_its_polynomial_leaves_out(exponent):
 
 @pytest.mark.parametrize(
     ("weight", "shares"),
-    [(AT_BOTH_ENDS, (1, 1, 1)), (MEAN, (1, 1 / 2, 1 / 3)), (BENT_MEAN, (1 / 3, 1 / 8, 1 / 15))],
+    [
+        (taylor_models.AT_BOTH_ENDS, (1, 1, 1)),
+        (taylor_models.MEAN, (1, 1 / 2, 1 / 3)),
+        (taylor_models.BENT_MEAN, (1 / 3, 1 / 8, 1 / 15)),
+    ],
 )
 def test_averages_are_those_of_polynomials_and_hold_what_is_cut_off(weight, shares):
     """Of e^2 f^2 + 3 f^3 + a ball times f over f = s e: odd powers leave their radius alone."""
     space = space_of(2, 5)
-    parts: list[Any] = [None] * len(space.exponents)
+    parts = [None] * len(space.exponents)
     for exponents, part in {
         (0, 0): arb(0, 1e-3), (2, 2): arb(1), (0, 3): arb(3), (0, 1): arb(2, 1e-2)
     }.items():  # fmt: skip
         parts[space.exponents.index(exponents)] = part
-    found = averaged(TaylorModel(space, tuple(parts)), weight)
+    found = taylor_models.averaged(TaylorModel(space, tuple(parts)), weight)
     assert float(found.parts[4]) == pytest.approx(shares[2])
     assert found.parts[0].rad() >= 1e-3 * shares[0] * 0.999
     assert found.parts[1].contains(0)
     assert found.parts[1].rad() >= 1e-2 * shares[1] * 0.999
     assert abs(found.parts[3]) < 1e-12
     still = space_of(1, 5).variable(0, arb(1), arb(2))
-    again = averaged(lifted(still, space), weight)
+    again = taylor_models.averaged(taylor_models.lifted(still, space), weight)
     assert [float(p or 0) for p in again.parts] == pytest.approx(
         [shares[0], 2 * shares[0], *[0] * 4]
     )
-    assert float(averaged(arb(3), weight)) == pytest.approx(3 * shares[0])
+    assert float(taylor_models.averaged(arb(3), weight)) == pytest.approx(3 * shares[0])

@@ -4,8 +4,8 @@ import os
 
 import pytest
 
-from nonsmooth import InputError, NoConvergence
-from nonsmooth.runtime.core.parallel import check_workers, in_processes
+from nonsmooth import NoConvergence
+from nonsmooth.runtime.core.parallel import in_processes
 
 MULTIPLY = "(7).__mul__"
 PID = "lambda _: __import__('os').getpid()"
@@ -60,9 +60,3 @@ def test_processes_end_with_whoever_asks():
     work.close()
     with pytest.raises(ProcessLookupError):
         os.kill(pid, 0)
-
-
-@pytest.mark.parametrize("workers", [0, -1, 10**6])
-def test_no_number_of_processes(workers):
-    with pytest.raises(InputError, match="workers"):
-        check_workers(workers)

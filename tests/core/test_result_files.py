@@ -92,7 +92,7 @@ def proven_map():
     return ns.certify.box(loop(), {"r": ("2/5", "3/5")})
 
 
-KINDS: dict[str, Callable[[], Any]] = {
+KINDS = {
     "nonsmooth orbit": lambda: ns.solve(STICK),
     "nonsmooth found orbits": found,
     "nonsmooth branch": branch,

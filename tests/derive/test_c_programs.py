@@ -185,7 +185,7 @@ AWKWARD = {
 
 
 def library(names, text=KICKED):
-    declared: dict[str, Any] = {}
+    declared = {}
     for old, new in names.items():
         text = text.replace(old, new)
     exec(text, declared)

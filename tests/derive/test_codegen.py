@@ -95,7 +95,7 @@ def kernel_of(*results, stages=(), name="probe"):
 def program(seed):
     """A straight-line program over positive inputs, with shared and negated terms."""
     draw = random.Random(seed)
-    known: list[sp.Expr] = [*INPUTS, sp.Integer(2)]
+    known = [*INPUTS, sp.Integer(2)]
     stages = []
 
     def expression() -> sp.Expr:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -64,7 +63,7 @@ def test_constraints_hold_where_their_expressions_are_not_negative():
 
 
 a, b = sp.symbols("a b")
-NEEDED: dict[str, tuple[Any, Any]] = {
+NEEDED = {
     "friction": (Friction("x", a, b), (b - a,)),
     "load": (Friction("x", a, normal=a - b), (a - b,)),
     "slope": (Friction("x", a, falling=a - b), (a - b,)),

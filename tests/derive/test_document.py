@@ -54,7 +54,7 @@ def test_what_a_user_writes_is_one_paragraph():
 @cache
 def raw_names():
     """Names in the code that LaTeX writes otherwise."""
-    symbols: set[Any] = set()
+    symbols = set()
     for written in map(written_of, ORBITS):
         symbols |= {*written.equations.unknowns, *written.notation.functions}
         shown = [line.shows for line in written.lines if line.shows is not None]

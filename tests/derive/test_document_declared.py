@@ -1,7 +1,6 @@
 """Documents of declared systems without closed forms: what they tell, and how they are laid out."""
 
 import re
-from typing import Any
 
 import pytest
 import sympy as sp
@@ -28,7 +27,7 @@ from tests.documents import declarations, document_of
 
 
 def text_of(described):
-    describe: Any = describe_system if isinstance(described, System) else describe_orbit
+    describe = describe_system if isinstance(described, System) else describe_orbit
     return to_markdown(describe(described))
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import random
-from typing import Any
 
 import pytest
 import sympy as sp
@@ -57,7 +56,7 @@ def random_system(seed):
     side, other = (draw.choice(["upper", "lower"]) for _ in range(2))
     u, s = letters[:2]
     last, first = coordinates[-1], coordinates[0]
-    kinds: list[Any] = [
+    kinds = [
         RigidStop(last, at=signed(), restitution=sp.Symbol("r"), side=side, name="wall"),
         SoftStop(first, at=signed(), stiffness=positive(), damping=s, side=other, name="pad"),
         Friction(first, kinetic=u, static=u + s, velocity=signed(), name="belt"),

@@ -1,7 +1,6 @@
 """Any expression, printed and read back from LaTeX and from MathML, is the expression."""
 
 import math
-from typing import Any
 
 import numpy as np
 import pytest
@@ -167,5 +166,5 @@ def test_what_can_be_read_in_two_ways_is_refused(latex):
 
 
 def test_braces_hold_nothing_together():
-    values: Any = READING.names
+    values = READING.names
     assert READING.latex("{a + x_{1}} k_{1}") == values["a"] + values["x_{1}"] * values["k_{1}"]

@@ -8,7 +8,6 @@ from fractions import Fraction
 from importlib import import_module
 from itertools import product
 from math import prod
-from typing import Any
 
 import flint
 import numpy as np
@@ -38,7 +37,7 @@ def arguments_of(system, kernel, seed, number, lib):
     """Random arguments of a kernel in one arithmetic, which computes the spectrum itself."""
     module, (taken, _) = MODULES[system], MODULES[system].KERNELS[kernel]
     draw = random.Random(f"{kernel}{seed}")
-    numbers: list[Any] = [
+    numbers = [
         [number(Fraction(draw.randint(300, 700), 1000)) for _ in range(prod(shape))]
         for shape, _ in taken
     ]

@@ -5,7 +5,6 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Callable, Sequence
 from functools import cache
-from pathlib import Path
 
 import pytest
 import sympy as sp
@@ -31,7 +30,7 @@ SHAPES = ["2", "20", "200", "2w", "w2", "1", "10", "000", "21", "22", "22w", "2w
 
 
 def numbers_of(shape):
-    symbols: list[sp.Symbol] = []
+    symbols = []
     factors = []
     for place, kind in enumerate(shape):
         degree = {"0": 0, "w": 1}.get(kind) if kind in "0w" else int(kind)
@@ -61,7 +60,7 @@ def shape_of(factors):
 
 @pytest.fixture(scope="module")
 def compiled(tmp_path_factory):
-    folder: Path = tmp_path_factory.mktemp("exponentials")
+    folder = tmp_path_factory.mktemp("exponentials")
     sources = [c_kernel(kernel_of(shape), "probe", None) for shape in SHAPES]
     (folder / "probe.c").write_text("\n".join(['#include "nonsmooth_differences.h"', *sources]))
     library = library_of(folder / "probe.c", *FLAGS)

@@ -15,7 +15,6 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import mpmath
@@ -90,7 +89,7 @@ def field():
 
 
 CHAIN = [[k1 + k2, -k2, 0], [-k2, k2 + 1, -1], [0, -1, 1]]
-SYSTEMS: dict[str, Callable[[], System]] = {
+SYSTEMS = {
     "forced": lambda: masses([[w0**2 * k]], [[2 * z * w0]], forced=True),
     "slider": lambda: masses([[k]], [[2 * z]], True, elements=[Slider("x1", 2, 1, name="jenkins")]),
     "undamped": lambda: masses([[k11, k12], [k21, k22]], sp.zeros(2)),
@@ -143,7 +142,7 @@ def library(tmp_path_factory):
         if COMPILER is None:
             return None
         sources = [c_kernel(each, name.replace(" ", "_"), None) for each in case(name).kernels]
-        file: Path = tmp_path_factory.mktemp("flows") / "flows.c"
+        file = tmp_path_factory.mktemp("flows") / "flows.c"
         file.write_text("\n".join(['#include "nonsmooth_differences.h"', *sources]))
         return library_of(file, "-O2")
 

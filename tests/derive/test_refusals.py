@@ -54,7 +54,7 @@ STOP = replace(REST, boundaries=(Boundary("goes", X - 2 * GS),), constraints=(X 
 
 def system(configurations, transitions, **parts):
     """One mass on a spring in front of a stop at x = g."""
-    known: dict[str, Any] = {"name": "one", "description": "", "states": STATES}
+    known = {"name": "one", "description": "", "states": STATES}
     known |= {"parameters": (K, G)} | parts
     return System(configurations=configurations, transitions=transitions, **known)
 
@@ -114,7 +114,7 @@ def of_one(stiffness=1, **others):
 
 def of_two(*elements, **changes):
     """An oscillator of two coordinates."""
-    parts: dict[str, Any] = {"coordinates": ["x1", "x2"], "mass": sp.eye(2), "stiffness": sp.eye(2)}
+    parts = {"coordinates": ["x1", "x2"], "mass": sp.eye(2), "stiffness": sp.eye(2)}
     return lambda: oscillator("wrong", elements=elements, **(parts | changes))
 
 
@@ -125,7 +125,7 @@ def rubbing(element):
 
 def of_arrays(**changes):
     """An oscillator whose matrices are arrays."""
-    given: dict[str, Any] = {"mass": np.diag([2.0, 1, 3]), "stiffness": np.eye(3)}
+    given = {"mass": np.diag([2.0, 1, 3]), "stiffness": np.eye(3)}
     return lambda: oscillator("s", ["x1", "x2", "x3"], **(given | changes))
 
 
@@ -159,7 +159,7 @@ REACHED = Condition(V, "free")
 EYE, WIDE = sp.eye(2), sp.eye(3)
 HITS, GOES = ("free", "hits", "ta"), ("rest", "goes", "tb")
 
-WRONG: list[tuple[Make, str]] = [
+WRONG = [
     # shapes
     (lambda: Boundary("far", X - 1, "touched"), "'far'.*'touched'"),
     (lambda: SecondOrder([[1, 0]], [[1]]), "mass is 1 x 2, not square"),

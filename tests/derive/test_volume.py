@@ -84,7 +84,7 @@ def test_a_transition_is_said_to_keep_volume_if_it_does(kind, seed):
     reset = in_numbers(sp.Matrix(images).jacobian(STATES))
     line = before.boundary("forth").function
     slopes, level = in_numbers([[line.diff(x) for x in STATES]]), float(line.subs(ORIGIN))
-    factors: list[float] = []
+    factors = []
     while len(factors) < 3:
         state = in_numbers([draw.uniform(-3, 3) for _ in STATES])
         state -= slopes.T @ (slopes @ state + level) / (slopes @ slopes.T)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import inspect
 from dataclasses import fields
-from typing import Any
 
 import numpy as np
 import pytest
@@ -20,7 +19,7 @@ SYSTEM = ORBIT.system
 REFUSALS = (nd.DeclarationError, nd.DerivationError)
 NEVER = object()  # what nothing takes
 RUN = "__import__('pathlib').Path('executed').touch()"
-NESTED: list[Any] = []
+NESTED = []
 NESTED.append(NESTED)
 
 
@@ -34,7 +33,7 @@ class Told:
 
 def deep():
     """An expression that is nested more deeply than functions may call each other."""
-    found: sp.Expr = sp.Symbol("z")
+    found = sp.Symbol("z")
     for _ in range(2000):
         found = sp.sin(found, evaluate=False)
     return found
@@ -57,7 +56,7 @@ WRONG = (
     sp.MatrixSymbol("z", 1, 1), sp.Identity(sp.Symbol("z")), sp.BlockMatrix([[sp.eye(1)]]),
 )  # fmt: skip
 # with which each public name makes something; records of the paper's orbit give their own fields
-RIGHT: dict[str, Any] = {
+RIGHT = {
     "Boundary": SYSTEM.configurations[0].boundaries[0],
     "Condition": next(c for t in SYSTEM.transitions for c in t.conditions),
     "Configuration": SYSTEM.configurations[0],

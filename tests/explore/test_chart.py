@@ -23,7 +23,7 @@ from tests.cli.test_cli import run, told
 from tests.pictures import figure_in
 
 ORBIT = "dry-friction/global-stick"
-PLANE: dict[str, Any] = {"V": np.linspace(0.8, 1.3, 40), "eta": np.linspace(0.8, 1.3, 33)}
+PLANE = {"V": np.linspace(0.8, 1.3, 40), "eta": np.linspace(0.8, 1.3, 33)}
 RANGES = ("V=0.8:1.3:40", "eta=0.8:1.3:33")
 
 
@@ -298,7 +298,7 @@ def test_two_processes_on_one_store(store, tmp_path):
         "    sys.stdin.read()\n"
         "ns.chart(sys.argv[1], progress=hold)\n"
     )
-    pipes: dict[str, Any] = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True}
+    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True}
     with subprocess.Popen([sys.executable, "-c", code, str(store)], **pipes) as process:
         assert process.stdout is not None
         assert process.stdout.readline() == "held\n"
@@ -453,7 +453,7 @@ def test_no_folder_is_named():
 
 def test_a_simulated_chart_goes_on_from_its_own_start(tmp_path):
     place, period = tmp_path / "S.zarr", tmp_path / "S.zarr" / "period" / "c" / "0"
-    given: dict[str, Any] = {
+    given = {
         "chi": 0.4,
         "eta": 4,
         "us1": 0.0127,

@@ -1,7 +1,6 @@
 """Basins as charts: where single starts lead, whatever the chunks, and resumed."""
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
@@ -15,7 +14,7 @@ from nonsmooth.runtime.present.pictures.charts import chart_figure
 from tests.cli.test_cli import told
 from tests.pictures import figure_in
 
-STARTS: dict[str, Any] = {"x1": np.linspace(-1.5, 1.5, 11), "v1": np.linspace(-1, 1, 7)}
+STARTS = {"x1": np.linspace(-1.5, 1.5, 11), "v1": np.linspace(-1, 1, 7)}
 DATA = {"Omega": "1.3", "F": "0.3"}
 
 

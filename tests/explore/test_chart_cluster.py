@@ -3,7 +3,6 @@
 import os
 import signal
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -15,7 +14,7 @@ from tests.explore.test_chart_basins import DATA, STARTS, two_attractors
 
 ORBIT = "dry-friction/global-stick"
 SOON = {"timeout": "300ms"}
-PLANE: dict[str, Any] = {"V": np.linspace(0.8, 1.3, 150), "eta": np.linspace(0.8, 1.3, 150)}
+PLANE = {"V": np.linspace(0.8, 1.3, 150), "eta": np.linspace(0.8, 1.3, 150)}
 
 
 @pytest.fixture(scope="module")
@@ -31,7 +30,7 @@ def cluster():
 @pytest.mark.slow
 @pytest.mark.parametrize("basins", [False, True])
 def test_killed_worker_costs_only_its_chunk(basins, cluster, tmp_path):
-    killed: list[int] = []
+    killed = []
 
     def progress(done: int, total: int) -> None:
         if done >= total // 4 and not killed:

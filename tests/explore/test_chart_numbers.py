@@ -1,7 +1,6 @@
 """What charts say of their points: against single orbits, proofs, closed forms, other routes."""
 
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
@@ -20,8 +19,8 @@ BELTS = f"{GALLERY / 'two_belts.py'}:both-stick"
 REST = {"x1": 0, "x2": 0, "v1": 0, "v2": 0}
 MOTIONS = {"chi": 0.4, "us1": 0.0127, "ur1": 0.0255, "us2": 0.5, "ur2": 1}
 # where the orbit comes and goes, and has others of the same itinerary beside it
-WIDE: dict[str, Any] = {"V": np.linspace(0.3, 2.0, 70), "eta": np.linspace(0.3, 3.0, 61)}
-PLANES: dict[str, dict[str, Any]] = {
+WIDE = {"V": np.linspace(0.3, 2.0, 70), "eta": np.linspace(0.3, 3.0, 61)}
+PLANES = {
     STICK: {"V": np.linspace(0.6, 1.9, 10), "eta": np.linspace(0.6, 1.7, 10)},
     IMPACT: {"sigma": np.linspace(-0.6, 0.6, 24), "w": np.linspace(1.6, 3.2, 21)},
     PIECEWISE: {"w": np.linspace(2.0, 4.0, 10), "gap": np.linspace(-0.2, 0.6, 9)},
@@ -119,7 +118,7 @@ def check_points(name, plane, chart):
             point = chart.isel(dict(zip(chart.sizes, map(int, place), strict=True)))
             values = {k: x for k, x in plane.items() if np.ndim(x) == 0}
             values |= {str(k): float(point[k]) for k in chart.sizes}
-            one: Any = ns.solve(name, values, [float(point[n]) for n in names])
+            one = ns.solve(name, values, [float(point[n]) for n in names])
             for n in names:
                 assert float(one.unknowns[n]) == pytest.approx(float(point[n]), rel=1e-6, abs=1e-6)
             assert one.period == pytest.approx(float(point.period), rel=1e-9)
@@ -143,7 +142,7 @@ def check_points(name, plane, chart):
 
 def test_what_an_open_parameter_has_to_exceed():
     """What fails where it does not, and what one force gives of the others."""
-    grid: dict[str, Any] = {"V": [0.85, 1.0, 1.1], "eta": [0.9, 1.2]}
+    grid = {"V": [0.85, 1.0, 1.1], "eta": [0.9, 1.2]}
     plain, given = ns.chart(STICK, **grid), ns.chart(STICK, **grid, us1=0.1, us2=[0.5, 0.75, 1.2])
     assert given.admissible.dims == ("V", "eta", "us2")
     enough = (plain.least_us2 < given.us2) & (plain.least_us1 < 0.1)

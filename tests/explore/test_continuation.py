@@ -177,7 +177,7 @@ def test_an_interrupt_while_events_are_located_loses_no_point(
     monkeypatch.setattr(np, "nanmedian", interrupted_once)  # of what the events are told by
     with pytest.raises(nonsmooth.Interrupted) as stopped:
         nonsmooth.continue_orbit(orbit, "V", (0.95, 1.05))
-    found: Any = stopped.value.partial
+    found = stopped.value.partial
     np.testing.assert_array_equal(found.unknowns, whole.unknowns)
     assert (found.ends, found.events) == (whole.ends, whole.events)
     again = nonsmooth.continue_orbit(orbit, "V", (0.95, 1.05), resume=found)

@@ -77,7 +77,7 @@ def test_wrong_input(of, plane, options, message):
 
 
 def test_steps_are_told():
-    told: list[int] = []
+    told = []
     event = branch().events[-1]
     nonsmooth.continue_orbit(
         branch(), "eta", (3.9, 4.1), event=event, step=0.1, progress=told.append

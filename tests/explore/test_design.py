@@ -246,7 +246,7 @@ def check_least(matrix, rates):
 
 
 def test_conditions_are_read_as_written():
-    options: dict[str, Any] = {"maximise": "spectral_radius", "over": {"V": (0.6, 1.3)}}
+    options = {"maximise": "spectral_radius", "over": {"V": (0.6, 1.3)}}
     found = ns.design(symmetric(), subject_to=[" period <= 24/5 "], **options)
     (limit,) = found.active
     assert limit.text == "period<=24/5"

@@ -3,7 +3,6 @@
 import os
 import signal
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
@@ -13,7 +12,7 @@ from tests.places import GALLERY
 
 DAMPER = f"{GALLERY / 'impact_damper.py'}:struck-twice"
 WINDOW, WIDE = {"w": (0.96, 1.01)}, {"w": (0.95, 1.05)}
-CUT_OFF: Any = {"minimise": "peak:x", "over": {"d": (7, 8.5)}, "worst_over": {"w": (0.98, 1.02)}}
+CUT_OFF = {"minimise": "peak:x", "over": {"d": (7, 8.5)}, "worst_over": {"w": (0.98, 1.02)}}
 
 
 def solved(near=None, **changed):

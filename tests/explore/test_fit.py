@@ -30,8 +30,8 @@ k, m, r, c = sp.symbols("k m r c")
 STOP = RigidStop("x", at=0.2, restitution=r, name="wall")
 SYSTEM = one_mass("struck", STOP, mass=m, damping=c, stiffness=k)
 FORCED = one_mass("struck-forced", STOP, damping=c, stiffness=k, forces={"2.1": 1})
-TRUTH: dict[str, Any] = {"k": 4.0, "m": 1.0, "r": 0.9, "c": 0.02}
-START: dict[str, Any] = {"x": -1.0, "v": 0.0}
+TRUTH = {"k": 4.0, "m": 1.0, "r": 0.9, "c": 0.02}
+START = {"x": -1.0, "v": 0.0}
 WALL = "wall-reaches-stop"
 REACHED = ns.simulate(SYSTEM, TRUTH, START, transitions=20)
 TIMES = np.linspace(0.05, 8, 60)
@@ -80,7 +80,7 @@ def of_two_masses():
 
 
 # data, with what they lead to from other values
-TOLD: dict[str, tuple[Any, dict[str, float], dict[str, Any]]] = {
+TOLD = {
     "events": ({WALL: impacts()}, {"k": 4, "r": 0.9, "v0": 0}, {}),
     "series": (series(), {"k": 4, "r": 0.9, "v0": 0}, {}),
     "clock and start": (
@@ -136,7 +136,7 @@ def test_exact_data_give_exact_parameters(case):
 
 
 # what a residual weighs by each loss: its influence, and the slope of that
-INFLUENCES: dict[str, Any] = {
+INFLUENCES = {
     "linear": lambda z: (z, np.ones_like(z)),
     "soft_l1": lambda z: (z / np.sqrt(1 + z**2), (1 + z**2) ** -1.5),
     "huber": lambda z: (np.clip(z, -1, 1), abs(z) <= 1),
@@ -272,7 +272,7 @@ def test_without_a_degree_of_freedom_no_error_is_told():
 @pytest.mark.slow
 def test_several_starts_find_what_one_misses_and_are_seeded():
     limits = {"k": (1, 12), "r": (0.3, 1)}
-    told: list[tuple[int, int]] = []
+    told = []
     found, again = (
         fitted(
             {WALL: impacts(6, 1e-3, 2)}, known={"m": 1, "c": 0.02}, bounds=limits, sigma=1e-3,
@@ -427,7 +427,7 @@ def test_files_give_the_same_fit(tmp_path):
     ]
     (tmp_path / "data.csv").write_text("# of a test\n" + "\n".join([",".join(data), *rows]))
     expected = fitted(data, "k", parameters={"k": 4.02})
-    sources: list[Any] = [tmp_path / "data.npz", str(tmp_path / "data.csv")]
+    sources = [tmp_path / "data.npz", str(tmp_path / "data.csv")]
     xarray = pytest.importorskip("xarray")
     sources.append(xarray.Dataset({n: ("t", v) for n, v in data.items() if n != "t"},
                                   coords={"t": data["t"]}))  # fmt: skip

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import functools
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
@@ -17,11 +16,11 @@ from tests.differences import in_doubles
 from tests.one_mass import one_mass
 
 c, k, s, F, w, r = sp.symbols("c k s F w r")
-FORCED: Any = {"damping": c, "stiffness": k, "forces": {w: F}}
+FORCED = {"damping": c, "stiffness": k, "forces": {w: F}}
 SYSTEM = one_mass("touching", SoftStop("x", at=1, stiffness=s, name="stop"), **FORCED)
 WALL = RigidStop("x", at=0.2, restitution=r, name="wall")
 IMPACTING = one_mass("struck-steadily", WALL, **FORCED)
-TRUTH: dict[str, Any] = {"c": 0.1, "k": 1.0, "s": 3.0, "F": 0.3}
+TRUTH = {"c": 0.1, "k": 1.0, "s": 3.0, "F": 0.3}
 GUESS = {"c": 0.11, "k": 1.03, "s": 2.8}
 SWEEP = np.array([0.6, 0.8, 0.9, 1.0, 1.06, 1.12, 1.3, 1.6])
 SOME = SWEEP[[3, 7, 1, 5]]  # in any order
@@ -120,7 +119,7 @@ def wave(along, values, state):
 
 
 # by kind: the number that is measured, of values along a period (times, values, states)
-KINDS: dict[str, Any] = {
+KINDS = {
     "maximum": lambda t, y, _: y.max(),
     "minimum": lambda t, y, _: y.min(),
     "peak": lambda t, y, _: abs(y).max(),
@@ -130,7 +129,7 @@ KINDS: dict[str, Any] = {
     "harmonic": lambda t, y, state: abs(wave(t, y, state)),
     "phase": lambda t, y, state: np.angle(wave(t, y, state)),
 }
-OUTPUTS: dict[str, Any] = {
+OUTPUTS = {
     "v - 2*x": lambda x, v, acceleration, force: v - 2 * x,
     "acceleration:x + force:stop-x": lambda x, v, acceleration, force: acceleration + force - x,
     "2*acceleration:v": lambda x, v, acceleration, force: 2 * acceleration,  # of its coordinate
@@ -222,7 +221,7 @@ def test_grazing_of_a_response_is_that_of_its_height():
 @pytest.mark.slow
 def test_coexisting_responses_are_told_apart_by_what_was_measured():
     """Above the resonance of the bent curve a response with and one without contact live."""
-    found: dict[int, float] = {}
+    found = {}
     for place in (0.0, 2.0):
         turn = 2 * np.pi / 1.2
         motion = ns.simulate(SYSTEM, TRUTH | {"w": 1.2}, {"x": place, "v": 0}, until=200 * turn)

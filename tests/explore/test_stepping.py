@@ -7,7 +7,6 @@ q^2 = d - a (y - y0)^2 is nearly an ellipse.
 from __future__ import annotations
 
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
@@ -39,11 +38,11 @@ def followed(kind, stop=None, **options):
         if stop is not None and done >= stop:
             raise KeyboardInterrupt
 
-    given: dict[str, Any] = {"step": STEP, "progress": progress, **options}
+    given = {"step": STEP, "progress": progress, **options}
     try:
         return ns.continue_orbit(first(), "q", INTERVALS[kind], **given)
     except ns.Interrupted as stopped:
-        found: Any = stopped.partial
+        found = stopped.partial
         return found
 
 

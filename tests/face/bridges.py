@@ -107,7 +107,7 @@ class Laws:
 
     @pytest.mark.parametrize("axis", [0, 1])
     def test_a_batch_is_one_call(self, bridge, axis):
-        calls: list[str] = []
+        calls = []
         source, function = bridge.of(calls=calls)
         x, (way, *_) = at(5), bridge.ways
         given = x if axis == 0 else np.ascontiguousarray(x.T)

@@ -45,7 +45,7 @@ class TestTorch(Laws):
         )
 
     def test_backward_is_one_call_and_once(self, bridge, torch):
-        calls: list[str] = []
+        calls = []
         source, function = bridge.of(calls=calls)
         x = torch.tensor(at(5), requires_grad=True)
         function(x).sum().backward()
@@ -72,7 +72,7 @@ def test_the_session_of_the_page_runs():
     page = (CHECKOUT / "docs" / "how_to" / "ecosystems.md").read_text(encoding="utf-8")
     cells = re.findall(r"```\{code-cell\} ipython3\n(.*?)```", page, flags=re.DOTALL)
     (session,) = re.findall(r"```python\n(.*?)```", page, flags=re.DOTALL)
-    names: dict[str, Any] = {}
+    names = {}
     declared = [cell for cell in cells if "jax" not in cell and not cell.startswith(":tags")]
     exec(compile("\n".join([*declared, session]), "ecosystems.md", "exec"), names)
     assert_allclose(names["x"].grad, names["function"].vjp([0.5, 2.0], [1.0, 1.0, 0.0]))

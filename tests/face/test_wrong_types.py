@@ -6,12 +6,10 @@ import inspect
 import json
 import pickle
 import tempfile
-from collections.abc import Callable
 from decimal import Decimal
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 import mpmath
 import numpy as np
@@ -40,7 +38,7 @@ SLOW = ("certify.all", "design", "find_orbits", "fit")
 LONG = ("certify.basin", "certify.doubling", "certify.region")  # tried with what never fits alone
 POSSIBLE = (None, True, 5, 2.5, "x", [], {}, float("nan"), {"x": 1})
 # what is given where an argument has to be, or would take long by default
-RIGHT: dict[str, Callable[[], Any] | None] = {
+RIGHT = {
     "attempts": lambda: 1,
     "branch": lambda: result("branch"),
     "branch.orbit_at.place": lambda: 0,
@@ -123,7 +121,7 @@ RIGHT: dict[str, Callable[[], Any] | None] = {
     "values": lambda: [1, 1.01],
     "x": lambda: [1.0],
 }
-RESULTS: dict[str, Callable[[], Any]] = {
+RESULTS = {
     "orbit": lambda: ns.solve(STICK, DATA),
     "orbits": lambda: ns.solve(STICK, {"eta": [1, 1.01]}),
     "derivatives": lambda: result("orbit").derivatives(["V"]),
@@ -188,7 +186,7 @@ def right(label, function):
 
 def call(function, given):
     """Call a function; what it takes as ``*name`` is given as one argument, or as a tuple."""
-    several: Any = ()
+    several = ()
     for name, parameter in inspect.signature(function).parameters.items():
         if parameter.kind is parameter.VAR_POSITIONAL:
             several = given.pop(name)

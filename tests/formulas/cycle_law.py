@@ -93,7 +93,7 @@ class CycleLaw(SystemLaw):
         cycle, orbit, facts, letters = self.cycle, self.orbit, self.facts, self.cycle.letters
         naming, count = facts.naming, self.cycle.count
         state = naming.state
-        found: dict[str, Any] = {}
+        found = {}
 
         def say(name: str, value: Any) -> None:
             found[name_of(name)] = value

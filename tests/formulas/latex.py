@@ -9,9 +9,7 @@ from tests.formulas.layout import (
     Accent,
     Atom,
     Fraction,
-    Item,
     Root,
-    Row,
     Table,
     Unreadable,
     row_of,
@@ -63,7 +61,7 @@ class _Reader:
 
     def row(self, *ends):
         """Items up to one of the ends, which is left."""
-        items: list[Item] = []
+        items = []
         while self.tokens and self.tokens[0] not in ends and self.tokens[0] != "}":
             items += self.element(items)
         return row_of(items)
@@ -86,7 +84,7 @@ class _Reader:
         if token == r"\frac":
             return (Fraction(self.argument(), self.argument()),)
         if token == r"\sqrt":
-            degree: Row = ()
+            degree = ()
             if self.tokens[:1] == ["["]:
                 self.next()
                 degree = self.row("]")
@@ -115,7 +113,7 @@ class _Reader:
     def matrix(self):
         if self.verbatim() != "matrix":
             raise Unreadable("an environment inside a formula")
-        rows: list[list[Row]] = [[]]
+        rows = [[]]
         while True:
             rows[-1].append(self.row("&", r"\\", r"\end"))
             token = self.next()

@@ -17,7 +17,7 @@ from nonsmooth.derive import SecondOrder, System
 from nonsmooth.derive.document.blocks import Document, Formula, Heading, Paragraph, Table
 from nonsmooth.derive.document.wording import letters_of
 from tests.formulas.latex import read_latex
-from tests.formulas.layout import Accent, Atom, Item, Row, Unreadable, core_of, plain
+from tests.formulas.layout import Accent, Atom, Unreadable, core_of, plain
 from tests.formulas.pages import inline
 from tests.formulas.responses import response_functions
 from tests.formulas.values import UNIT, Reading, Unit, divided, name_of, split, without_spaces
@@ -50,7 +50,7 @@ def drawn(system, seed):
     """Parameters inside their domains, and any state."""
     draw = np.random.default_rng(seed)
     while True:
-        found: Numbers = {}
+        found = {}
         for parameter in system.parameters:
             low, high = (float(sp.N(e)) for e in (parameter.lower, parameter.upper))
             low = -1.7 if low == -np.inf else low
@@ -136,7 +136,7 @@ class Facts:
     def made(self, configuration, time=0.83):
         """Those names, with what they stand for."""
         notation, system = self.naming.notation, self.system
-        found: dict[str, Any] = {name_of(r"\mathrm{e}"): np.e, "π": np.pi, "t": time}
+        found = {name_of(r"\mathrm{e}"): np.e, "π": np.pi, "t": time}
         for symbol, value in self.numbers.items():
             found[name_of(notation.symbol(symbol))] = value
         letters, size = self.letters, len(system.states)
@@ -188,7 +188,7 @@ class Facts:
 
     def steady(self, moved, a):
         """Phase of the only forcing, and the harmonic response of every state to it."""
-        found: dict[str, Any] = {name_of(r"\mathrm{i}"): 1j}
+        found = {name_of(r"\mathrm{i}"): 1j}
         if len(self.system.forcing) != 1:
             return found
         c, s = (self.system.states.index(symbol) for symbol in self.system.forcing[0])
@@ -246,7 +246,7 @@ class Facts:
         """M, C and K: of the system, and of one configuration."""
         chosen = [c.dynamics for c in self.system.configurations]
         second = [d for d in chosen if isinstance(d, SecondOrder)]
-        found: dict[str, Any] = {"ℓ": array(dynamics.load, self.given)}
+        found = {"ℓ": array(dynamics.load, self.given)}
         for letter, attribute in (("M", "mass"), ("C", "damping"), ("K", "stiffness")):
             found[letter] = array(getattr(dynamics, attribute), self.given)
             different = dict.fromkeys(getattr(d, attribute) for d in second)
@@ -308,7 +308,7 @@ class SystemLaw:
     @cached_property
     def flows(self):
         """Flows by the numbers that the document gives them, in blocks and whole."""
-        found: dict[str, Any] = {}
+        found = {}
         half = len(self.facts.system.states) // 2
         for block in self.document.blocks:
             text = block.text if isinstance(block, Paragraph) else ""
@@ -424,8 +424,8 @@ class SystemLaw:
             if elsewhere is not None:
                 elsewhere.statement(row, ())
             return
-        values: list[Any] = []
-        unknown: list[Row] = []
+        values = []
+        unknown = []
         for side in sides:
             short = len(side) == 1 and reading.name(side[0], above=False) in names
             if is_name(side) and not short and reading.name(side[0]) not in names:
@@ -628,14 +628,14 @@ def parts_of(row):
     items = list(row)
     while items and items[-1] in (Atom(".", "sign"), Atom(",", "sign")):
         items.pop()
-    found: list[Row] = []
-    begun: list[Item] = []
+    found = []
+    begun = []
     pieces = split(tuple(items), ",")
     for piece in pieces:
         spaced = bool(piece) and isinstance(piece[0], Atom) and piece[0].kind == "space"
         if begun and spaced:
             found.append(tuple(begun))
-            begun: list[Item] = []
+            begun = []
         begun += ([Atom(",", "sign")] if begun else []) + list(piece)
     return [without_spaces(part) for part in (*found, tuple(begun)) if without_spaces(part)]
 

@@ -71,7 +71,7 @@ def core_of(item):
 
 def row_of(items):
     """A row as the eye takes it: digits side by side are one number, upright letters one word."""
-    found: list[Item] = []
+    found = []
     for item in items:
         last, core = found[-1] if found else None, core_of(item)
         joins = isinstance(last, Atom) and isinstance(core, Atom) and last.kind == core.kind

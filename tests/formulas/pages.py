@@ -10,7 +10,6 @@ from nonsmooth.derive.document.blocks import Document, Formula, Heading, Paragra
 from nonsmooth.derive.document.hypertext import to_html, to_markdown
 from nonsmooth.derive.document.latex import to_latex
 from tests.formulas.latex import read_latex
-from tests.formulas.layout import Row
 from tests.formulas.mathml import read_element
 
 _INLINE = re.compile(r"\$([^$]+)\$")
@@ -34,7 +33,7 @@ def texts_of(block):
 
 
 def _own(document):
-    found: Counter[Row] = Counter()
+    found = Counter()
     for block in document.blocks:
         found.update(read_latex(f) for text in texts_of(block) for f in inline(text))
         if isinstance(block, Formula):
@@ -44,7 +43,7 @@ def _own(document):
 
 def _markdown(document):
     text = to_markdown(document).replace("&#124;", "|")
-    found: Counter[Row] = Counter()
+    found = Counter()
     for body in re.findall(r"\\begin\{aligned\}\n(.*?)\n\\end\{aligned\}", text, re.DOTALL):
         found.update(_sides(body))
     text = re.sub(r"\$\$\n.*?\n\$\$", "", text, flags=re.DOTALL)
@@ -54,7 +53,7 @@ def _markdown(document):
 
 def _latex(document):
     text = to_latex(document).replace(r"\\[3pt]", r"\\")
-    found: Counter[Row] = Counter()
+    found = Counter()
     displays = re.findall(r"\\begin\{align\*\}\n(.*?)\n\\end\{align\*\}", text, re.DOTALL)
     for body in displays:
         found.update(_sides(body))
@@ -75,7 +74,7 @@ def read_page(latex):
 
 
 def _html(document):
-    found: Counter[Row] = Counter()
+    found = Counter()
     for element in page_of(document).iter("math"):
         if element.get("display") == "block":
             found.update(read_element(side) for row in element[0] for side in row)

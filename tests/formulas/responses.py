@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from functools import partial
 from itertools import combinations
-from typing import Any
 
 import numpy as np
 import sympy as sp
@@ -13,7 +12,7 @@ from scipy.linalg import expm
 
 def response_functions(known, numbers):
     """Factors as polynomials and responses as functions of time, by their LaTeX."""
-    found: dict[str, Any] = {}
+    found = {}
     for factor in (sp.Tuple(0), *known.factors):
         coefficients = [
             1.0,

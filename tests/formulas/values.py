@@ -6,7 +6,7 @@ import math
 import operator
 import re
 from collections import ChainMap
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import reduce
 from typing import Any
@@ -21,7 +21,6 @@ from tests.formulas.layout import (
     Accent,
     Atom,
     Fraction,
-    Item,
     Root,
     Script,
     Table,
@@ -31,7 +30,7 @@ from tests.formulas.layout import (
     plain,
 )
 
-_FUNCTIONS: dict[str, Callable[..., Any]] = {
+_FUNCTIONS = {
     "cos": np.cos,
     "sin": np.sin,
     "tan": np.tan,
@@ -358,7 +357,7 @@ class _Walk:
 
 def divided(row, signs):
     """Parts of a row between signs outside all brackets and bars, and those signs."""
-    parts: list[list[Item]] = [[]]
+    parts = [[]]
     found, depth, within = [], 0, False
     for item in row:
         sign = _sign(item)

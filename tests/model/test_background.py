@@ -140,7 +140,7 @@ def test_what_is_damaged_or_open_to_others_is_not_loaded(tmp_path, filled, damag
 
 @compiler
 def test_a_folder_that_others_can_write_is_not_used(tmp_path, filled, monkeypatch, capfd):
-    begun: list[str] = []
+    begun = []
     monkeypatch.setattr(background.subprocess, "Popen", lambda *a, **k: begun.append("process"))
     filled.parent.chmod(0o777)
     orbit = f"{declare(tmp_path)}:loop"
@@ -237,7 +237,7 @@ def test_who_interrupts_the_wait_ends_the_compilation(cache, monkeypatch):
     assert process.poll() == -signal.SIGKILL
     assert not list(cache.iterdir())
     # an interrupt does not decide which way later points are solved
-    begun: list[str] = []
+    begun = []
     monkeypatch.setattr(background, "_begin", lambda *_, **__: begun.append("again"))
     assert library.wanted(1.0) is None
     assert begun == ["again"]

@@ -51,7 +51,7 @@ def forget(monkeypatch):
 @pytest.fixture
 def derivations(monkeypatch):
     """Names of the systems that are derived, one entry for each time."""
-    names: list[str] = []
+    names = []
     derive = python_file.emit_python
 
     def counted(system: Any, orbits: Any, source: str) -> str:
@@ -79,7 +79,7 @@ def emitted_of(text):
     """What is generated of a declaration, by the names of its files."""
     with TemporaryDirectory() as folder:
         path = declare(Path(folder), text)
-        declared: Any = read(path)
+        declared = read(path)
         emitted = emit_system(declared.system, declared.orbits, path.name)
         return emit_package([emitted], "nonsmooth generate")
 
@@ -104,7 +104,7 @@ def test_an_orbit_of_a_folder_is_the_closed_form(tmp_path):
 def test_a_motion_is_the_same_from_a_file_a_folder_and_a_system(tmp_path):
     path = declare(tmp_path)
     folder = write_emitted(tmp_path / "kernels", path)
-    system: Any = read(path).system
+    system = read(path).system
     parameters, start = {"k": 1, "r": "0.5"}, {"x": 0, "v": 2}
     motions = [
         simulate(source, parameters, start, "right", transitions=6)
@@ -131,7 +131,7 @@ def test_a_built_in_system_is_the_same_when_it_is_handed_over():
 
 
 def test_a_system_is_found_again_by_its_name_from_the_cache(tmp_path, monkeypatch, derivations):
-    system: Any = read(declare(tmp_path)).system
+    system = read(declare(tmp_path)).system
     name = load_system(system).name
     assert name == f"kicked@{system.fingerprint()}"
     forget(monkeypatch)
@@ -557,8 +557,8 @@ def test_memory_does_not_grow_with_what_was_loaded():
 
 def _bytes_of_texts(known):
     """Bytes of all texts that are reached from the known modules, but through these themselves."""
-    seen: dict[int, object] = {}
-    pending: list[object] = [vars(known)]
+    seen = {}
+    pending = [vars(known)]
     while pending:
         found = pending.pop()
         if id(found) not in seen and not isinstance(found, (ModuleType, FunctionType, type)):

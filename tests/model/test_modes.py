@@ -134,7 +134,7 @@ NEAR = np.array([[-1, 1, 0, 0.0], [0, -1.00001, 1, 0], [0, 0, -0.99999, 1]])
 ONE, TWO = (1, False), (1, True)
 
 # fields, and the lengths of their modes and which of them oscillate, where that is known
-FIELDS: dict[str, tuple[np.ndarray, list[tuple[int, bool]] | None]] = {
+FIELDS = {
     "underdamped": (structure(1, 0.2, 1, 0.3), [ONE, TWO]),
     "overdamped": (structure(1, 3, 1, 0.3), [ONE, ONE, ONE]),
     "critical": (structure(1, 2.6, 1.69, 0.3), [ONE, (2, False)]),

@@ -5,7 +5,6 @@ from __future__ import annotations
 import shutil
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -27,7 +26,7 @@ pytestmark = pytest.mark.skipif(background.lacking() is not None, reason=str(bac
 
 ONE_PERIOD = f"{GALLERY / 'impact_oscillator.py'}:one-period"
 SUBHARMONIC = f"{GALLERY / 'piecewise_stiffness.py'}:subharmonic"
-BOXES: dict[str, dict[str, tuple[float, float]]] = {
+BOXES = {
     ONE_PERIOD: {"r": (0.5, 0.95), "sigma": (-0.2, 0.2), "w": (2.2, 3.0)},
     f"{GALLERY / 'switched_damping.py'}:limit-cycle": {
         "driven": (-0.2, -0.05),
@@ -70,7 +69,7 @@ def by_tables(orbit, monkeypatch, values, **options):
 def test_verdicts_are_those_of_the_tables(orbit, monkeypatch):
     assert declared_kernels(load_orbit(orbit)) is not None
     values = points_in(orbit, 120)
-    fast: Any = ns.solve(orbit, values)
+    fast = ns.solve(orbit, values)
     slow = by_tables(orbit, monkeypatch, values)
     assert list(fast.unknowns) == list(slow.unknowns) == list(ns.solve(orbit).unknowns)
     assert fast.parameters.keys() == slow.parameters.keys()
@@ -99,7 +98,7 @@ def test_verdicts_are_those_of_the_tables(orbit, monkeypatch):
 def test_a_point_has_the_bits_of_itself(orbit):
     """Not of the others, of their number, or of how often it was asked for."""
     values = points_in(orbit, 40)
-    together: Any = ns.solve(orbit, values)
+    together = ns.solve(orbit, values)
     for place in (17, int(np.argmin(together.admissible)), int(np.argmax(together.admissible))):
         alone = ns.solve(orbit, {name: row[[place]] for name, row in values.items()})
         for name, row in together.unknowns.items():
@@ -188,7 +187,7 @@ def two_stops():
 def test_parameters_that_decide_nothing_have_domains_and_names_of_functions_in_c(
     backend, monkeypatch
 ):
-    orbit: Any = two_stops()
+    orbit = two_stops()
     monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
     assert (declared_kernels(load_orbit(orbit)) is None) == (backend == "numpy")
     found = ns.solve(orbit, {"M_PI": [0.5, 1.5, 1.0], "cos": 2.0})

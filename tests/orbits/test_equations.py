@@ -1,7 +1,5 @@
 """A branch tells of its points what the orbits there tell, by kernels and by tables."""
 
-from typing import Any
-
 import numpy as np
 import pytest
 
@@ -12,13 +10,13 @@ from tests.places import GALLERY
 
 # an orbit with what is given, and what a branch follows on both sides of it
 STICK, SYMMETRIC = "dry-friction/global-stick", "dry-friction/symmetric"
-NAMES: dict[str, tuple[dict[str, Any], str]] = {
+NAMES = {
     STICK: ({"us1": 1, "us2": 1}, "V"),
     SYMMETRIC: ({}, "V"),
     "rigid-stop/one-impact": ({}, "k2"),
     "elastic-stop/one-contact": ({}, "k3"),
 }
-DECLARED: dict[str, tuple[dict[str, Any], str]] = {
+DECLARED = {
     "half": ({}, "F"),  # which a symmetry closes
     f"{GALLERY}/backlash_gear.py:rattle": ({}, "k"),
 }

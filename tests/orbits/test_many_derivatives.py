@@ -34,7 +34,7 @@ def test_a_direction_that_turns_with_a_parameter_has_its_share():
         return ns.solve(GEARED, {**TURNED, "i": i}, guess, itinerary=orbit.itinerary)
 
     values = {**TURNED, "i": [TURNED["i"]]}
-    options: Any = {"itinerary": orbit.itinerary, "multipliers": True}
+    options = {"itinerary": orbit.itinerary, "multipliers": True}
     found = ns.solve(GEARED, values, guess, derivatives=list(data), **options).derivatives
     above, below = solved(TURNED["i"] + 1e-5), solved(TURNED["i"] - 1e-5)
     pairs = {name: (above.unknowns[name], below.unknowns[name]) for name in orbit.unknowns}

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import shutil
-from typing import Any
 
 import numpy as np
 import pytest
@@ -39,7 +38,7 @@ def declared(folder, text, *, derived):
     path = declare(folder, text)
     if not derived:
         return f"{path}:loop"
-    found: Any = declaration_in(path)
+    found = declaration_in(path)
     emitted = emit_system(found.system, found.orbits, path.name)
     (folder / "own").mkdir(exist_ok=True)
     for name, content in emit_package([emitted], "nonsmooth generate").items():

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 import pytest
@@ -14,8 +13,8 @@ from tests.two_masses import PHASES, STICKING
 GUESS = [1.02, 2.0, 1.57, 3.28]
 ORBIT = "dry-friction/global-stick"
 MANY = STICKING | {"V": [1.0, 1.01]}
-KERNELS: dict[str, Any] = {"orbit": ORBIT}
-TABLES: dict[str, Any] = {
+KERNELS = {"orbit": ORBIT}
+TABLES = {
     "orbit": "dry-friction", "parameters": STICKING, "itinerary": PHASES, "guess": GUESS
 }  # fmt: skip
 # by their kernels: one orbit, then many

@@ -26,11 +26,11 @@ def found(name):
     parts = whole.split(".")
     for count in range(len(parts), 0, -1):
         try:
-            place: object = import_module(".".join(parts[:count]))
+            place = import_module(".".join(parts[:count]))
         except ModuleNotFoundError:
             continue
         for part in parts[count:]:
-            place: object = getattr(place, part)
+            place = getattr(place, part)
         return place
     raise AssertionError(name)
 

@@ -130,7 +130,7 @@ def test_docstrings_name_what_exists():
 
 
 def test_a_class_name_has_one_meaning():
-    places: dict[str, list[str]] = {}
+    places = {}
     for file, text in texts().items():
         if file.parts[0] == "runtime":
             for name in re.findall(r"^ *class (\w+)", QUOTED.sub("", text), re.MULTILINE):

@@ -54,6 +54,6 @@ def marks_of(example):
 def test_examples(example, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path / "cache"))
-    report: list[str] = []
+    report = []
     failed, _ = doctest.DocTestRunner().run(example, out=report.append)
     assert not failed, "".join(report)

@@ -166,8 +166,8 @@ class One:
 
 def two(): """Nothing else."""
 '''
-    reached: list[str] = []
-    room: dict[str, object] = {"reach": reached.append}
+    reached = []
+    room = {"reach": reached.append}
     exec(probed(text, "reach('{}')"), room)
     assert reached == [""]
     exec("One().short(); One().long(); two()", room)

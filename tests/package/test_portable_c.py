@@ -39,7 +39,7 @@ def compilers():
 
 def unguarded(text):
     """Lines with extensions of GNU that stand outside of what is compiled by GNU's alone."""
-    guards: list[bool] = []
+    guards = []
     found = []
     for line in text.splitlines():
         directive = line.lstrip()

@@ -16,7 +16,7 @@ MODULES = [
 
 @pytest.mark.slow
 def test_a_module_says_in_one_sentence_what_it_is():
-    first: dict[str, list[str]] = {}
+    first = {}
     for path in MODULES:
         said = re.match(r'r?"""(.*?)(?:"""|$)', path.read_text(encoding="utf-8"), re.MULTILINE)
         first.setdefault(said[1] if said else "", []).append(path.relative_to(CHECKOUT).as_posix())

@@ -29,7 +29,7 @@ class Paper:
     @property
     def results(self):
         """Numbers, as they are in the file."""
-        found: dict[str, Any] = json.loads(self.read("results.json"))
+        found = json.loads(self.read("results.json"))
         return found
 
     def read(self, name):
@@ -40,9 +40,9 @@ class Paper:
 def written(folder, formulas, *, certified=False):
     """Reproduce the paper with a few of its pictures, which take most of the time."""
     figure = pytest.importorskip("matplotlib.figure")
-    drawn: list[Any] = []
-    twice: list[bytes] = []
-    steps: list[str] = []
+    drawn = []
+    twice = []
+    steps = []
     save = figure.Figure.savefig
 
     def saved(own: Any, target: io.BytesIO, **options: Any) -> None:

@@ -3,11 +3,9 @@
 import itertools
 import os
 import tempfile
-from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -62,7 +60,7 @@ def motion(count=4):
     return ns.simulate("dry-friction", STICKING, [5, 3, 1, 1], transitions=count)
 
 
-CASES: dict[str, Callable[[], Any]] = {
+CASES = {
     **{
         f"orbit {kind}": lambda kind=kind: ns.solve(STICK).plot(kind)
         for kind in ("time", "velocity", "phase", "strip", "multipliers", "all")

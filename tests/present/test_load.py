@@ -6,7 +6,6 @@ import json
 import os
 import re
 import shutil
-from typing import Any
 
 import pytest
 
@@ -69,7 +68,7 @@ def test_every_kind_of_file_is_tried():
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_file_gives_what_was_saved(kind, folder, tmp_path):
     path, again = folder / name_of(kind), tmp_path / "again.json"
-    found: Any = ns.load(str(path))
+    found = ns.load(str(path))
     assert type(found).__name__ == TYPES[kind]
     (found[0] if isinstance(found, tuple) else found).save(again)
     if kind != "nonsmooth found orbits":  # whose orbits are solved again

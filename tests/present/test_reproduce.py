@@ -79,7 +79,7 @@ def test_verdicts_are_those_of_the_numbers_and_not_written_down(
     orbits["a | b"] = orbits[ORBITS[3]]  # a name that no cell of a table holds as it is
     monkeypatch.setattr(writing, "paper_orbits", lambda begin: orbits)
     moved = written(tmp_path, lambda orbit, section: (), certified=True)
-    verdicts: dict[tuple[str, str], set[str]] = {}
+    verdicts = {}
     for entry in moved.results["comparisons"]:
         verdicts.setdefault((entry["where"], entry["quantity"]), set()).add(entry["verdict"])
     exact = "agrees within the printed digits"

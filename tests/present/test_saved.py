@@ -43,7 +43,7 @@ def path(tmp_path):
 def content(path):
     """What the file of an orbit holds."""
     orbit().save(path)
-    found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+    found = json.loads(path.read_text(encoding="utf-8"))
     return found
 
 

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
 from hashlib import sha256
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -72,7 +70,7 @@ def event(source):
     return ns.certify.event(found, found.events[-1])
 
 
-MAKE: dict[str, Callable[[Path], Any]] = {
+MAKE = {
     "orbit.json": solved,
     "sharp.json": lambda source: solved(source, digits=40),
     "found.json": lambda source: ns.find_orbits(source, DATA, 5, transitions=50, rng=1),
@@ -82,7 +80,7 @@ MAKE: dict[str, Callable[[Path], Any]] = {
     "sweep.json": sweep,
     "fit.json": fit,
 }
-PROVE: dict[str, Callable[[Path], Any]] = {  # of what takes no root
+PROVE = {  # of what takes no root
     "proof.json": lambda source: ns.certify(solved(source)),
     "map.json": lambda source: ns.certify.box(solved(source), {"r": ("0.799", "0.801")}, tiles=2),
     "events.json": event,
@@ -154,7 +152,7 @@ def nothing_runs(folder, monkeypatch):
 
 
 def content(path):
-    found: dict[str, Any] = json.loads(path.read_text())
+    found = json.loads(path.read_text())
     return found
 
 
@@ -429,7 +427,7 @@ def test_what_is_saved_is_the_system_that_was_computed_with(folder):
 def _first_exponents(entry):
     """Exponents of the first term of the first polynomial in a declaration."""
     if isinstance(entry, dict) and "above" in entry:
-        found: list[int] = entry["above"][0][1]
+        found = entry["above"][0][1]
         return found
     parts = entry.values() if isinstance(entry, dict) else entry
     for part in parts if isinstance(parts, list) or isinstance(entry, dict) else ():
@@ -444,7 +442,7 @@ def _huge_declaration(content):
     return {**found, "sha256": checksum_of(found)}
 
 
-HUGE: tuple[Callable[[dict[str, Any]], dict[str, Any]], ...] = (
+HUGE = (
     _huge_declaration,
     lambda content: resealed(content, put("functions/rows/terms/0", f"_1 = k**{10**30}")),
     lambda content: resealed(content, put("functions/rows/terms/0", f"_1 = 10**{10**30}")),

@@ -10,9 +10,6 @@ matplotlib = pytest.importorskip("matplotlib")
 matplotlib.use("Agg")
 from matplotlib import pyplot
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
-from matplotlib.patches import Patch
 from matplotlib.path import Path as Outline
 from matplotlib.text import Text
 from matplotlib.transforms import Bbox
@@ -49,7 +46,7 @@ def stem(request):
 @pytest.fixture
 def figure(stem, paper):
     """Each schematic."""
-    found: Figure = paper.figures[stem]
+    found = paper.figures[stem]
     return found
 
 
@@ -129,7 +126,7 @@ def test_no_line_crosses_a_label(figure):
     boxes = texts(figure)
     lines, patches = figure.axes[0].lines, figure.axes[0].patches
     dots = [line for line in lines if line.get_linestyle() == "None"]
-    edges: list[Line2D | Patch] = [*(line for line in lines if line not in dots), *patches]
+    edges = [*(line for line in lines if line not in dots), *patches]
     for edge in edges:
         for stroke, (label, box) in product(strokes(edge), boxes.items()):
             assert not stroke.intersects_bbox(box, filled=False), (label, edge)

@@ -1,7 +1,6 @@
 """What begins where a branch meets a border: proved, checked again, and seen by other means."""
 
 import copy
-from collections.abc import Callable
 from functools import cache
 from typing import Any
 
@@ -246,7 +245,7 @@ def fewer(beyond, kind, instant=""):
     ]
 
 
-FORGERIES: dict[str, tuple[Callable[[Any, Any], object], str | None]] = {
+FORGERIES = {
     "another side": (lambda _, beyond: beyond.update(side=OTHER[beyond["side"]]), "another side"),
     "its other side": (lambda _, beyond: beyond.update(own=OTHER[beyond["own"]]), "another side"),
     "another verdict": (lambda _, beyond: judged(beyond, "unstable"), "it is stable"),

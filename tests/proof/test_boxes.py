@@ -142,8 +142,8 @@ def test_forced_orbits_over_frequency_and_restitution():
 @pytest.mark.slow
 def test_states_are_kept_on_the_way(monkeypatch):
     """Ten seconds after the last one that was kept."""
-    kept: list[Any] = []
-    told: list[tuple[float, int]] = []
+    kept = []
+    told = []
 
     def passed(*share: Any) -> None:
         told.append(share)

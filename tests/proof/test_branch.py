@@ -2,7 +2,6 @@
 
 import json
 import random
-from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
@@ -103,7 +102,7 @@ def test_orbits_solved_anywhere_are_in_their_tubes_with_the_verdict(
 @pytest.mark.slow
 def test_progress_rises_to_all_of_it():
     """In between it is the part of the interval that the tiles so far cover."""
-    told: list[tuple[float, int]] = []
+    told = []
     orbit = ns.solve("dry-friction/symmetric", {"V": "1.07"})
     branch = ns.continue_orbit(orbit, "V", (1.06, 1.1))
     found = ns.certify.branch(branch, progress=lambda *now: told.append(now))
@@ -357,7 +356,7 @@ def call_it_admissible(content):
     content["tiles"][0]["before"] = "stable"
 
 
-ATTACKS: dict[str, Callable[[dict[str, Any]], object]] = {
+ATTACKS = {
     "not divided": lambda content: content["tiles"][0].update(divided=None),
     "divided by another": lambda content: content["tiles"][0].update(divided=2),
     "divided by none that is there": lambda content: content["tiles"][0].update(divided=3),
@@ -385,7 +384,7 @@ def test_an_end_that_claims_nothing_is_accepted():
 
 def test_of_many_phases_none_is_short_for_being_one_of_many():
     """All of 64 impacts last a 64th of the period; divided equations are not seen from frames."""
-    curve: Any = SimpleNamespace(
+    curve = SimpleNamespace(
         last=67, declared=SimpleNamespace(dwell=[""] * 64), divided=lambda place: place
     )
     point = [arb(0)] * 3 + [arb("2.2")] * 64 + [arb(1)]

@@ -75,7 +75,7 @@ def peak():
 
 
 HOT = Boundary("hot", A - THRESHOLD.symbol)
-COOLED: Any = {"source": "on", "boundaries": {"warm"}, "target": "on", "reset": {A: 0, B: 0}}
+COOLED = {"source": "on", "boundaries": {"warm"}, "target": "on", "reset": {A: 0, B: 0}}
 AROUND = "0.6", 0.3, 0.7  # where they are solved, and followed
 SYSTEMS = {
     # the other boundary is reached together with the one that ends the phase

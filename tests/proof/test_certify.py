@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any
 
 import numpy as np
 import pytest
@@ -18,7 +16,6 @@ import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.certified import FORCED, forced, loop
 from tests.explore import test_continuation_forced as impacts
 from tests.friction_sets import DATA
@@ -224,7 +221,7 @@ def back_in_time():
 
 OUTSIDE = "outside the unit circle"
 # of orbits that exist: a claim, its verdict, and a part of the reason
-VERDICTS: dict[str, tuple[Callable[[], Orbit], str, str, str]] = {
+VERDICTS = {
     "at a flip": (lambda: loop(r="-1"), "stability", "undecided", ""),
     "before a flip": (lambda: loop(r="-0.99999999"), "stability", "proved", ""),
     "behind a flip": (lambda: loop(r="-1.00000001"), "stability", "refuted", OUTSIDE),
@@ -317,8 +314,8 @@ def test_wrong_input():
 
 
 def test_what_is_no_orbit_is_refused_by_where_orbits_are():
-    found: Any = ns.find_orbits("dry-friction", DATA, n=2, transitions=60)
-    ask: tuple[Callable[[Any], object], ...] = (
+    found = ns.find_orbits("dry-friction", DATA, n=2, transitions=60)
+    ask = (
         ns.certify,
         lambda orbit: ns.refine(orbit, 20),
         lambda orbit: ns.continue_orbit(orbit, "V", (0.9, 1.1)),

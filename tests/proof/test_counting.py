@@ -95,7 +95,7 @@ class Line:
 
 def test_a_root_that_is_a_little_too_large_is_not_polished_away():
     """It keeps the coordinate that it has: neither another box nor one that is asked for."""
-    equations: Any = Line("1.00001")
+    equations = Line("1.00001")
     with flint_precision(64):
         found = CoveringBox(equations, ((-0.001, 0.0015),)).root
         assert found is not None
@@ -104,7 +104,7 @@ def test_a_root_that_is_a_little_too_large_is_not_polished_away():
         assert q.contains(arb("1.00001"))
         assert q > 1
         # as sharply as any other one
-        far: Any = Line("1.5")
+        far = Line("1.5")
         wide = CoveringBox(far, ((-0.001, 0.0015),))
         rough = SimpleNamespace(sides=wide.sides, unique=wide.sides, coordinates=[arb("1.5 +/- 1")])
         (side,) = wide._polished(rough).sides
@@ -116,7 +116,7 @@ def test_of_two_roots_that_may_be_one_the_surer_is_kept():
     small = SimpleNamespace(sides=((0.1, 0.2),), unique=((0.05, 0.25),))
     large = SimpleNamespace(sides=((0.3, 0.4),), unique=((0.0, 0.5),))
     for roots in ((small, large), (large, small)):
-        equations: Any = Line("1")
+        equations = Line("1")
         walk = Walk(equations)
         for root in roots:
             walk._add(root)
@@ -126,8 +126,8 @@ def test_of_two_roots_that_may_be_one_the_surer_is_kept():
 @pytest.mark.slow
 def test_all_orbits_of_the_paper_in_a_box():
     """And those of them whose last dwell time, which follows, is bounded too."""
-    told: list[float] = []
-    box: dict[str, Any] = {"tau": 3, "tau1": 10}
+    told = []
+    box = {"tau": 3, "tau1": 10}
     census = ns.certify.all(STICK, box=box, progress=told.append)
     assert census.decided
     assert f"exactly {len(census.orbits)} orbits" in census.statement
@@ -288,7 +288,7 @@ def by_brute_force(numbers, longest):
         found = found[:, (found[:2] > 0.01).all(axis=0) & (found[:2] < 2 * longest).all(axis=0)]
     found = found[:, (np.abs(residual(found)) < 1e-9).all(axis=0)]
     inside = np.round(found[:, (found[:2] <= longest).all(axis=0)], 6)
-    roots: list[Any] = []
+    roots = []
     for one in np.unique(inside, axis=1).T:
         if all(np.abs(one - other).max() > 1e-4 for other in roots):
             roots.append(one)

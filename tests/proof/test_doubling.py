@@ -1,7 +1,6 @@
 """Beyond a flip: the side and verdict of doubled orbits, against differences and the integrator."""
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
@@ -112,7 +111,7 @@ def test_time_and_an_interruption_along_the_doubled_branch_keep_what_is_proved(
     assert (short.ended, short.claims) == ("unfinished", {"doubling": "undecided"})
     assert "s that were given are over" in short.end
     assert len(short.branch.tiles) == 1
-    shares: list[float] = []
+    shares = []
 
     def stop(share: float, tiles: int) -> None:
         shares.append(share)
@@ -121,12 +120,12 @@ def test_time_and_an_interruption_along_the_doubled_branch_keep_what_is_proved(
 
     with pytest.raises(Interrupted) as stopped:
         ns.certify.doubling(branch, tiles=3, progress=stop, resume=short)
-    part: Any = stopped.value.partial
+    part = stopped.value.partial
     assert shares == sorted(shares)
     assert part.ended == "unfinished"
     assert 0 < len(part.doubled.branch.tiles) < 3
     assert accepted(part, tmp_path).claims == {"doubling": "proved"}
-    whole: Any = ns.certify.doubling(branch, tiles=3, resume=ns.load(tmp_path / "found.json"))
+    whole = ns.certify.doubling(branch, tiles=3, resume=ns.load(tmp_path / "found.json"))
     assert (whole.ended, whole.end) == ("complete", "")
     assert whole.kind == found.kind
     assert len(whole.doubled.branch.tiles) > len(part.doubled.branch.tiles)
@@ -175,9 +174,9 @@ def test_wrong_questions_are_refused(branch, found, words):
 def test_each_of_two_doublings_of_impacts_is_asked_for_by_itself(tmp_path):
     """The first flip in closed form; the second on the branch to which the first one leads."""
     branch = ns.continue_orbit(impacts.orbit(-0.05), "sigma", (-0.1, -0.032))
-    flips: list[float] = []
+    flips = []
     for impacted in (1, 2):
-        found: Any = ns.certify.doubling(branch, tiles=60)
+        found = ns.certify.doubling(branch, tiles=60)
         assert (found.claims, found.kind) == ({"doubling": "proved"}, "supercritical"), found.end
         assert [len(each.branch.itinerary) for each in (found, found.doubled)] == [
             impacted,

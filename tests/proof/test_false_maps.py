@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import partial
-from typing import Any
 
 import pytest
 
@@ -12,7 +10,7 @@ from tests.certified import believed, content_of, refused, signed
 from tests.proof import test_common_curves, test_fold_curves, test_regions, test_torus_curves
 
 BEYOND = test_fold_curves.BEYOND
-MAPS: dict[str, Callable[[], Any]] = {
+MAPS = {
     "flip": lambda: test_regions.small("flip"),
     "grazing": lambda: test_regions.small("grazing"),
     "fold": test_fold_curves.small,
@@ -24,7 +22,7 @@ MAPS: dict[str, Callable[[], Any]] = {
 def event_in(content):
     """The event of the largest tile that a curve passes near its middle."""
     tiles = [t for t in content["tiles"] if t["event"] and abs(t["event"]["centre"][0]) < 0.9]
-    found: dict[str, Any] = min(tiles, key=lambda t: sum(level for _, level in t["place"]))["event"]
+    found = min(tiles, key=lambda t: sum(level for _, level in t["place"]))["event"]
     return found
 
 
@@ -61,7 +59,7 @@ def both_exchanged(event):
 
 SOON = ("flip", "grazing")  # proved in a blink
 # of divided tiles by the kind of curve
-DIVIDED: dict[str, tuple[str, Callable[[dict[str, Any]], object], str]] = {
+DIVIDED = {
     "other sides of a flip": ("flip", exchanged, "other verdicts beside the event"),
     "other sides of a grazing": ("grazing", exchanged, "other verdicts|admissibility"),
     "another curve": ("grazing", partial(moved, away=0.01), "beside its band"),
@@ -89,7 +87,7 @@ DIVIDED: dict[str, tuple[str, Callable[[dict[str, Any]], object], str]] = {
         "grazing", lambda e: e.update(also=[["grazing", 1, "wall", "inside"]]), "border twice"
     ),
 }  # fmt: skip
-FOLDED: dict[str, tuple[Callable[[dict[str, Any]], object], str]] = {
+FOLDED = {
     "other sides": (exchanged, "a verdict on the side of no orbits"),
     "a curve that is moved": (moved, "beside the band"),
     "too narrow": (lambda e: e.update(radius=1e-13), "beside the band"),
@@ -115,7 +113,7 @@ FOLDED: dict[str, tuple[Callable[[dict[str, Any]], object], str]] = {
     "a phase": (lambda e: e.update(phase=1), "a phase"),
     "a flip": (lambda e: e.update(kind="flip"), "fold"),
 }  # fmt: skip
-TOGETHER: dict[str, tuple[Callable[[dict[str, Any]], object], str]] = {
+TOGETHER = {
     "a condition is left out": (lambda e: e["also"].pop(), "admissibility"),
     "an entry is left out": (lambda e: e["also"].pop(0), "admissibility"),
     "of another phase": (lambda e: e["also"][0].__setitem__(1, 4), "event|boundary|admissib"),

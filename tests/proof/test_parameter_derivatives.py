@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from fractions import Fraction
 
 import pytest
@@ -21,7 +20,6 @@ from nonsmooth.derive import (
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import load_system
-from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.certified import (
     LOOP,
     accepted,
@@ -108,7 +106,7 @@ def test_differences_of_refined_orbits(name):
             assert missed.upper() < 1e-14 * (1 + abs(slope)), (parameter, quantity)
 
 
-IRRATIONAL: dict[str, Callable[[], Orbit]] = {
+IRRATIONAL = {
     "three roots": lambda: loop(k="sqrt(2)", r="sqrt(2)/3", a="pi"),
     "a period": lambda: ns.solve("rigid-stop/one-impact", {"T": "2*pi", "k1": "sqrt(2)"}),
 }

@@ -167,7 +167,7 @@ def test_a_box_of_three_parameters_is_not_drawn():
         ns.certify.box(loop(), names).plot()
 
 
-SMALL: dict[str, tuple[dict[str, str], dict[str, tuple[str, str]]]] = {
+SMALL = {
     "flip": ({"r": "-19/20", "a": "3/5"}, {"r": ("-11/10", "-9/10"), "a": ("27/50", "7/10")}),
     "grazing": ({"r": "-1/2", "a": "7/10"}, {"r": ("-11/20", "-9/20"), "a": ("13/20", "7/10")}),
 }

@@ -1,8 +1,6 @@
 """The grazing of a rigid stop: the orbit with one impact more, against closed forms."""
 
-from collections.abc import Callable
 from functools import cache
-from typing import Any
 
 import mpmath
 import numpy as np
@@ -214,7 +212,7 @@ def squared(beyond):
 
 
 BOUNDS = "lower", "upper"
-FORGERIES: dict[str, tuple[Callable[[Any], object], str | None]] = {
+FORGERIES = {
     "the verdict": (lambda beyond: judged(beyond, "stable"), "it is unstable"),
     "the event": (earlier, "no event between"),
     "the restitution": (

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Callable
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
@@ -61,7 +59,7 @@ def elsewhere(content):
         transition["target"] = "contact-free"
 
 
-FALSE: dict[str, Callable[[Any], Any]] = {
+FALSE = {
     "one order twice": lambda content: renumbered(content, 2, 1),
     "another number": lambda content: renumbered(content, 2, 3),
     "no number": lambda content: renumbered(content, 1, 0),

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import random
 from fractions import Fraction
-from typing import Any
 
 import pytest
 import sympy as sp
@@ -312,7 +311,7 @@ START = ["5", "4", "0.5", "0.25"]
     ],
 )
 def test_wrong_input_is_named(changes, told):
-    asked: dict[str, Any] = {"system": "dry-friction", "parameters": FIRST, "state": START}
+    asked = {"system": "dry-friction", "parameters": FIRST, "state": START}
     with pytest.raises(InputError, match=told):
         certify.motion(**(asked | {"configuration": "slip-slip", "transitions": 1} | changes))
 

@@ -25,7 +25,7 @@ from nonsmooth.derive.equations.energy import is_conservative
 from tests.declared import Declared, random_points, single
 
 RIGID, ELASTIC = "rigid-stop/one-impact", "elastic-stop/one-contact"
-POINTS: list[tuple[str, dict[str, str]]] = [
+POINTS = [
     (RIGID, {}),
     (RIGID, {"T": "5"}),
     (RIGID, {"T": "6.95"}),  # unstable

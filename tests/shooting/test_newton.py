@@ -56,7 +56,7 @@ class Line:
 
 def test_points_of_a_batch_end_as_each_alone():
     """After steps of their own number, converged or not."""
-    kernels: Any = Line()
+    kernels = Line()
     roots = np.array([[0.5], [40.0], [-20.0], [1e-3], [np.nan], [3.0], [-1e-6], [1e9]])
     many = solve_reduced(kernels, roots, np.ones((8, 1)))
     alone = [solve_reduced(kernels, root, np.array([1.0])) for root in roots]
@@ -69,7 +69,7 @@ def test_points_of_a_batch_end_as_each_alone():
 @pytest.mark.parametrize("root", [3.0, 1e-3, 1e-8, -1e-12, -4e-10, -1e-6, -0.5, -20.0])
 def test_a_dwell_time_that_goes_below_zero_is_never_said_to_be_found(root):
     """Damping makes its steps small; only a whole small step is the last one."""
-    kernels: Any = Line()
+    kernels = Line()
     one = solve_full(kernels, {"tau": 1.0, "root": root}, ["tau"])
     found = [(one.status, one.values["tau"])]
     if abs(root) > 1e-9:  # the tolerance of reduced equations
@@ -84,7 +84,7 @@ def test_a_dwell_time_that_goes_below_zero_is_never_said_to_be_found(root):
 def test_a_phase_that_takes_no_time_or_less_is_no_orbit():
     ahead = np.array([0.25, 0.5, 0.75])  # of a dwell time that is computed
     for each, expected in zip(ahead, (0, 3, 3), strict=True):
-        kernels: Any = Line(ahead=each)
+        kernels = Line(ahead=each)
         found = solve_full(kernels, {"tau": 1.0, "root": 0.5}, ["tau"])
         assert found.status == expected
         assert solve_reduced(kernels, np.array([0.5]), np.array([1.0])).status == expected

@@ -50,7 +50,7 @@ def parts(seed, count, order, sign, stop=False):
     spread = sp.Matrix(count, count, lambda i, j: number(-0.5, 0.5))
     full = spread * spread.T if rng.random() < 0.5 else sp.zeros(count, count)
     mass = sp.diag(*[number(0.5, 2) for _ in names]) + full
-    elements: list[Any] = []
+    elements = []
     for i, name in enumerate(names):
         direction = {name: 1} if i == 0 else {name: 1, names[i - 1]: -1}
         kinetic = number(0.1, 0.5)

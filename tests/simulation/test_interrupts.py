@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import gc
 import signal
-from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from itertools import pairwise
@@ -52,7 +51,7 @@ def chart_threads():
     run_threads(work, range(4), 2, lambda done: None)
 
 
-CASES: dict[str, Callable[[], object]] = {
+CASES = {
     "a motion": lambda: ns.simulate(
         "dry-friction", RUBBING, [0.1, 0.2, 0.3, -0.1], until=1e9, transitions=10**8
     ),

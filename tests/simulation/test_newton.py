@@ -44,7 +44,7 @@ def rub(coordinate="x", kinetic=0.45, static=0.9, **options):
 WALL = RigidStop({"x": 1, "y": 0.5}, at=0.25, restitution=0.6, name="wall")
 GAP, FORCE = (soft(damping=0.8, released=released) for released in ("gap", "force"))
 TWO = (["x", "y"], MASS, STIFFNESS, DAMPING)
-CASES: dict[str, tuple[tuple[Any, ...], dict[str, Any], set[str]]] = {
+CASES = {
     # matrices, elements and forces, and words of configurations that are visited
     "load": (TWO, {"elements": [rub(OBLIQUE, *HARD, normal=FALLING_LOAD)], "forcing": WAVE},
              {"slip", "stick", "lifted"}),
