@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 from scipy.optimize import check_grad, least_squares, minimize
-from tests.face.functions import made
 
 from nonsmooth import InputError
+from tests.face.bridges import made
 
 
 @pytest.mark.parametrize("pulled", [True, False])
