@@ -24,8 +24,8 @@ _X = sp.Dummy("x")
 
 def _root(first: Any, *others: Any) -> Any:
     """The root of a number; of a polynomial with integer coefficients, as texts of values say."""
-    if len(others) < 2:
-        return sp.root(first, *others)
+    if len(others) == 1:
+        return _power(first, 1 / others[0])
     try:
         return sp.CRootOf(sp.Poly(others, _X), int(first))
     except IndexError:
@@ -34,11 +34,16 @@ def _root(first: Any, *others: Any) -> Any:
 
 def _exponential(value: Any) -> Any:
     """The exponential, which of a logarithm is a power."""
-    for term in sp.Add.make_args(value):
+    _check_logarithms(value)
+    return sp.exp(value)
+
+
+def _check_logarithms(exponent: Any) -> None:
+    """Refuse an exponential that is the power of an enormous number."""
+    for term in sp.Add.make_args(exponent):
         factor, inner = term.as_coeff_Mul()
         if isinstance(inner, sp.log):
             _power(inner.args[0], factor)
-    return sp.exp(value)
 
 
 _FUNCTIONS: dict[str, Callable[..., Any]] = {
@@ -142,6 +147,8 @@ def _power(base: Any, exponent: Any) -> Any:
     for factor in sp.Mul.make_args(base):
         number, inner = factor.as_base_exp()
         power = inner * exponent
+        if number is sp.E:
+            _check_logarithms(power)
         if number.is_Rational and power.is_Rational and abs(number) not in (0, 1):
             bits = max(abs(int(part)).bit_length() for part in (number.p, number.q))
             if bits * abs(power) > _LARGEST_POWER:

@@ -78,7 +78,7 @@ def settled(expression: Any) -> Any:
     if expression.is_Atom and not expression.is_number:
         return expression
     for number in expression.atoms(sp.Rational):
-        if max(abs(number.p), number.q) > 10**_MOST_DIGITS:
+        if max(abs(number.p), number.q) >= 10**_MOST_DIGITS:
             raise DeclarationError(f"it has a number of more than {_MOST_DIGITS} digits")
     return map_numbers(expression, _settled, _is_closed)
 
@@ -112,7 +112,7 @@ def _settled(number: Any) -> Any:
 
 
 def _largest_power(number: Any) -> Any:
-    """The largest exponent, in size, in a number.
+    """The largest power of a sum, in size, in a number.
 
     DeclarationError refuses a power that no double comes near; inner ones are looked at first.
     """
@@ -122,12 +122,12 @@ def _largest_power(number: Any) -> Any:
             logarithm = sp.N(part.args[0], 15)
         elif isinstance(part, sp.Pow) and part.is_number:
             base, exponent = (sp.N(each, 15) for each in part.args)
-            largest = max(largest, abs(exponent))
+            largest = max(largest, abs(exponent)) if part.base.is_Add else largest
             logarithm = exponent * sp.log(abs(base))
         else:
             continue
         if abs(logarithm).is_finite and abs(logarithm) > _LARGEST_LOGARITHM:
-            raise DeclarationError(f"{part} is beyond the range of doubles")
+            raise DeclarationError(f"{part} takes numbers beyond the range of doubles")
     return largest
 
 

@@ -180,14 +180,17 @@ def test_the_modes_sum_up_to_the_exponential(name):
     assert not modes.shapes[0].oscillates
     if name in ("forced", "resonance", "free chain", "light and stiff"):  # nothing drifts
         assert (modes.exponents[modes.exponents[:, 1] != 0, 0] == 0).any()
-    # some processors' kernels know a threefold eigenvalue of many masses to 1e-13
-    allowed = 1e-12 if name == "falling" else 1e-13 if len(field) > 12 else 4e-15
-    if name.startswith("free masses"):  # whose modes may be larger than their sum
-        allowed = 20 * np.finfo(float).eps * np.abs(modes.flows).sum(axis=0).max()
     speed = np.abs(np.linalg.eigvals(field[:, :-1])).max() or 1.0
     for angle in (0.0, 0.01, 1.0, 12.0, 100.0):
-        assert missed(field, modes, angle / speed, 1.0) <= allowed * (10 + angle)
-        keep_their_law(modes, angle / speed)
+        time = angle / speed
+        allowed = 4e-15 * (10 + angle)
+        if name.startswith("free masses"):  # whose modes may be larger than their sum
+            terms, rates = np.abs(modes.flows).sum(axis=0).max(), np.abs(field).sum(axis=1).max()
+            allowed = 20 * np.finfo(float).eps * (1 + time * rates) * terms
+        elif len(field) > 12:  # where zero is threefold some processors' kernels miss by 1.1e-12
+            allowed = (1e-11 if name == "falling" else 1e-12) * max(1.0, time / 20)
+        assert missed(field, modes, time, 1.0) <= allowed
+        keep_their_law(modes, time)
 
 
 SMALL = (
@@ -205,7 +208,9 @@ def nearly_met(small):
         late = 10.0 if damping in (small, critical) else 1000.0
         found.append((structure(1, damping, small, 1.0), 1e-12, late))
         for load in (0.0, 1.0):
-            found.append((structure(1, damping, small, load, 5, 1.7), 1e-12, late))
+            # Prescott's kernels miss a load beside the forcing by 1.8e-12
+            allowed = 3e-12 if load else 1e-12
+            found.append((structure(1, damping, small, load, 5, 1.7), allowed, late))
     one, near = np.random.default_rng(8).uniform(0.1, 1), max(small, 1e-9)
     for stiffness in ([small, one], [small, one * small], [1.0, 1 + near], [0.0, small]):
         field = structure(np.eye(2), np.zeros((2, 2)), np.diag(stiffness), [0.7, -0.4])

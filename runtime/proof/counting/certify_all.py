@@ -317,7 +317,7 @@ def certify_all(
         For wrong names, values or bounds, a conservative itinerary without its period, a border
         collision, or an orbit that is declared by a symmetry.
     Interrupted
-        By Ctrl-C in the search; its `partial` is a Census with the rest of the box undecided.
+        By Ctrl-C; its `partial` is a Census of what is proved, with the rest undecided.
 
     Examples
     --------
@@ -351,7 +351,7 @@ def certify_all(
             for search in searches:
                 search.go(limit - sum(other.looked for other in searches))
             count.certify_orbits(begin)
-    return count.census()
+            return count.census()
 
 
 class _Count:

@@ -175,10 +175,15 @@ class _Motion:
         length = _STEP / phase.fastest if phase.fastest else short
         try:
             self._arrive(length)
-        except TooWide:
+        except TooWide as trouble:
             if not short < length:
                 raise
-            self._arrive(short)  # what grows by no eigenvalue may come and go within a step
+            try:  # what grows by no eigenvalue may come and go within a step
+                self._arrive(short)
+            except Unlisted:
+                raise
+            except Failure:  # so many short steps decide nothing; more digits may
+                raise trouble from None
         return True
 
     def _arrive(self, length: float) -> None:
