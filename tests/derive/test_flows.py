@@ -260,7 +260,7 @@ def test_the_runtime_has_the_same_flow(name):
     start = np.random.default_rng(2).normal(size=len(system.states))
     (found,) = flow_states(point, 0, np.array([float(TIMES[0])]), start)
     wanted = np.array(reference(name, TIMES[0]).tolist(), dtype=float)[:-1] @ [*start, 1]
-    np.testing.assert_allclose(found, wanted, rtol=0, atol=2e-13 * np.abs(wanted).max())
+    np.testing.assert_allclose(found, wanted, rtol=0, atol=2e-14 * np.abs(wanted).max())
 
 
 def test_too_long_a_closed_form_is_refused_by_name():

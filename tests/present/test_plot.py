@@ -190,7 +190,7 @@ def test_histories_are_the_motion(of, kind):
         points = curve(axes, label)
         assert len(points) > 100
         inside = ~np.isin(points[:, 0] % end, breaks)
-        assert_allclose(points[inside, 1], motion(points[inside, 0])[:, place], atol=1e-11)
+        assert_allclose(points[inside, 1], motion(points[inside, 0])[:, place], atol=1e-12)
         assert label in axes.get_ylabel()
     assert axes.get_ylabel().startswith(noun)
     assert axes.get_xlabel().startswith("time $t$")
