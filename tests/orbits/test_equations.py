@@ -46,7 +46,7 @@ def test_a_branch_tells_of_each_point_what_its_orbit_tells(name):
             assert found.converged
             assert float(found.given[parameter]) == value
             assert branch.period[place] == pytest.approx(found.period, rel=1e-9)
-            assert branch.trace[place] == pytest.approx(found.trace, rel=1e-10, abs=1e-10)
+            assert branch.trace[place] == pytest.approx(found.trace, rel=1e-9, abs=1e-9)
             assert branch.admissible[place] == (found.admissibility.verdict is not False)
             sizes = np.sort(abs(branch.multipliers[place]))
             others = [abs(complex(m.real, m.imaginary)) for m in found.stability.multipliers
