@@ -175,6 +175,7 @@ def two(): """Nothing else."""
     assert functions(text) == {"One.short", "One.long", "One.long.inner"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("expression", "outcome"), [("less(1, 1)", mutate.NOTICED), ("less(2, 1)", mutate.SURVIVED)]
 )

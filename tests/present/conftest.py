@@ -37,8 +37,8 @@ class Paper:
         return (self.folder / name).read_text(encoding="utf-8")
 
 
-def written(folder, formulas, *, certified=False):
-    """Reproduce the paper with a few of its pictures, which take most of the time."""
+def written(folder, formulas, *, certified=False, pictures=()):
+    """Reproduce the paper; its pictures are empty but those that are named by their places."""
     figure = pytest.importorskip("matplotlib.figure")
     drawn = []
     twice = []
@@ -47,7 +47,7 @@ def written(folder, formulas, *, certified=False):
 
     def saved(own: Any, target: io.BytesIO, **options: Any) -> None:
         second = io.BytesIO()
-        if len(drawn) // 2 in DRAWN:
+        if len(drawn) // 2 in pictures:
             for file in (target, second):
                 save(own, file, **options)
         else:
@@ -58,9 +58,9 @@ def written(folder, formulas, *, certified=False):
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(figure.Figure, "savefig", saved)
         paths = writing.reproduce(folder, formulas, steps.append, certified=certified)
-    pictures = [path for path in paths if path.suffix in (".svg", ".png")]
-    figures = {path.stem: own for path, own in zip(pictures, drawn, strict=True)}
-    again = {path.name: file for path, file in zip(pictures, twice, strict=True) if file}
+    files = [path for path in paths if path.suffix in (".svg", ".png")]
+    figures = {path.stem: own for path, own in zip(files, drawn, strict=True)}
+    again = {path.name: file for path, file in zip(files, twice, strict=True) if file}
     return Paper(folder, figures, again, tuple(steps))
 
 
@@ -71,7 +71,8 @@ def paper(tmp_path_factory):
     for name in ("jinja2", "latex2mathml", "mdit_py_plugins"):
         pytest.importorskip(name)
     with matplotlib.rc_context({"figure.facecolor": "black", "text.color": "white"}):
-        return written(tmp_path_factory.mktemp("paper"), given_formulas, certified=True)
+        folder = tmp_path_factory.mktemp("paper")
+        return written(folder, given_formulas, certified=True, pictures=DRAWN)
 
 
 @pytest.fixture(scope="session")
