@@ -151,7 +151,7 @@ def _distinct(roots: np.ndarray) -> np.ndarray:
     """Return the first root of each cluster, in the order of the roots."""
     first = []
     while len(roots):
-        first.append(roots[0])
+        first.append(roots[0].copy())  # a view would keep all of `roots`
         apart = np.abs(roots - roots[0]) > 1e-7 * (1 + np.abs(roots[0]))
         roots = roots[apart.any(axis=-1)]
     return np.array(first).reshape(-1, roots.shape[-1])

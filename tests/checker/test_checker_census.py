@@ -89,7 +89,7 @@ def test_no_leaf_of_the_tree_can_be_changed(content, tmp_path):
     (tree,) = content["trees"]
     assert {*"ab-*"} <= {*tree}
     places = {letter: [k for k, x in enumerate(tree) if x == letter] for letter in {*tree}}
-    some = sorted({k for own in places.values() for k in (own[0], own[len(own) // 2], own[-1])})
+    some = sorted({k for own in places.values() for k in (own[0], own[-1])})
     for k in some:
         others = ["", *({*"-*?"} - {tree[k]})]
         for other in others:

@@ -155,8 +155,8 @@ def test_centres_outside_their_enclosures_are_refused(content):
             for by in (Fraction(-3, 2), Fraction(3, 2)):
                 changed = copy.deepcopy(content)
                 moved(changed["events"][place]["enclosures"][name], by)
-                told = f"event {place + 1}, {event['kind']}: {name} is not in its enclosure"
-                refused(changed, told)
+                changed["events"] = changed["events"][place:][:1]
+                refused(changed, f"event 1, {event['kind']}: {name} is not in its enclosure")
 
 
 @of_files(*BRANCHES)
@@ -164,7 +164,8 @@ def test_boxes_without_the_event_are_refused(content):
     for place, event in enumerate(content["events"]):
         for side in range(len(event["box"])):
             changed = copy.deepcopy(content)
-            moved(changed["events"][place]["box"][side], Fraction(3))
+            changed["events"] = changed["events"][place:][:1]
+            moved(changed["events"][0]["box"][side], Fraction(3))
             refused(changed)
     event = event_of(content, KINDS[content_name(content)][-1])
     for change in (

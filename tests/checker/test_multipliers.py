@@ -226,7 +226,12 @@ def ranges(kind):
         # i p and -i p
         ("flip", [["0", "-1"], ["1", "0"]], "there may be another event: neimark-sacker"),
         # 2 p and p / 2
-        ("neimark-sacker", [["2", "0"], ["0", "1/2"]], "two (multipliers may be|are) real"),
+        pytest.param(
+            "neimark-sacker",
+            [["2", "0"], ["0", "1/2"]],
+            "two (multipliers may be|are) real",
+            marks=pytest.mark.slow,
+        ),
     ],
 )
 def test_multipliers_that_pass_the_circle_otherwise_are_another_event(kind, pair, told):

@@ -285,10 +285,8 @@ def sampled(content, drawn, count):
     return [drawn.choice(group) for group in drawn.sample(list(groups.values()), count)]
 
 
-KINDS = [
-    pytest.param(name, marks=pytest.mark.slow) if name == "branch-vanishing" else name
-    for name in FILES
-]
+DEAR = "branch-vanishing", "census-derived", "map"
+KINDS = [pytest.param(name, marks=pytest.mark.slow) if name in DEAR else name for name in FILES]
 
 
 @pytest.mark.parametrize("name", KINDS)

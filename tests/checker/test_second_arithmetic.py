@@ -20,7 +20,10 @@ ORBITS = {
 }
 
 
-@pytest.fixture(scope="module", params=[*ORBITS])
+@pytest.fixture(
+    scope="module",
+    params=[pytest.param("global-stick", marks=pytest.mark.slow), "symmetric", "kicked"],
+)
 def file(request, tmp_path_factory):
     path = tmp_path_factory.mktemp("certificates") / "certificate.json"
     ns.certify(ORBITS[request.param]()).save(path)

@@ -17,7 +17,7 @@ import nonsmooth as ns
 from nonsmooth.jax import differentiable
 from tests.face.bridges import Bridge, Laws, made, refused_in_one_line
 
-MODES = ("both", "reverse")
+MODES = ("both", pytest.param("reverse", marks=pytest.mark.slow))
 
 
 @pytest.fixture
@@ -60,7 +60,7 @@ class TestJax(Laws):
 
 def test_large_batches_do_not_wait_for_each_other(jax):
     """A callback that used JAX itself could wait for the thread that runs it."""
-    function, x = differentiable(made()), np.ones((300_000, 2))
+    function, x = differentiable(made()), np.ones((50_000, 2))
     found = jax.jit(jax.grad(lambda x: function(2 * x).sum()))(x)
     assert_allclose(found[-1], [12.0, 4 + 2 * np.cos(2)], rtol=1e-14)
 
@@ -99,7 +99,7 @@ def test_the_gradient_of_an_orbit_is_that_of_its_function(jax):
     checked(function, x, rtol=1e-5, atol=1e-6)
 
 
-@pytest.mark.parametrize("mode", ["both", pytest.param("reverse", marks=pytest.mark.slow)])
+@pytest.mark.parametrize("mode", MODES)
 def test_the_gradient_behind_impacts_is_that_of_forty_digits(jax, mode):
     function = differentiable(gradients.motion(), mode=mode)
     x, expected = jax.numpy.array(gradients.POINT), gradients.reference(40)

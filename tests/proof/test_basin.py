@@ -60,6 +60,7 @@ def test_the_core_is_around_the_orbit_and_contracted(orbit, found):
     assert ((centre - side < images) & (images < centre + side)).all()
 
 
+@pytest.mark.slow
 def test_motions_from_boxes_come_to_smaller_ranks(found):
     random = np.random.default_rng(1)
     good = np.flatnonzero(found.ranks > 0)
@@ -74,6 +75,7 @@ def test_motions_from_boxes_come_to_smaller_ranks(found):
         assert 0 <= found.ranks[place_of] < found.ranks[number]
 
 
+@pytest.mark.slow
 def test_motions_from_tiles_come_to_the_orbit(orbit, found):
     random = np.random.default_rng(2)
     good = np.flatnonzero(found.attracted)
@@ -89,6 +91,7 @@ def test_motions_from_tiles_come_to_the_orbit(orbit, found):
         assert abs(motion.states[at[-1], 1] - x2) < 0.02
 
 
+@pytest.mark.slow
 def test_more_tiles_are_added_to_those_that_were_looked_at(orbit, found):
     tiles = int(found.looked.sum()) + 20
     more = ns.certify.basin(orbit, box=BOX, side=0.125, tiles=tiles, resume=found)
@@ -104,6 +107,7 @@ def test_more_tiles_are_added_to_those_that_were_looked_at(orbit, found):
         ns.certify.basin(orbit, box=shorter, side=0.125, tiles=20, resume=more)
 
 
+@pytest.mark.slow
 def test_a_share_is_that_of_the_box_which_was_asked_for(found):
     random = np.random.default_rng(8)
     some = replace(
@@ -192,6 +196,7 @@ def test_with_a_forcing_the_section_holds_all_states(impact, tmp_path):
         assert np.abs(end - centre).max() < 1e-2
 
 
+@pytest.mark.slow
 def test_no_basin_is_claimed_where_no_box_is_attracted(impact):
     found = ns.certify.basin(impact, box={"x": (-90, -80), "v": (0.045, 0.085)})
     assert found.claim == "undecided"
@@ -211,6 +216,7 @@ def test_an_orbit_that_is_not_stable_has_no_basin():
         found.plot()
 
 
+@pytest.mark.slow
 def test_an_attractor_beside_an_orbit_is_not_taken_for_it(orbit, found):
     met = orbit.trajectory().states[1, 1]
     assert abs(float(found.core.centre[0]) - met) < 1e-5

@@ -82,6 +82,7 @@ def test_a_contact_that_grazes_begins_to_stick(tmp_path):
     assert ns.load(tmp_path / "found.json").statement == found.statement
 
 
+@pytest.mark.slow
 def test_motions_beside_the_border_are_those_that_are_proved():
     """Simulated: a motion settles on the other itinerary below, the dwell time in its tube."""
     beyond = only(symmetric())

@@ -127,6 +127,7 @@ def test_a_tile_of_a_branch_is_divided(tmp_path):
     accepted(found, tmp_path)
 
 
+@pytest.mark.slow
 def test_a_tile_of_a_branch_that_is_not_joined(tmp_path):
     """The branch is given up where it is, on both sides, and the first tile stays."""
     with refusing("proof.branch.certify_branch.check_joint"):

@@ -72,6 +72,7 @@ def test_a_box_consists_of_regions_curves_and_one_open_corner():
     assert found.decided == 1 - hole.share
 
 
+@pytest.mark.slow
 def test_curves_are_those_of_the_closed_form():
     """Away from where they cross, in bands whose width is looked at above."""
     for k in range(25):
@@ -83,6 +84,7 @@ def test_curves_are_those_of_the_closed_form():
             assert told_at(corner(), {"r": r, "a": 1 / (1 - r)}) == ""
 
 
+@pytest.mark.slow
 def test_verdicts_at_random_points_are_the_true_ones():
     seen = set()
     for point in random_points(corner(), 5, 4):
@@ -95,6 +97,7 @@ def test_verdicts_at_random_points_are_the_true_ones():
     assert ("grazing", "not admissible") in seen
 
 
+@pytest.mark.slow
 def test_every_point_of_a_region_has_its_verdict():
     found = corner()
     for region in found.regions:
@@ -140,17 +143,14 @@ def test_maps_with_curves_are_kept_and_resumed(tmp_path):
     assert [r.verdict for r in whole.regions] == [r.verdict for r in once.regions]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("drawn", "labels"),
     [
         (corner, ("flip", "grazing", "stable, proved", "unstable, proved", "undecided box")),
-        pytest.param(
-            test_fold_curves.folded,
-            ("fold", "stable, proved", "beyond a fold, proved"),
-            marks=pytest.mark.slow,
-        ),
-        pytest.param(test_boxes.paper, ("stable, proved (100 %)",), marks=pytest.mark.slow),
-        pytest.param(test_boxes.line, ("unstable, proved",), marks=pytest.mark.slow),
+        (test_fold_curves.folded, ("fold", "stable, proved", "beyond a fold, proved")),
+        (test_boxes.paper, ("stable, proved (100 %)",)),
+        (test_boxes.line, ("unstable, proved",)),
     ],
 )
 def test_maps_are_drawn(drawn, labels):

@@ -56,7 +56,7 @@ def test_friction_agrees_with_60_digits():
     seen = set[str]()
     for data, fastest, seed, spread in ((FIRST, "1", 1, 60), (SECOND, "0.6773", 2, 20)):
         motion = DeclaredMotion(dry_friction.system, data)
-        for start in starts(seed, 4, Fraction(fastest), spread):
+        for start in starts(seed, 2, Fraction(fastest), spread):
             proof = certify.motion("dry-friction", data, start, "slip-slip", 16)
             assert proof.transitions == 16
             motion.agrees(proof, start, 1e-20)
@@ -108,10 +108,12 @@ TANGENT = FIRST | {"ur1": "2", "ur2": "10"}
 
 
 def test_an_exact_tangency_is_not_decided():
-    proof = certify.motion("dry-friction", TANGENT, tangent(Fraction(0)), "slip-stick", 1)
+    proof = certify.motion(
+        "dry-friction", TANGENT, tangent(Fraction(0)), "slip-stick", 1, most_bits=512
+    )
     assert not proof.decided
     assert proof.transitions == 0
-    assert proof.bits == 2048
+    assert proof.bits == 512
     assert proof.reason is not None
     assert "phase 1, slip-stick" in proof.reason
     assert "first-reaches-belt is reached tangentially" in proof.reason
@@ -211,7 +213,7 @@ def test_a_stop_that_is_barely_reached_is_not_passed_by(short, frequency):
     """Also where a second has very many of the steps in which motions are enclosed."""
     stop = RigidStop("x", at=1 - sp.Rational(short), restitution="1/2")
     system = oscillator("grazing", ["x"], [[1]], [[frequency**2]], elements=[stop])
-    proof = certify.motion(system, {}, {"x": 0, "v": frequency}, "free", 1)
+    proof = certify.motion(system, {}, {"x": 0, "v": frequency}, "free", 1, 512, most_bits=512)
     assert proof.decided == (short != "0")
     time = proof.times[1] if proof.decided else proof.instant
     assert time is not None

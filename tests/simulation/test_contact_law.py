@@ -107,7 +107,7 @@ def test_neither_order_nor_direction_of_a_declaration_matters(seed, count, stop)
         assert_allclose(end, ends[0][1], atol=1e-7 if stop else 1e-9)
 
 
-@pytest.mark.parametrize("order", [(0, 1), (1, 0)])
+@pytest.mark.parametrize("order", [pytest.param((0, 1), marks=pytest.mark.slow), (1, 0)])
 def test_motions_of_coupled_contacts_are_proved(order):
     system, start = declared(3, 2, order), np.array([0.5, -0.25, 0, 0, 1, 0])
     for sign in (1, -1):

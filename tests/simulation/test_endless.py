@@ -51,7 +51,10 @@ def followed(system, start, until):
 
 
 @pytest.mark.compiled
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(n, marks=[pytest.mark.slow] * (n == "approaches the stop")) for n in CASES],
+)
 def test_every_motion_ends_and_both_engines_say_how(name):
     system, start, until, status = CASES[name]
     ends = []

@@ -25,8 +25,8 @@ pytestmark = [
 GRAZING = dict(m1=1, m2=1, k1=2, k2=3, k3=1)
 STARTS = np.random.default_rng(0).normal(size=(40_000, 4))
 CONTACTS = [("free", "first-reaches-stop"), ("contact", "first-leaves-stop")]
-MANY = 1_000_000
-RINGS = 0.02  # seconds from one to the next
+MANY = 250_000
+RINGS = 0.01  # seconds from one to the next
 WAITING = ("threading.py", "_base.py")  # where who waits for threads may wait again and again
 
 

@@ -125,6 +125,7 @@ def test_motions_are_those_of_the_listed_system(make, seed):
     assert sum(len(compared(make, seed, made, s, 30).boundaries) for s in starts) >= 20
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("make", "start"),
     [
@@ -143,7 +144,9 @@ def test_special_starts_belong_where_the_listed_system_puts_them(make, start):
         assert_allclose(many.states[0], expected(until), atol=1e-11)
 
 
-@pytest.mark.parametrize("make", [rubbing, striking, mixed])
+@pytest.mark.parametrize(
+    "make", [striking, *(pytest.param(m, marks=pytest.mark.slow) for m in (rubbing, mixed))]
+)
 def test_a_start_anywhere_belongs_where_the_listed_system_puts_it(make):
     """Each with a system of its own, in which nothing was visited before."""
     rng, configurations = np.random.default_rng(11), set()
