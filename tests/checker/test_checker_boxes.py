@@ -405,7 +405,7 @@ def test_open_tiles_are_beyond_folds_where_nothing_else_is_beside_them(seed, ste
         bends = 2 * abs(centre[2]) + 3 * abs(centre[3])
         centre[1] = drawn.choice((-1, 1)) * (bends + 1 / 8 if steep else bends / 2)
         above, axis = drawn.choice(("beyond a fold", "stable")), drawn.choice((1, 2))
-        event = {"kind": "fold", "centre": centre, "radius": 1 / 16, "above": above, "axis": axis}
+        event = {"kind": "fold", "centre": centre, "radius": 5 / 16, "above": above, "axis": axis}
         events.append(drawn.choice((event, event, event, None)))
     beside = [set() for _ in places]
     true = [set() for _ in places]  # of what is beside open tiles, but open ones

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 from functools import cache
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 
 import nonsmooth
+from nonsmooth.runtime.explore.continuation.locating import locate_limits
 from nonsmooth.runtime.explore.intervals import admissible_intervals
 from tests.certified import loop
 from tests.core.test_result_files import composed as timed
@@ -72,6 +74,21 @@ def test_grazing_names_the_boundary_that_is_touched():
     assert slower.max() < event.value + 1e-9
     before, behind = math.floor(event.place), math.ceil(event.place)
     assert branch.admissible[before] != branch.admissible[behind]
+
+
+def test_a_limit_is_on_its_admissible_side_and_names_what_is_violated_beyond():
+    def violated(point):
+        return [SimpleNamespace(phase=0, boundary="wall")] if 3 * point[0] > 1 else []
+
+    curve = SimpleNamespace(
+        admissible=lambda points: np.array([not violated(points[0])]),
+        at=lambda point: SimpleNamespace(admissibility=SimpleNamespace(violations=violated(point))),
+        parameter="p", unknowns=("u",), phases=(("free", "wall"),),
+    )  # fmt: skip
+    track = SimpleNamespace(curve=curve, point=lambda row, share: np.array([share, 0.0]))
+    (limit,) = locate_limits(track, np.array([True, False]), [])
+    assert (limit.boundary, limit.unknowns) == ("wall", {"u": limit.place})
+    assert 1 / 3 - 1e-12 < limit.place <= 1 / 3
 
 
 def test_period_as_the_parameter():

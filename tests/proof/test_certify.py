@@ -16,6 +16,8 @@ import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.proof.certificate import Stated
+from nonsmooth.runtime.proof.motion.motion_proof import exactly
 from tests.certified import FORCED, forced, loop
 from tests.explore import test_continuation_forced as impacts
 from tests.friction_sets import DATA
@@ -71,9 +73,18 @@ def test_orbits_of_the_paper_are_certified(name, bits):
 
 @pytest.mark.parametrize("text", ["nan", "0 +/- inf", "+inf"])
 def test_a_ball_that_is_not_finite_has_no_decimals(text):
-    stated = type(certified(loop()).trace)
     with pytest.raises(ValueError, match="is not finite"):
-        stated.around(arb(text), 64)
+        Stated.around(arb(text), 64)
+
+
+@settings(max_examples=30)
+@given(st.fractions(-9, 9), st.fractions(0, 1), st.integers(-99, 99), st.integers(1, 4))
+def test_decimals_contain_their_ball(middle, radius, power, digits):
+    ball = arb(exactly(middle, ""), exactly(radius, "")) * arb(2) ** power
+    found = Stated.around(ball, 64, digits)
+    with flint_precision(2000):
+        middle, radius = (arb(exactly(text, "")) for text in (found.mid, found.rad))
+        assert abs(ball.mid() - middle) + ball.rad() <= radius
 
 
 def test_digits_beyond_those_of_pythons_integers(tmp_path):

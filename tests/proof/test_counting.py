@@ -78,6 +78,16 @@ def test_a_root_is_unique_only_inside_the_very_numbers_of_a_box():
     assert {(True, False), (False, False)} <= seen
 
 
+def test_that_there_are_not_two_roots_takes_slopes_between_any_two_points():
+    """Those from the middle tell of a root, and not that it is the only one."""
+
+    def linear(sides, *, between=False):
+        return over(arb_mat([[0]]), [arb_mat([[arb(1, 2 * between)]])], sides)
+
+    box = CoveringBox(SimpleNamespace(linear=linear), ((-1.0, 1.0),))
+    assert (box.image.unique, box.unique) == (True, False)
+
+
 class Line:
     """The equations q (1 + u) = u + size and u = 0, which have the root u = 0, q = size."""
 
