@@ -175,6 +175,16 @@ class Section:
         )
 
 
+def enforced_at(passage: Passage, system: System) -> sp.Matrix:
+    """Rows of the functions that are zero where a phase ends, its boundary's first."""
+    dynamics, states = passage.configuration.dynamics, system.states
+    rows = [passage.row, *(row_of(f, system) for f in passage.configuration.constraints)]
+    if isinstance(dynamics, SecondOrder):
+        for index, velocity in dynamics.held_at(states).items():
+            rows.append(row_of(states[len(states) // 2 + index] - velocity, system))
+    return sp.Matrix.vstack(*rows)
+
+
 @remembered
 def section_of(itinerary: Itinerary, phase: int = 0) -> Section:
     """The section at the start of a phase, counted from 0.
@@ -186,17 +196,12 @@ def section_of(itinerary: Itinerary, phase: int = 0) -> Section:
     first.
     """
     system, last = itinerary.presented_system, passages_of(itinerary)[phase - 1]
-    size, dynamics = len(system.states), last.configuration.dynamics
-    rows = [last.row, *(row_of(f, system) for f in last.configuration.constraints)]
-    if isinstance(dynamics, SecondOrder):
-        for index, velocity in dynamics.held_at(system.states).items():
-            rows.append(row_of(system.states[size // 2 + index] - velocity, system))
+    size, enforced = len(system.states), enforced_at(last, system)
     # elimination takes the first columns: the state in front, then states without a name
     named = set() if phase else set(itinerary.start)
     order = sorted(range(size), key=lambda i: (str(system.states[i]) in named, i))
-    enforced = sp.Matrix.vstack(*rows)
     before = sp.Matrix.vstack(enforced[:, :-1], last.reset)
-    behind = sp.Matrix.vstack(sp.zeros(len(rows), size), -sp.eye(size)[:, order])
+    behind = sp.Matrix.vstack(sp.zeros(enforced.rows, size), -sp.eye(size)[:, order])
     right = -sp.Matrix.vstack(enforced[:, -1], last.jump)
     augmented = sp.Matrix.hstack(before, behind, right).applyfunc(cancel)
     reduced, pivots = augmented.rref(simplify=cancel)

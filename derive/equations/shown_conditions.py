@@ -20,37 +20,35 @@ from nonsmooth.derive.declaration.transition import Condition, Transition
 from nonsmooth.derive.equations.section import (
     Passage,
     bordered,
+    enforced_at,
     is_zero,
     multiple_of,
     passages_of,
     row_of,
-    section_of,
     simplified,
 )
 
 
 def transition_unshown(itinerary: Itinerary) -> str | None:
     """The first boundary behind which an orbit's phases do not show where it leads, or None."""
-    for place, passage in enumerate(passages_of(itinerary)):
+    for passage in passages_of(itinerary):
         taken = passage.transition
         listed = [
             t
             for t in itinerary.presented_system.transitions
             if (t.source, t.boundaries) == (taken.source, taken.boundaries)
         ]
-        # of none that is listed the contact law decides
-        if len(listed) != 1 and not _shown(itinerary, place, passage, listed):
+        if not _shown(itinerary.presented_system, passage, listed):
             return passage.boundary
     return None
 
 
-def _shown(
-    itinerary: Itinerary, place: int, passage: Passage, listed: Sequence[Transition]
-) -> bool:
+def _shown(system: System, passage: Passage, listed: Sequence[Transition]) -> bool:
     """Whether the conditions of the taken transition hold, and those of earlier ones fail."""
-    system, taken = itinerary.presented_system, passage.transition
-    on_section = section_of(itinerary, (place + 1) % len(itinerary.phases)).inclusion
-    positive = list(_positive(system, passage, on_section))
+    taken = passage.transition
+    # the states that decide, in front of the reset: combinations of the columns
+    deciding = sp.Matrix.hstack(*enforced_at(passage, system).nullspace(simplify=cancel))
+    positive = list(_positive(system, passage, deciding))
 
     def signs(condition: Condition) -> Iterator[bool]:
         """Verdicts on whether a condition is met, one for each function that decides it."""
@@ -58,7 +56,7 @@ def _shown(
         for known, along in positive:
             if along is not None and along != condition.along:
                 continue
-            landed = simplified(row * on_section), simplified(known * on_section)
+            landed = simplified(row * deciding), simplified(known * deciding)
             for one, other in ((row, known), landed):
                 if _positive_factor(one, other, system):
                     yield condition.holds
@@ -69,14 +67,13 @@ def _shown(
         if transition == taken:
             return all(any(signs(condition)) for condition in transition.conditions)
         met = [set(signs(condition)) for condition in transition.conditions]
-        same = (transition.target, transition.reset) == (taken.target, taken.reset)
-        if not same and {False} not in met:
+        if {False} not in met:
             return False
-    return False
+    return False  # of none that is listed the contact law decides
 
 
 def _positive(
-    system: System, passage: Passage, on_section: sp.Matrix
+    system: System, passage: Passage, deciding: sp.Matrix
 ) -> Iterator[tuple[sp.Matrix, str | None]]:
     """Rows [n, c] of functions that are positive at a transition, in general.
 
@@ -85,13 +82,13 @@ def _positive(
     """
     yield passage.row, passage.configuration.name
     yield passage.row * passage.field, None
-    if not is_zero((passage.landing - sp.eye(passage.landing.rows)) * on_section):
+    if not is_zero((passage.landing - sp.eye(passage.landing.rows)) * deciding):
         return  # the next phase does not begin at the state that decides
     target = system.configuration(passage.transition.target)
     field = bordered(*target.dynamics.field(system.states), 0)
     for boundary in target.boundaries:
         row = row_of(boundary.function, system)
-        yield -(row * field if is_zero(row * on_section) else row), None
+        yield -(row * field if is_zero(row * deciding) else row), None
 
 
 def _positive_factor(one: sp.Matrix, other: sp.Matrix, system: System) -> bool:

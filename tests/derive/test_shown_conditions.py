@@ -1,42 +1,79 @@
 """Which orbits have transitions whose conditions their phases show."""
 
-import re
-
+import pytest
 import sympy as sp
 
-from nonsmooth.derive import Friction, Harmonic, Itinerary, Reference, RigidStop, oscillator
+from nonsmooth.derive import (
+    Boundary,
+    Condition,
+    Configuration,
+    FirstOrder,
+    Itinerary,
+    Parameter,
+    System,
+    Transition,
+)
 from nonsmooth.derive.codegen.derived import derive_system
+from nonsmooth.derive.equations.shown_conditions import transition_unshown
 
-S, E, W = sp.symbols("S E W", positive=True)
-REFERENCE = Reference({"S": "0.3", "E": "0.1", "W": "0.5"}, {"down": "6.2832", "up": "6.2832"})
-REVERSALS = [("slip", "ground-reaches-belt", "down"), ("overshoot", "ground-reaches-belt", "up")]
-
-
-def unshown(orbit):
-    """The boundary behind which the phases do not show where it leads: it has no kernels."""
-    reasons = [other.reason for other in derive_system(orbit.system, [orbit]).underived]
-    return [re.match("behind '(.*)' conditions decide", reason)[1] for reason in reasons]
+X, V, Y = STATES = sp.symbols("x v y", real=True)
+P, Q = Parameter("P", "not negative"), Parameter("Q", "of any sign", lower=-sp.oo)
 
 
-def rubbed(kinetic, static):
-    """A forced mass that reverses on ground and goes on at once."""
-    ground, forcing = Friction("x", kinetic, static, 0, name="ground"), Harmonic(W, cosine=[1])
-    system = oscillator("rubbed", ["x"], [[1]], [[1]], forcing=[forcing], elements=[ground])
-    return Itinerary("reversing", system, REVERSALS, reference=REFERENCE)
+def holds(function, along="rising"):
+    return Condition(function, along)
 
 
-def test_a_reversal_shows_that_kinetic_friction_is_overcome_and_not_static():
-    same = rubbed(S + E, S + E)
-    assert unshown(same) == []
-    more = rubbed(S, S + E)
-    assert unshown(more) == ["ground-reaches-belt"]
+def fails(function):
+    return Condition(function, "rising", holds=False)
 
 
-def test_an_impact_is_faster_than_rest():
-    stop = RigidStop("x", at=1, restitution=S, name="stop")
-    system = oscillator("struck", ["x"], [[1]], [[1]], elements=[stop])
-    orbit = Itinerary("one", system, [("free", "stop-reaches-stop", "T")])
-    assert unshown(orbit) == []
-    resting = [("free", "stop-reaches-stop", "T"), ("contact", "stop-leaves-stop", "rest")]
-    sticking = Itinerary("resting", system, resting)
-    assert unshown(sticking) == ["stop-reaches-stop"]
+@pytest.mark.parametrize(
+    ("shown", "conditions", "options"),
+    [
+        (True, [holds(X), holds(V), holds(V + X), holds(P.symbol * V), fails(-V - P.symbol)], {}),
+        *((False, [each], {}) for each in (fails(V), holds(Y), holds(X, along="falling"))),
+        *((False, [each], {}) for each in (holds(Q.symbol * V), fails(P.symbol - V))),
+        # the next phase begins in front of its boundary, or at once leaves it
+        (True, [holds(V + 1)], {}),
+        (True, [holds(3 - V)], {"ends": X}),
+        (False, [holds(V - 3)], {"ends": X}),
+        # what is reset decides as it was
+        (True, [holds(V)], {"reset": {V: -V / 2, Y: 0}}),
+        (False, [holds(V + 1)], {"reset": {V: -V / 2}}),
+        (False, [holds(V + Y)], {"reset": {Y: 0}}),
+        # of an earlier transition one condition has to fail
+        (True, [], {"earlier": [[holds(Y), fails(V)]]}),
+        (False, [], {"earlier": [[holds(V)]]}),
+        (False, [], {"earlier": [[holds(Y)]]}),
+    ],
+)
+def test_what_phases_show(shown, conditions, options):
+    """Where x has risen to zero v is positive; what falls then begins with x' = v - 3."""
+    rates = [[0, 1, 0], [0, 0, 0], [0, 0, -1]]
+    phases = [("rising", "rising", "T"), ("falling", "falling", "S")]
+    system = System(
+        "listed", "", STATES, (P, Q),
+        tuple(
+            Configuration(name, FirstOrder(rates, loads), (Boundary(name, end),))
+            for name, loads, end in (
+                ("rising", [0, 1, 1], X),
+                ("falling", [-3, -1, 1], options.get("ends", -1 - V)),
+                ("away", [0, 1, 1], -X - 2),
+            )
+        ),
+        (
+            *(
+                Transition("rising", {"rising"}, "away", each)
+                for each in options.get("earlier", ())
+            ),
+            Transition("rising", {"rising"}, "falling", conditions, options.get("reset", {})),
+            Transition("falling", {"falling"}, "rising"),
+            Transition("away", {"away"}, "rising"),
+        ),
+    )  # fmt: skip
+    orbit = Itinerary("orbit", system, phases)
+    assert (transition_unshown(orbit) is None) is shown
+    if not shown:  # it has no kernels
+        (other,) = derive_system(system, [orbit]).underived
+        assert other.reason.startswith("behind 'rising' conditions decide")

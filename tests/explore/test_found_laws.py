@@ -12,6 +12,7 @@ import nonsmooth as ns
 from nonsmooth import InputError, find_orbits
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, SoftStop, oscillator
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
+from nonsmooth.runtime.present.answers import result_json
 from tests.explore.listed import check_listed
 from tests.explore.test_escape import (
     EQUILIBRIUM,
@@ -357,6 +358,22 @@ def test_mirror_images_are_marked():
         assert entry.period == pytest.approx(other.period, rel=1e-12)
         images = sorted(swapped[boundary] for _, boundary in entry.itinerary)
         assert images == sorted(boundary for _, boundary in other.itinerary)
+
+
+def test_places_of_mirror_images_count_the_orbits_first():
+    """Between soft stops with an equilibrium each, and walls that keep what grows."""
+    soft, walls = (
+        [build({"x": sign}, place, strength, name=f"{name}-{place}")
+         for sign, name in ((1, "right"), (-1, "left"))]
+        for build, place, strength in ((SoftStop, 1, 4), (RigidStop, 2, "1/2"))
+    )  # fmt: skip
+    system = one_mass("two-wells", *soft, *walls, damping="-1/5", stiffness=-1)
+    told = result_json(find_orbits(system, {}, 4, transitions=60, rng=1))
+    entries = [*told["orbits"], *told["equilibria"]]
+    assert told["orbits"]
+    (image,) = (entry for entry in told["equilibria"] if entry["mirror_of"])
+    other = entries[image["mirror_of"] - 1]["state"]
+    assert float(image["state"]["x"]) == -float(other["x"]) != 0
 
 
 def test_no_orbit_has_an_image_without_a_symmetry():

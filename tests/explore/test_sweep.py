@@ -136,6 +136,14 @@ def test_a_start_inside_the_stop_is_told():
         )  # fmt: skip
 
 
+def test_a_stroboscope_waits_for_its_phase_in_either_sense():
+    w = Parameter("w", "speed of the forcing", lower=-sp.oo)
+    system = one_mass("turned", damping="1/10", forces={w.symbol: 1}, parameters=[w])
+    diagram = sweep(system, {}, "w", [1, -1], {"x": 0, "v": 0}, state="s1", phase=2.0,
+                    transient=3, samples=5)  # fmt: skip
+    np.testing.assert_allclose(diagram.samples, np.sin(2), atol=1e-12)
+
+
 @pytest.mark.parametrize("phase", [0.0, 2.0, 4.0])
 def test_a_stroboscope_goes_on_from_a_mass_that_rests_on_a_stop(phase):
     """Impacts accumulate; the stop that is swept reaches the resting mass or leaves it behind."""

@@ -32,6 +32,7 @@ def shaken(kind):
     Together both are boundaries of `early`; else the first one's is. Then a phase without
     duration follows, and of the second one it is asked whether it rises then; or it is a
     boundary of what follows, where it falls from the zero that it has but for rounding.
+    Or that phase begins beyond its boundary, whose function is known not to be zero.
     """
     u, a, _, p, _, k = states = sp.symbols("u a b p q k", real=True)
     height = sp.Symbol("height", positive=True)
@@ -58,7 +59,7 @@ def shaken(kind):
     else:
         still = FirstOrder(sp.zeros(6), [0, 0, 0, 0, 0, 1])
         begins = Configuration("early", moving, (one,)), Configuration("still", still, (now,))
-        rises = Condition(second, along="right")
+        rises = Condition(k if kind == "beyond" else second, along="right")
         transitions = (
             Transition("early", {"one"}, "still"),
             Transition("still", {"now"}, names[1], conditions=(rises,)),
@@ -74,14 +75,28 @@ def shaken(kind):
     )
 
 
-@pytest.mark.parametrize("kind", ["together", "rises", "falls", "falls behind"])
+@pytest.mark.parametrize("kind", ["together", "rises", "falls", "falls behind", "beyond"])
 def test_what_is_zero_at_one_instant_is_one_event(kind, backend):
     rng, slow = np.random.default_rng(3), 4 if kind == "falls behind" else 2
     for height, angle in rng.uniform([1.8, 0], [2.2, 6], (8 if backend == "c" else slow, 2)):
         cosine, sine = np.cos(angle), np.sin(angle)
-        start = dict(u=0, a=cosine, b=sine, p=3 * cosine, q=3 * sine, k=0)
+        start = dict(u=0, a=cosine, b=sine, p=3 * cosine, q=3 * sine, k=int(kind == "beyond"))
         motion = ns.simulate(shaken(kind), {"height": height}, start, until=30)
         assert motion.configurations[-1] == "right"
+
+
+def test_a_top_is_reached_where_another_boundary_is_crossed(backend):
+    x, a, _ = states = sp.symbols("x a b", real=True)
+    moving = FirstOrder([[0, 0, 0], [0, 0, 1], [0, 0, 0]], [1, 0, -2])
+    ends = Boundary("crossed", x - 1), Boundary("top", a, "reached")
+    both = {end.name for end in ends}
+    system = System(
+        "topped", "", states, (),
+        (Configuration("early", moving, ends), Configuration("late", moving, ())),
+        (Transition("early", both, "late"),),
+    )  # fmt: skip
+    motion = ns.simulate(system, {}, {"x": 0, "a": -1, "b": 2}, until=2)
+    assert motion.configurations == ("early", "late")
 
 
 def struck(seed, *, far_first):

@@ -297,10 +297,10 @@ def _at_phase(kernels: SystemKernels, diagram: Sweep, here: slice, threads: int 
         possible = True
         (cosine, sine), *_ = system.structure.forcing
         speed = float(system.forcing_speeds[0])
-        angle = np.arctan2(start[sine], start[cosine])
-        wait = float((diagram.phase or 0.0) - angle) % (2 * np.pi)
-        times = (wait + 2 * np.pi * (diagram.transient + np.arange(taken))) / speed
-        run = follow_motion(system, start, chosen, float(times[-1] + 2 * np.pi / speed))
+        angle, period = np.arctan2(start[sine], start[cosine]), 2 * np.pi / abs(speed)
+        wait = float(((diagram.phase or 0.0) - angle) / speed) % period
+        times = wait + period * (diagram.transient + np.arange(taken))
+        run = follow_motion(system, start, chosen, float(times[-1] + period))
         reached = times <= run.end if run.status != Status.QUIET else np.full(taken, True)
         phases = np.searchsorted(run.times, times[reached], side="right") - 1
         since, passed = times[reached] - run.times[phases], run.configurations[phases]
