@@ -12,7 +12,7 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.completion import complete
 from nonsmooth.runtime.model.kernels import OrbitKernels, load_orbit
-from nonsmooth.runtime.orbits.one_point import solve_kernels
+from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
 from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.shooting.newton import CONVERGED, SINGULAR, STATUS
 

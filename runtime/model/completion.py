@@ -108,7 +108,7 @@ def _reference_point(kernels: OrbitKernels, without: frozenset[str]) -> Point:
 
 def _completed(kernels: OrbitKernels, given: Mapping[str, object], without: set[str]) -> Point:
     """Check and complete the given parameters; `without` grows by what is always solved for."""
-    known = {name: number_of(name, value) for name, value in given.items()}
+    known = {name: number_of(f"parameter {name}", value) for name, value in given.items()}
     tables = kernels.tables
     for name, value in known.items():
         if name not in tables:

@@ -83,7 +83,7 @@ def value_of(table: ParameterTable, given: object) -> Value:
 
     Raises `InputError` if it is no number or outside the domain.
     """
-    value = number_of(table.name, given)
+    value = number_of(f"parameter {table.name}", given)
     check_domain(table, value)
     return value
 
@@ -91,12 +91,12 @@ def value_of(table: ParameterTable, given: object) -> Value:
 def number_of(name: str, given: object) -> Value:
     """The value that is given for a name as a number, its text or a Value.
 
-    Raises `InputError` if it is no number; the message gives the name.
+    Raises `InputError` if it is no number; the message begins with the name.
     """
     try:
         return as_value(given)
     except InputError as error:
-        raise InputError(f"parameter {name}: {error}") from None
+        raise InputError(f"{name}: {error}") from None
 
 
 def check_domain(table: ParameterTable, value: Value) -> None:

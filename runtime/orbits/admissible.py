@@ -309,6 +309,21 @@ def kernel_limits(
     return np.asarray(limit), bounds
 
 
+def kernels_allow(
+    kernels: OrbitKernels, points: np.ndarray, unknowns: np.ndarray, opened: Mapping[str, Any]
+) -> np.ndarray:
+    """Return which orbits (count,) are motions of the real system, as `kernel_limits` takes them.
+
+    The values of open parameters, as far as they are given, have to exceed their bounds.
+    """
+    limit, bounds = kernel_limits(kernels, points, unknowns)
+    allowed = limit == NEITHER
+    for column, table in enumerate(kernels.open_parameters):
+        if table.name in opened:
+            allowed &= float(opened[table.name]) > bounds[:, column]
+    return np.asarray(allowed)
+
+
 def _admissible_numpy(
     kernels: OrbitKernels, points: np.ndarray, unknowns: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:

@@ -18,7 +18,7 @@ from nonsmooth.runtime.core.arguments import checked_methods
 from nonsmooth.runtime.core.differentiable import DifferentiableFunction
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, chosen_names, unknown_name
 from nonsmooth.runtime.core.values import Value, as_value
-from nonsmooth.runtime.orbits.one_point import solve_kernels
+from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit, check_converged
 from nonsmooth.runtime.orbits.problem import labelled_as
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary

@@ -26,7 +26,7 @@ from nonsmooth.runtime.events.leading_derivative import derivatives, leading
 from nonsmooth.runtime.model.factored_flows import FactoredFlows
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at, tables_at
 from nonsmooth.runtime.model.time_functions import functions_at
-from nonsmooth.runtime.orbits.admissible import NEITHER, kernel_limits, trigonometric_rows
+from nonsmooth.runtime.orbits.admissible import NEITHER, kernels_allow, trigonometric_rows
 from nonsmooth.runtime.orbits.kernel_problem import has_reciprocal_pair
 from nonsmooth.runtime.orbits.motion import Motion
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
@@ -315,12 +315,8 @@ class KernelEquations(OrbitEquations):
     def admissible(self, z: np.ndarray) -> np.ndarray:
         """See `OrbitEquations`."""
         parameters, _, unknowns = self._arguments(z)
-        limit, bounds = kernel_limits(self._kernels, parameters, unknowns)
-        allowed = (limit == NEITHER) & (self.dwell(z) > 0).all(axis=-1)
-        for column, table in enumerate(self._kernels.open_parameters):
-            if table.name in self.orbit.opened:
-                allowed &= float(self.orbit.opened[table.name]) > bounds[:, column]
-        return np.asarray(allowed)
+        allowed = kernels_allow(self._kernels, parameters, unknowns, self.orbit.opened)
+        return allowed & (self.dwell(z) > 0).all(axis=-1)
 
     def at(self, z: np.ndarray) -> Orbit:
         """See `OrbitEquations`."""

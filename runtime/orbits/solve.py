@@ -26,14 +26,16 @@ from nonsmooth.runtime.model.kernels import (
 )
 from nonsmooth.runtime.model.loading.declared import DeclaredOrbit, DeclaredSystem
 from nonsmooth.runtime.model.parameters import parameter_points
-from nonsmooth.runtime.orbits.kernel_many import CHUNK, KernelPoints
+from nonsmooth.runtime.orbits.kernel_solve import CHUNK, KernelPoints, solve_kernels
 from nonsmooth.runtime.orbits.many_derivatives import derivatives_of_many
-from nonsmooth.runtime.orbits.one_point import Itinerary, guess_along, solve_kernels
 from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit, Orbits, changed, reshaped
 from nonsmooth.runtime.orbits.refine import check_digits, refine
 from nonsmooth.runtime.orbits.table_many import Arrays, TablePoints, solve_itineraries
 from nonsmooth.runtime.orbits.table_solve import (
+    Guess,
+    Itinerary,
     Symmetries,
+    guess_along,
     period_in,
     solve_declared,
     solve_itinerary,
@@ -206,15 +208,15 @@ def declared_kernels(orbit: OrbitKernels, key: str | None = None) -> DeclaredPoi
 def _from_reference(orbit: OrbitKernels, own: OrbitKernels) -> DeclaredPoints | None:
     """Return kernels that begin where the composed orbit begins; None if they do not find it."""
     known = solve_declared(orbit, {})
-    guess = {name: repr(float(known.unknowns[name])) for name in own.unknowns}
+    values = {name: float(known.unknowns[name]) for name in own.unknowns}
+    guess = {name: repr(value) for name, value in values.items()}
     reference = {**own.table["reference"], "guess": guess}
     table = SavedTable(own.name, own.address, {**own.table, "reference": reference})
     kernels = replace(own, saved=table)
     found = solve_kernels(kernels, throw=False)
     same = all(
         abs(found.unknowns[name] - value) <= _SAME * max(1, abs(value))
-        for name, value in known.unknowns.items()
-        if name in own.unknowns
+        for name, value in values.items()
     )
     return DeclaredPoints(orbit, known, kernels) if same else None
 
@@ -223,19 +225,14 @@ OrbitPoints = KernelPoints | TablePoints
 
 
 @cache
-def points_of(
-    kernels: OrbitKernels, given: tuple[str, ...], own: DeclaredPoints | None = None
-) -> OrbitPoints:
+def points_of(kernels: OrbitKernels, given: tuple[str, ...]) -> OrbitPoints:
     """Return an orbit at many points, where what is fixed or swept has the names `given`.
 
-    `own` are compiled kernels that stand in for the tables of a composed orbit.
     `InputError` is raised for an orbit that cannot be found at many points at once.
     """
     if kernels.derived:
         return KernelPoints(kernels, given)
     _check(kernels)
-    if own is not None:
-        return own
     try:
         return TablePoints(kernels, solve_declared(kernels, {}))
     except NoConvergence as problem:
@@ -305,7 +302,7 @@ def solve(
 def solve(
     orbit: AnyOrbit,
     parameters: Mapping[str, object] | None = None,
-    guess: Sequence[Any] | np.ndarray | Mapping[str, Any] | None = None,
+    guess: Guess = None,
     *,
     itinerary: Itinerary | None = None,
     symmetry: Symmetries = None,
@@ -493,20 +490,11 @@ def _solve_many(
     if wrong := [name for name, is_given in beside.items() if is_given]:
         raise InputError(f"{' and '.join(wrong)}: of an itinerary only, beside its system")
     known = orbit if isinstance(orbit, OrbitKernels) else load_orbit(orbit)
-    points, values = _named_points(known, values)
-    return points.solve(values, chunk=counts["chunk"], **options)
-
-
-def _named_points(
-    known: OrbitKernels, values: dict[str, Any]
-) -> tuple[OrbitPoints, dict[str, Any]]:
-    """Return what solves for a named orbit at many points, and the values that it takes.
-
-    Wrong names and shapes are refused before anything is compiled.
-    """
     if known.derived:
-        return KernelPoints(known, worth=True), values
-    _check(known)
-    values = {**known.table["reference"]["parameters"], **values}
-    parameter_points(known.system, values)
-    return points_of(known, (), declared_kernels(known)), values
+        points: OrbitPoints = KernelPoints(known, worth=True)
+    else:  # wrong names and shapes are refused before anything is compiled
+        _check(known)
+        values = {**known.table["reference"]["parameters"], **values}
+        parameter_points(known.system, values)
+        points = declared_kernels(known) or points_of(known, ())
+    return points.solve(values, chunk=counts["chunk"], **options)

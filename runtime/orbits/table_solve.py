@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, unknown_name
-from nonsmooth.runtime.core.values import Value, as_value
+from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.events.transition_choice import Decider
 from nonsmooth.runtime.model.contacts.law import HOLDING, ContactEvent, Law
 from nonsmooth.runtime.model.contacts.stages import Path, Stage
@@ -27,7 +27,7 @@ from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, grown
 from nonsmooth.runtime.model.naming import start_names
-from nonsmooth.runtime.model.parameters import system_parameters
+from nonsmooth.runtime.model.parameters import number_of, system_parameters
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.model.structure import FORCING_PHASE, Structure, structure_of
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
@@ -47,10 +47,13 @@ from nonsmooth.runtime.shooting.symmetry import (
 )
 from nonsmooth.runtime.shooting.table_newton import digits_of, fitting_start, solve_shape, unsolved
 from nonsmooth.runtime.shooting.translations import up_to_shift
+from nonsmooth.runtime.simulation.recurrence import Recurrence
 
 CONTINUATION_STEPS = 24  # from a reference orbit to other parameters
 
 _Phases = Sequence[tuple[str, str | Sequence[str]]]
+Guess = Sequence[Any] | np.ndarray | Mapping[str, Any] | None
+Itinerary = _Phases | Recurrence
 Symmetries = Mapping[str, str] | np.ndarray | Sequence[Sequence[int]] | None
 
 
@@ -150,9 +153,62 @@ def period_in(
     return (given or {}).get(PERIOD)
 
 
+def guess_along(
+    kernels: SystemKernels, itinerary: Itinerary, guess: Any
+) -> tuple[Sequence[tuple[str, str]], Any, Any]:
+    """Return the phases, guesses (..., p) of their dwell times, and (..., N) of the start or None.
+
+    A guess is (..., p) or (..., p + N), or by name; a Recurrence in place of the
+    itinerary brings its guess with it. `InputError` is raised if there is no guess, or
+    one of the wrong length.
+    """
+    phases: Sequence[Any] = itinerary
+    if isinstance(itinerary, Recurrence):
+        phases = itinerary.itinerary
+        if guess is None:
+            guess = np.concatenate([itinerary.dwell_times, itinerary.start])
+    if isinstance(phases, str) or not isinstance(phases, Sequence):
+        raise InputError("an itinerary is a sequence of (configuration, boundary)")
+    if not phases:
+        raise InputError("an itinerary of no phase")
+    if guess is None:
+        raise InputError("an itinerary takes a guess: the dwell time of each phase")
+    states = kernels.table["states"]
+    count, size = len(phases), len(states)
+    if isinstance(guess, Mapping):
+        guess = _in_order(guess, count, states)
+    try:
+        values = np.asarray(guess, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError("the guess holds something else than real numbers") from None
+    width = np.atleast_1d(values).shape[-1]
+    if width not in (count, count + size):
+        raise InputError(
+            f"the guess has {width} values: it takes {count}, a dwell time for each phase,"
+            f" or {count + size}, these and the start: {', '.join(states)}"
+        )
+    if width == count:
+        return phases, values, None
+    return phases, values[..., :count], values[..., count:]
+
+
+def _in_order(guess: Mapping[str, Any], count: int, states: Sequence[str]) -> list[Any]:
+    """Return a guess by name, tau1 to taup and all states or none, as a list in order."""
+    dwell = [f"tau{place + 1}" for place in range(count)]
+    for name in guess:
+        if name not in dwell and name not in states:
+            raise unknown_name("variable", name, [*dwell, *states])
+    if missing := [name for name in dwell if name not in guess]:
+        raise InputError(f"the guess has no {', '.join(missing)}")
+    start = [guess[name] for name in states if name in guess]
+    if start and len(start) < len(states):
+        raise InputError(f"the guess has some states only: it takes all, {', '.join(states)}")
+    return [*(guess[name] for name in dwell), *start]
+
+
 def named_guess(
     kernels: OrbitKernels,
-    guess: Sequence[Any] | np.ndarray | Mapping[str, Any] | None,
+    guess: Guess,
     names: Sequence[str],
     least: int,
     others: Mapping[str, str],
@@ -178,7 +234,7 @@ def named_guess(
         if name not in allowed:
             raise unknown_name("variable", str(name), [*dict.fromkeys((*names, *others.values()))])
     known = {**(reference["guess"] if reference else {}), **given}
-    return {others.get(n, n): float(value_of(n, x)) for n, x in known.items() if n in allowed}
+    return {others.get(n, n): float(number_of(n, x)) for n, x in known.items() if n in allowed}
 
 
 def phases_and_dwell(
@@ -194,14 +250,6 @@ def phases_and_dwell(
             " tells them (nonsmooth.itinerary_of)"
         )
     return [(c, boundary) for c, boundary, _ in table], [named[name] for _, _, name in table]
-
-
-def value_of(name: str, given: object) -> Value:
-    """Return a value; the message of the `InputError` begins with its name."""
-    try:
-        return as_value(given)
-    except InputError as problem:
-        raise InputError(f"{name}: {problem}") from None
 
 
 def unknowns_of(kernels: OrbitKernels) -> tuple[str, ...]:
@@ -230,7 +278,7 @@ def whole_names(kernels: OrbitKernels, count: int) -> tuple[str, ...]:
 def solve_declared(
     kernels: OrbitKernels,
     parameters: Mapping[str, object],
-    guess: Sequence[Any] | np.ndarray | Mapping[str, Any] | None = None,
+    guess: Guess = None,
     *,
     unknown: Iterable[str] = (),
     given: Mapping[str, object] | None = None,

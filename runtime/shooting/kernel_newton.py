@@ -120,29 +120,28 @@ def _steps(jacobian: np.ndarray, residual: np.ndarray) -> np.ndarray:
     return steps
 
 
-class Full(NamedTuple):
-    """Values of all parameters and unknowns, and how the full equations were solved."""
+class PointSolution(NamedTuple):
+    """All numbers x (n + p,) of one point, unknowns, then parameters, and how they were found."""
 
-    values: dict[str, float]
+    x: np.ndarray
     residual: float
     iterations: int
     status: int
-    error: float
+    error: float  # in units of max(1, |x|); inf where nothing has converged
 
 
-def solve_full(kernels: OrbitKernels, values: dict[str, float], solved_for: Sequence[str]) -> Full:
+def solve_full(kernels: OrbitKernels, x: np.ndarray, places: Sequence[int]) -> PointSolution:
     """Solve the full equations by damped Newton's method, for any choice of unknowns.
 
-    `values` has all parameters and unknowns: those in `solved_for`, as many as equations, are a
-    guess, the rest stay. Raises `InputError` if the equations do not determine these names: if
+    Of all unknowns and parameters x (n + p,) those at the places, as many as equations, are a
+    guess; the rest stay. Raises `InputError` if the equations do not determine these: if
     the Jacobian's condition number is beyond 1e12, or no digit of a solution is certain (as
     where the only solution is zero).
     """
-    names = (*kernels.unknowns, *kernels.parameter_names)
-    places = [names.index(name) for name in solved_for]
-    timed = np.array([name in kernels.dwell_times for name in solved_for])
+    names, x = (*kernels.unknowns, *kernels.parameter_names), np.array(x, dtype=float)
+    sought = [names[place] for place in places]
+    timed = np.array([name in kernels.dwell_times for name in sought])
     count = len(kernels.unknowns)
-    x = np.array([values[name] for name in names], dtype=float)
     residual, jacobian = np.full(count, np.nan), np.full((count, count), np.nan)
 
     def advance(_: np.ndarray) -> list[int]:
@@ -164,23 +163,35 @@ def solve_full(kernels: OrbitKernels, values: dict[str, float], solved_for: Sequ
     with np.errstate(all="ignore"):
         (iterations,), (status,) = (ended.tolist() for ended in iterate(1, advance))
     if status != INVALID and (condition := _condition_number(jacobian)) > MOST_CONDITION:
-        raise _undetermined(solved_for, condition)
-    missed, error = float(np.abs(residual).max()), np.inf
-    if status == CONVERGED:
-        missed, error, status = judged_at(kernels, x, places)
-        if not error < DETERMINED:
-            jacobian = equations_at(kernels, x).jacobian[:, places]
-            size = np.maximum(np.abs(x[places]), 1)
-            raise _undetermined(solved_for, float(np.linalg.cond(jacobian * size)))
-    found = {name: float(value) for name, value in zip(names, x, strict=True)}
-    return Full(found, missed, iterations, status, error)
+        raise _undetermined(sought, condition)
+    missed = float(np.abs(residual).max())
+    found = judged_solution(kernels, x, places, missed, iterations, status)
+    if status == CONVERGED and not found.error < DETERMINED:
+        jacobian = equations_at(kernels, x).jacobian[:, places]
+        size = np.maximum(np.abs(x[places]), 1)
+        raise _undetermined(sought, float(np.linalg.cond(jacobian * size)))
+    return found
 
 
-def _undetermined(solved_for: Sequence[str], condition: float) -> InputError:
+def _undetermined(sought: Sequence[str], condition: float) -> InputError:
     return InputError(
-        f"the equations do not determine {', '.join(solved_for)} here:"
-        f" condition number {condition:.1e}"
+        f"the equations do not determine {', '.join(sought)} here: condition number {condition:.1e}"
     )
+
+
+def judged_solution(
+    kernels: OrbitKernels,
+    x: np.ndarray,
+    places: Sequence[int] | slice,
+    residual: float,
+    iterations: int,
+    status: int,
+) -> PointSolution:
+    """What a solver reached: the residual of the full equations and the error if it converged."""
+    error = math.inf
+    if status == CONVERGED:
+        residual, error, status = judged_at(kernels, x, places)
+    return PointSolution(x, residual, iterations, status, error)
 
 
 class LinearisedEquations(NamedTuple):

@@ -70,8 +70,8 @@ def test_points_of_a_batch_end_as_each_alone():
 def test_a_dwell_time_that_goes_below_zero_is_never_said_to_be_found(root):
     """Damping makes its steps small; only a whole small step is the last one."""
     kernels = Line()
-    one = solve_full(kernels, {"tau": 1.0, "root": root}, ["tau"])
-    found = [(one.status, one.values["tau"])]
+    one = solve_full(kernels, np.array([1.0, root]), [0])
+    found = [(one.status, one.x[0])]
     if abs(root) > 1e-9:  # the tolerance of reduced equations
         many = solve_reduced(kernels, np.array([root]), np.array([1.0]))
         found.append((many.status, many.unknowns[0]))
@@ -85,7 +85,7 @@ def test_a_phase_that_takes_no_time_or_less_is_no_orbit():
     ahead = np.array([0.25, 0.5, 0.75])  # of a dwell time that is computed
     for each, expected in zip(ahead, (0, 3, 3), strict=True):
         kernels = Line(ahead=each)
-        found = solve_full(kernels, {"tau": 1.0, "root": 0.5}, ["tau"])
+        found = solve_full(kernels, np.array([1.0, 0.5]), [0])
         assert found.status == expected
         assert solve_reduced(kernels, np.array([0.5]), np.array([1.0])).status == expected
 

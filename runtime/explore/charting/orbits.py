@@ -40,7 +40,7 @@ from nonsmooth.runtime.model.kernels import (
 from nonsmooth.runtime.model.naming import units_of
 from nonsmooth.runtime.model.saved_system import named
 from nonsmooth.runtime.orbits.admissible import NEITHER, NO_ORBIT, UNTOLD
-from nonsmooth.runtime.orbits.kernel_many import NUMPY_JUDGED
+from nonsmooth.runtime.orbits.kernel_solve import NUMPY_JUDGED
 from nonsmooth.runtime.orbits.solve import (
     DeclaredPoints,
     OrbitPoints,
@@ -89,7 +89,7 @@ class OrbitChart(ChartProblem):
     @property
     def orbits(self) -> OrbitPoints:
         """The solver of the orbit at many points."""
-        return points_of(self.kernels, self.given, self.own)
+        return self.own or points_of(self.kernels, self.given)
 
     @property
     def points(self) -> int:

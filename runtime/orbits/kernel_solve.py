@@ -1,33 +1,59 @@
-"""Orbits at many parameter points by their kernels: compiled, vectorised, in threads."""
+"""Periodic orbits by the kernels of their own equations: at one parameter point, or at many.
+
+One is searched for: it starts from the reference point's guess, from the reference orbit followed
+to its parameters, and from a grid. Many are compiled, vectorised and in threads; each starts from
+a first-order prediction.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property, reduce
+from itertools import product
 from typing import ClassVar
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.errors import InputError, NoConvergence, unknown_name
 from nonsmooth.runtime.core.parallel import in_parallel
-from nonsmooth.runtime.model.completion import Batch, complete_arrays, complete_batch
+from nonsmooth.runtime.core.values import Value, parse
+from nonsmooth.runtime.model.completion import (
+    Batch,
+    Point,
+    complete,
+    complete_arrays,
+    complete_batch,
+    complete_system,
+    default_parameters,
+)
 from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable, compiled_for
-from nonsmooth.runtime.model.parameters import constrained, in_domain
+from nonsmooth.runtime.model.parameters import constrained, in_domain, number_of
 from nonsmooth.runtime.orbits.admissible import (
     NEITHER,
     NO_ORBIT,
     kernel_limits,
+    kernels_allow,
 )
 from nonsmooth.runtime.orbits.equations import KernelEquations
 from nonsmooth.runtime.orbits.kernel_problem import kernel_problem
-from nonsmooth.runtime.orbits.one_point import solve_kernels
-from nonsmooth.runtime.orbits.orbit import TOO_SMALL, Orbits, reshaped, restricted
+from nonsmooth.runtime.orbits.orbit import TOO_SMALL, Orbit, Orbits, reshaped, restricted
+from nonsmooth.runtime.orbits.table_solve import (
+    CONTINUATION_STEPS,
+    Guess,
+    named_guess,
+    phases_and_dwell,
+    solve_itinerary,
+    steps_between,
+)
 from nonsmooth.runtime.shooting.kernel_newton import (
+    PointSolution,
     Solved,
     equations_at,
     error_bounds,
     frequency_spread,
+    judged_solution,
+    solve_full,
     solve_reduced,
 )
 from nonsmooth.runtime.shooting.multipliers import margins, pair_margins
@@ -37,13 +63,229 @@ from nonsmooth.runtime.shooting.newton import (
     OUTSIDE,
     SHORTEST,
     judged,
+    sure_digits,
 )
 
 CHUNK = 1 << 15  # points that one thread takes at a time
 NUMPY_SOLVED, NUMPY_JUDGED = 1e-5, 3e-4  # seconds a point without compiled kernels
+STARTS_PER_UNKNOWN, STARTS_OF_ONE = 40, 400
+SHORTEST_DWELL, LONGEST_DWELL = 1e-6, 12.6  # up to two periods of the unit frequency
 _WIDE = 25.0  # ratio of the spectrum's parameters beyond which the digits of orbits are counted
 _MOST_ERROR = 1e-6  # of unknowns in units of max(1, |x|), and of the trace
 _SAME = 1e-6  # difference of one orbit found twice, in units of max(1, |x|)
+
+
+def solve_kernels(
+    kernels: OrbitKernels,
+    parameters: Mapping[str, object] | None = None,
+    guess: Guess = None,
+    *,
+    unknown: Iterable[str] = (),
+    given: Mapping[str, object] | None = None,
+    throw: bool = True,
+    label: str = "",
+) -> Orbit:
+    """Find a periodic orbit by the kernels of its own equations, as `solve` does.
+
+    Absent parameters take the reference point's values; without a guess, unknowns are
+    searched for. `unknown` names parameters that are solved for, `given` has the unknowns
+    that are given in their place. With `throw`, `NoConvergence` is raised if no orbit is
+    found; `InputError` is raised for wrong names or values, or an exchange that does not
+    fit. Messages call the orbit by `label`, if that is not empty.
+    """
+    swapped, fixed = tuple(unknown), dict(given or {})
+    _check_exchange(kernels, swapped, fixed)
+    point = complete(kernels, parameters or {}, without=swapped)
+    start = _start(kernels, point, guess, swapped)
+    if swapped:
+        values = {name: number_of(name, value) for name, value in fixed.items()}
+        found, tried = _exchanged(kernels, point, swapped, values, start)
+    else:
+        found, tried = _ordinary(kernels, point, start, searching=guess is None)
+    if throw and not found.converged:
+        searched = guess is None and not swapped and kernels.reduced
+        reason = "no orbit was found at these parameters" if searched else found.message
+        raise NoConvergence(f"{label or kernels.name}: {reason} (tried: {', '.join(tried)})")
+    return found
+
+
+def _check_exchange(
+    kernels: OrbitKernels, swapped: tuple[str, ...], fixed: Mapping[str, object]
+) -> None:
+    for name in swapped:
+        if name not in kernels.parameter_names:
+            raise unknown_name("parameter to solve for", name, kernels.parameter_names)
+    for name in fixed:
+        if name not in kernels.unknowns:
+            raise unknown_name("variable", name, kernels.unknowns)
+    if len(set(swapped)) != len(swapped):
+        raise InputError(f"a parameter is named twice among the unknown: {', '.join(swapped)}")
+    if len(swapped) != len(fixed):
+        raise InputError(
+            f"to be solved for: {', '.join(swapped) or 'no parameter'}; given in place:"
+            f" {', '.join(fixed) or 'no unknown'}: as many of one as of the other are needed"
+        )
+
+
+def _start(
+    kernels: OrbitKernels, point: Point, guess: Guess, swapped: Sequence[str]
+) -> dict[str, float]:
+    """Return a start for every unknown, and for exchanged parameters if they are given."""
+    unknowns, reference = kernels.unknowns, kernels.table["reference"]
+    others = dict(zip(swapped, swapped, strict=True))
+    named = named_guess(kernels, guess, unknowns, len(unknowns), others)
+    if reference is None and not named and unknowns:
+        raise InputError(f"{kernels.name} declares no reference point: give a guess")
+    if all(name in named for name in unknowns):
+        return named
+    # coordinates of the start are those of the composed orbit that fits the dwell times
+    known = complete(kernels, {}) if reference else point
+    values = complete_system(kernels, {**known.values, **known.opened}).values
+    orbit = solve_itinerary(kernels.system, values, *phases_and_dwell(kernels, named))
+    states = zip(orbit.system.table["states"], orbit.states[0].tolist(), strict=True)
+    return {f"{state}0": value for state, value in states} | named
+
+
+def _ordinary(
+    kernels: OrbitKernels, point: Point, start: dict[str, float], *, searching: bool
+) -> tuple[Orbit, list[str]]:
+    """Solve the reduced equations for all unknowns, and tell from where that was tried.
+
+    Where it is searched for, a motion of the real system comes before what converges first.
+    """
+    parameters = np.array([float(v) for v in point.values.values()])
+    guess = np.array([start[name] for name in kernels.reduced])
+    every, orbits, tried = slice(len(kernels.unknowns)), [], []
+    for words, begin in _search_starts(kernels, parameters, guess, searching):
+        tried.append(words)
+        if begin is None:
+            continue
+        solved = solve_reduced(kernels, parameters, begin)
+        x = np.concatenate([solved.unknowns, parameters])
+        reached = judged_solution(
+            kernels, x, every, float(solved.residual), int(solved.iterations), int(solved.status)
+        )
+        orbit = _orbit(kernels, point, {}, kernels.unknowns, reached)
+        at = parameters[None], x[None, every]
+        if (
+            not searching
+            or not kernels.reduced
+            or (orbit.converged and kernels_allow(kernels, *at, orbit.opened)[0])
+        ):
+            return orbit, tried
+        orbits.append(orbit)
+    return next((orbit for orbit in orbits if orbit.converged), orbit), tried
+
+
+def _search_starts(
+    kernels: OrbitKernels, parameters: np.ndarray, guess: np.ndarray, searching: bool
+) -> Iterator[tuple[str, np.ndarray | None]]:
+    """Yield starts (m,) of the reduced unknowns, and where they come from; None for none."""
+    if not kernels.reduced:
+        yield "the explicit solution", guess
+    yield "the reference point's guess" if searching else "the guess", guess
+    places = [kernels.unknowns.index(name) for name in kernels.reduced]
+    reference = complete(kernels, {}).values
+    for here in steps_between(np.array([*map(float, reference.values())]), parameters):
+        guess = solve_reduced(kernels, here, guess).unknowns[places]
+    yield f"continuation in {CONTINUATION_STEPS} steps", guess
+    if len(places) == 1:
+        each = np.geomspace(SHORTEST_DWELL, LONGEST_DWELL, STARTS_OF_ONE)
+    else:
+        each = np.linspace(0, LONGEST_DWELL, STARTS_PER_UNKNOWN + 1)[1:]
+    grid = np.array([*product(each, repeat=len(places))])
+    solved = solve_reduced(kernels, parameters, grid)
+    roots = _distinct(solved.unknowns[solved.status == CONVERGED])
+    limit, _ = kernel_limits(kernels, np.tile(parameters, (len(roots), 1)), roots)
+    best = np.argsort(limit != NEITHER, kind="stable")[:1]
+    yield f"{len(grid)} starts", roots[best[0], places] if len(best) else None
+
+
+def _distinct(roots: np.ndarray) -> np.ndarray:
+    """Return the first root of each cluster, in the order of the roots."""
+    first = []
+    while len(roots):
+        first.append(roots[0].copy())  # a view would keep all of `roots`
+        apart = np.abs(roots - roots[0]) > 1e-7 * (1 + np.abs(roots[0]))
+        roots = roots[apart.any(axis=-1)]
+    return np.array(first).reshape(-1, roots.shape[-1])
+
+
+def _exchanged(
+    kernels: OrbitKernels,
+    point: Point,
+    swapped: tuple[str, ...],
+    fixed: dict[str, Value],
+    start: dict[str, float],
+) -> tuple[Orbit, list[str]]:
+    """Solve the full equations with parameters in place of unknowns.
+
+    It starts from the guess; if that fails, the given values are approached in steps from
+    an orbit at the default values of what is now unknown.
+    """
+    names = (*kernels.unknowns, *kernels.parameter_names)
+    values = {name: float(parse(text)) for name, text in default_parameters(kernels).items()}
+    values |= {name: float(v) for name, v in point.values.items()} | start
+    sought = [*(name for name in kernels.unknowns if name not in fixed), *swapped]
+    held, places = ([names.index(name) for name in part] for part in (fixed, sought))
+    x = np.array([values[name] for name in names])
+    target = np.array([float(value) for value in fixed.values()])
+
+    def solved(at: np.ndarray, held_at: np.ndarray) -> PointSolution:
+        begin = at.copy()
+        begin[held] = held_at
+        return solve_full(kernels, begin, places)
+
+    tried = ["the guess"]
+    try:
+        found, refusal = solved(x, target), None
+    except InputError as error:
+        found, refusal = None, error
+    if found is None or found.status != CONVERGED:
+        tried.append(f"{CONTINUATION_STEPS} steps to the given values")
+        base = solve_full(kernels, x, [*range(len(kernels.unknowns))])
+        try:
+            if base.status == CONVERGED:
+                approached, first = base, base.x[held]
+                for fraction in np.linspace(0, 1, CONTINUATION_STEPS + 1)[1:]:
+                    approached = solved(approached.x, first + fraction * (target - first))
+                found = approached
+        except InputError:
+            pass
+    if found is None:
+        assert refusal is not None
+        raise refusal
+    return _orbit(kernels, point, fixed, sought, found), tried
+
+
+def _orbit(
+    kernels: OrbitKernels,
+    point: Point,
+    fixed: Mapping[str, Value],
+    sought: Sequence[str],
+    found: PointSolution,
+) -> Orbit:
+    """Return the record of a solution, in which parameters solved for lie in their domains."""
+    names, status = (*kernels.unknowns, *kernels.parameter_names), found.status
+    values = dict(zip(names, found.x.tolist(), strict=True))
+    unknowns = {name: values[name] for name in sought}
+    inside = (
+        in_domain(kernels.tables[name], value)
+        for name, value in unknowns.items()
+        if name in kernels.tables
+    )
+    if status == CONVERGED and not all(inside):
+        status = OUTSIDE
+    return Orbit(
+        kernel_problem(kernels),
+        {**point.values, **fixed},
+        unknowns,
+        point.opened,
+        found.residual,
+        sure_digits(found.error),
+        found.iterations,
+        status,
+    )
 
 
 @dataclass(frozen=True, eq=False)
