@@ -1,7 +1,5 @@
 """Orbits to be certified: of users' systems whose numbers are known in closed form, and forced."""
 
-from __future__ import annotations
-
 import json
 import math
 import random
@@ -13,7 +11,7 @@ from fractions import Fraction
 from functools import cache
 from itertools import groupby
 from pathlib import Path
-from typing import Any, get_type_hints
+from typing import get_type_hints
 
 import pytest
 import sympy as sp
@@ -231,7 +229,7 @@ def interrupted(ask, files, within, last=math.inf):
     """
     lines, before = 0, sys.gettrace()
 
-    def trace(frame: Any, event: str, argument: Any) -> Any:
+    def trace(frame, event, argument):
         nonlocal lines
         if not frame.f_code.co_filename.endswith(files):
             return None

@@ -116,7 +116,7 @@ def served(site):
     """Serve a folder on this machine alone, at the address that is given."""
 
     class Quiet(SimpleHTTPRequestHandler):
-        def log_message(self, *_: object) -> None:
+        def log_message(self, *_):
             """Tell nothing: the browser does."""
 
     server = ThreadingHTTPServer((LOCAL, 0), partial(Quiet, directory=str(site)))

@@ -1,7 +1,5 @@
 """C that tests emit or write, compiled into a library, and Python that is emitted: to be called."""
 
-from __future__ import annotations
-
 import ctypes
 import shutil
 import subprocess

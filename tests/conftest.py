@@ -7,9 +7,7 @@ import shutil
 import signal
 import sys
 import tempfile
-from collections.abc import Callable
 from functools import cache
-from pathlib import Path
 
 import pytest
 import sympy.core.cache
@@ -104,9 +102,7 @@ def committed_derivation(monkeypatch):
         if path.suffix in SUFFIXES and path.name != "__init__.py"
     }
 
-    def wanted(
-        folder: Path | None, system: str | None, progress: Callable[[str], None]
-    ) -> dict[str, str]:
+    def wanted(folder, system, progress):
         progress("deriving")
         others = tuple(f"{SYSTEMS[name]}." for name in SYSTEMS if system not in (None, name))
         return {name: text for name, text in texts.items() if not name.startswith(others or ("/",))}
@@ -120,9 +116,7 @@ def empty_reproduction(monkeypatch):
     """A reproduction of the paper that writes one empty file; the whole is a test of its own."""
     from nonsmooth.runtime.present.paper import writing
 
-    def write(
-        out: Path, formulas: object, begin: Callable[[str], None], *, certified: bool = False
-    ) -> tuple[Path, ...]:
+    def write(out, formulas, begin, *, certified=False):
         begin("report")
         out.mkdir(exist_ok=True)
         (out / "results.json").write_text("{}")

@@ -4,10 +4,7 @@ No kernel takes part, so what agrees with this agrees with a second computation.
 a last entry 1, which makes every field, boundary and reset linear.
 """
 
-from __future__ import annotations
-
 from functools import cache
-from typing import Any
 
 import mpmath
 import numpy as np
@@ -41,7 +38,7 @@ def _tables(name, modules):
     states = system.states
     size, zero = len(states), dict.fromkeys(states, 0)
 
-    def row(function: sp.Expr) -> list[sp.Expr]:
+    def row(function):
         return [*(sp.diff(function, s) for s in states), function.subs(zero)]
 
     last = [*[sp.Integer(0)] * size, sp.Integer(1)]
@@ -69,7 +66,7 @@ class Piece:
     def __init__(self, phase, names, tables, dwell, precise):
         field, jump, boundaries, held = tables
 
-        def matrix(rows: Any) -> Any:
+        def matrix(rows):
             return mpmath.matrix(rows) if precise else np.array(rows, dtype=float)
 
         self.configuration, self.boundary, self.dwell = phase.configuration, phase.boundary, dwell

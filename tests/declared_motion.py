@@ -1,10 +1,7 @@
 """Motions of declared systems at sixty digits: matrix exponentials, dense samples and roots."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from functools import cache
-from typing import Any
 
 import sympy as sp
 from mpmath import MPContext
@@ -29,11 +26,11 @@ class DeclaredMotion:
         zero = dict.fromkeys(states, 0)
 
         @cache  # many transitions have one condition
-        def row(function: sp.Expr) -> list[Any]:
+        def row(function):
             slopes = [sp.diff(function, state) for state in states]
             return [number(e.subs(at)) for e in (*slopes, sp.sympify(function).subs(zero))]
 
-        def field(dynamics: Any) -> Any:
+        def field(dynamics):
             matrix, offset = dynamics.field(states)
             rates = matrix * sp.Matrix(states) + offset
             return mp.matrix([*map(row, rates), [*last, 0]])
@@ -117,7 +114,7 @@ class DeclaredMotion:
     def agrees(self, proof, start, narrow):
         """Assert that the proved sequence is the motion's, and that narrow enclosures hold it."""
 
-        def holds(enclosure: Any, value: Any) -> bool:
+        def holds(enclosure, value):
             return bool(abs(mp.mpf(enclosure.mid) - value) <= mp.mpf(enclosure.rad) + OWN_ERROR)
 
         names, sets, instants, states = self.run(proof.configurations[0], start, proof.transitions)

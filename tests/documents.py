@@ -1,7 +1,5 @@
 """Documents to be read: of the built-in systems and orbits, of the gallery, of random systems."""
 
-from __future__ import annotations
-
 from functools import cache
 
 import pytest

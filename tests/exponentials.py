@@ -1,16 +1,12 @@
 """Roots that are hard for divided differences of the exponential, and their exact values."""
 
-from __future__ import annotations
-
 import math
-from typing import Any
 
 from flint import arb, arb_mat
 from hypothesis import strategies as st
 
 from nonsmooth.runtime.core.values import flint_precision
 
-Factor = tuple[Any, ...]
 BITS = 300
 UNIT = 2.0**-53
 

@@ -1,7 +1,5 @@
 """The shapes of files as the checker has them: `python -m tests.file_shapes` writes them anew."""
 
-from __future__ import annotations
-
 import json
 
 from nonsmooth.runtime.checker import CHECKS

@@ -4,10 +4,7 @@ Masses between stops at both sides, driven by a rotating force of frequency Omeg
 x'' + 2 zeta x' + x = F c and y'' + 2 zeta y' + y = F s, with impacts x' -> -r x'.
 """
 
-from __future__ import annotations
-
 from types import ModuleType
-from typing import Any
 
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
 
@@ -87,7 +84,7 @@ def _reset(size, bounced, r):
 def two_stops(asymmetry=0):
     """One mass between stops at d and -d (1 + asymmetry), driven by F c."""
 
-    def fields(p: Any, lib: Any) -> Any:
+    def fields(p, lib):
         omega, zeta, _, _, force = p
         return [
             [0, 1, 0, 0, 0],
@@ -96,10 +93,10 @@ def two_stops(asymmetry=0):
             [0, 0, omega, 0, 0],
         ]
 
-    def rows(p: Any, lib: Any) -> Any:
+    def rows(p, lib):
         return [[1, 0, 0, 0, -p[3]], [-1, 0, 0, 0, -p[3] * (1 + asymmetry)]]
 
-    def resets(p: Any, lib: Any) -> Any:
+    def resets(p, lib):
         return [row for bounced in ((), (1,), (1,)) for row in _reset(4, bounced, p[2])]
 
     stops = ["reaches-right", "reaches-left"]
@@ -114,7 +111,7 @@ def _plane(name, second, stops, transitions):
     states = ["x", "y", "v", "w", "c", "s"]
     signs = {"right": (1, 0), "left": (-1, 0), "up": (0, 1), "down": (0, -1)}
 
-    def fields(p: Any, lib: Any) -> Any:
+    def fields(p, lib):
         omega, zeta, _, _, force = p
         drive = [0] * 7
         drive[states.index(second)] = force
@@ -128,10 +125,10 @@ def _plane(name, second, stops, transitions):
             [0, 0, 0, 0, omega, 0, 0],
         ]
 
-    def rows(p: Any, lib: Any) -> Any:
+    def rows(p, lib):
         return [[*signs[stop], 0, 0, 0, 0, -p[3]] for stop in stops]
 
-    def resets(p: Any, lib: Any) -> Any:
+    def resets(p, lib):
         bounced = [tuple({2 if signs[s][0] else 3 for s in reached}) for reached in transitions]
         return [row for places in [(), *bounced] for row in _reset(6, places, p[2])]
 

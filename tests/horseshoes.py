@@ -1,9 +1,6 @@
 """Horseshoes whose sets are given: they are proved in seconds, without the search."""
 
-from __future__ import annotations
-
 from pathlib import Path
-from typing import Any
 
 from flint import fmpq
 
@@ -60,7 +57,7 @@ def folded_horseshoe(*, exponents=False):
 def inverted_horseshoe(*, exponents):
     """Two sets on a section of two coordinates: A covers A and B, which covers A."""
 
-    def section(system: Any) -> Any:
+    def section(system):
         return forcing_section(system, 0, (fmpq(-1), fmpq(0)))
 
     guess = Horseshoe(1, _INVERTED_SETS, ((0, 0), (0, 1), (1, 0)), 0.0)

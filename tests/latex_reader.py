@@ -1,7 +1,5 @@
 """Documents of the built-in orbits, and their formulas read back: LaTeX, evaluated."""
 
-from __future__ import annotations
-
 import math
 import random
 import re
@@ -20,7 +18,6 @@ from tests.formulas.responses import response_functions
 from tests.formulas.values import Reading, name_of
 
 Numbers = dict[sp.Basic, Any]
-REVERSIBLE = ["rigid-stop/one-impact", "elastic-stop/one-contact", "dry-friction/symmetric"]
 ORBITS = [f"{name}/{orbit.name}" for name in SYSTEMS for orbit in declaration(name).orbits]
 
 

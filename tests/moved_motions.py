@@ -4,8 +4,6 @@ The sequence of configurations is that of the motion in doubles; the dwell times
 by Newton's method with exponentials of the fields in balls, of which the middles are taken.
 """
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import numpy as np

@@ -5,8 +5,6 @@ springs, dampers and loads leave over is the force of the contacts. At transitio
 but velocities, as restitution says. There is one motion from a start that obeys all that.
 """
 
-from __future__ import annotations
-
 from itertools import pairwise
 
 import numpy as np

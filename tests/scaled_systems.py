@@ -1,7 +1,5 @@
 """Random oscillators whose units of length, time and mass are parameters, with a start."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import numpy as np

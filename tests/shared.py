@@ -1,7 +1,5 @@
 """Results that many tests look at, made once in a run, whichever process asks first."""
 
-from __future__ import annotations
-
 import fcntl
 import os
 import pickle
@@ -21,7 +19,7 @@ def shared_file(name, make):
 def shared_value(name, make):
     """A copy of a value by its name; `make` gives one that can be pickled."""
 
-    def write(path: Path) -> None:
+    def write(path):
         path.write_bytes(pickle.dumps(make()))
 
     return pickle.loads(_written(f"{quote(name, safe='')}.pickle", write).read_bytes())

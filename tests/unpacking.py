@@ -1,9 +1,6 @@
 """How much is unpacked of compressed files, which no allocator changes."""
 
-from __future__ import annotations
-
 import zlib
-from typing import Any
 
 
 def unpacked_pieces(monkeypatch):
@@ -13,13 +10,13 @@ def unpacked_pieces(monkeypatch):
     class Counted:
         """What stands for an object that unpacks."""
 
-        def __init__(self, *arguments: Any) -> None:
+        def __init__(self, *arguments):
             self._unpacking = begin(*arguments)
 
-        def __getattr__(self, name: str) -> Any:
+        def __getattr__(self, name):
             return getattr(self._unpacking, name)
 
-        def decompress(self, *arguments: Any) -> bytes:
+        def decompress(self, *arguments):
             found = self._unpacking.decompress(*arguments)
             sizes.append(len(found))
             return found

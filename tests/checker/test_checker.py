@@ -1,7 +1,5 @@
 """The checker: what is true passes, and no change that makes a claim false does."""
 
-from __future__ import annotations
-
 import copy
 import json
 import runpy

@@ -1,7 +1,5 @@
 """The check of maps: true ones pass, and no change that makes a claim false does."""
 
-from __future__ import annotations
-
 import copy
 import json
 import random
@@ -9,7 +7,6 @@ from fractions import Fraction
 from functools import cache
 from itertools import permutations
 from types import SimpleNamespace
-from typing import Any
 
 import pytest
 from flint import arb, fmpq
@@ -278,7 +275,7 @@ def test_the_orbit_is_the_same_on_all_of_a_tile(monkeypatch):
     whole = tuple(fmpq(*x.as_integer_ratio()) for x in (first, last))
     orbit, seen = MapTile._orbit, []
 
-    def exchanged(self: MapTile, where: Any, guess: Any) -> Any:
+    def exchanged(self, where, guess):
         (here,) = where
         if self.tile is tile and here != whole:
             seen.append(here)

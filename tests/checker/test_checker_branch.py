@@ -187,7 +187,7 @@ def test_a_tile_is_proved_on_parts(content, preloaded):
     for tile in [*checked_tiles(content), *checked_tiles(preloaded)]:
         seen = []
 
-        def prove(point: Any, seen: list[Any] = seen) -> None:
+        def prove(point, seen=seen):
             seen.append(point)
             if len(seen) == 1:
                 raise Failure("halve it")

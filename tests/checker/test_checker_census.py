@@ -1,7 +1,5 @@
 """The check of a census: its tree of boxes, each orbit's certificate, and that it is that orbit."""
 
-from __future__ import annotations
-
 import copy
 import json
 from functools import cache

@@ -1,7 +1,5 @@
 """The check of events: true ones pass, and no change that makes one false does."""
 
-from __future__ import annotations
-
 import copy
 import json
 import random

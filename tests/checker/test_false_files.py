@@ -1,7 +1,5 @@
 """Files that say what is not so, in all places at once: none of them is proved again."""
 
-from __future__ import annotations
-
 import copy
 import json
 from collections.abc import Callable

@@ -50,7 +50,7 @@ def _events(*branches):
     found = [ns.certify.event(branch, event) for branch in branches for event in branch.events]
 
     class Several:
-        def save(self, path: Path) -> None:
+        def save(self, path):
             save_result(found, path)
 
     return Several()
@@ -149,7 +149,7 @@ class Mutation(NamedTuple):
     path: tuple[Any, ...]
     what: str
 
-    def __str__(self) -> str:
+    def __str__(self):
         return f"{self.what} {'/'.join(map(str, self.path))}"
 
 

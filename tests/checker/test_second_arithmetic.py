@@ -1,10 +1,7 @@
 """What a certificate says, shown again in mpmath's intervals: nothing of it by FLINT's balls."""
 
-from __future__ import annotations
-
 import json
 from fractions import Fraction
-from typing import Any
 
 import pytest
 from mpmath import iv, mp, workdps
@@ -73,7 +70,7 @@ class StatedOrbit:
         declared = content["declaration"]
         given = [Fraction(content["parameters"][name]) for name in declared["parameters"]]
 
-        def number(entry: str | dict[str, Any]) -> Any:
+        def number(entry):
             if isinstance(entry, str):
                 return interval(entry)
             above, below = (
@@ -82,7 +79,7 @@ class StatedOrbit:
             )
             return interval(Fraction(above) / below)
 
-        def numbers(rows: Any) -> list[list[Any]]:
+        def numbers(rows):
             return [[number(entry) for entry in row] for row in rows]
 
         self.size = len(declared["states"])

@@ -6,8 +6,6 @@ again, and a second process does the same, in the same place, at that instant. W
 and leaves is printed.
 """
 
-from __future__ import annotations
-
 import json
 import os
 import shlex
@@ -69,7 +67,7 @@ def try_fault(command, name, fault):
     """Run a command up to its first file, and a fault from there."""
     before = contents()
 
-    def at_the_disk(descriptor: int) -> None:
+    def at_the_disk(descriptor):
         process = os.fork()
         if not process:
             os.dup2(os.open(os.devnull, os.O_WRONLY), 2)

@@ -28,17 +28,17 @@ class Terminal(io.StringIO):
 
     happens: Callable[[], object] | None = None
 
-    def isatty(self) -> bool:
+    def isatty(self):
         """Whether this is a terminal."""
         return True
 
-    def readline(self, size: int | None = -1, /) -> str:
+    def readline(self, size=-1, /):
         """Read an answer."""
         if self.happens is not None:
             self.happens()
         return super().readline(-1 if size is None else size)
 
-    def write(self, text: str, /) -> int:
+    def write(self, text, /):
         """Show a text."""
         if self.happens is not None:
             self.happens()

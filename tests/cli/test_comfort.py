@@ -94,7 +94,7 @@ def test_doctor_names_every_requirement_and_extra():
 
 
 def test_doctor_says_what_to_do(monkeypatch, tmp_path):
-    def absent(name: str) -> str:
+    def absent(name):
         raise metadata.PackageNotFoundError(name)
 
     find = util.find_spec

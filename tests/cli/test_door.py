@@ -1,7 +1,5 @@
 """One door for errors: whatever goes wrong is one line that names it, with an exit code."""
 
-from __future__ import annotations
-
 import json
 import os
 import subprocess
@@ -38,7 +36,7 @@ def refused(*arguments, code=2):
 class Silent(Exception):
     """One that cannot be shown."""
 
-    def __str__(self) -> str:
+    def __str__(self):
         raise ValueError
 
 
@@ -112,7 +110,7 @@ def test_declarations_that_fail_are_named(text, said, tmp_path):
 
 
 def test_a_full_disk_where_latex_works_names_the_document(tmp_path, monkeypatch):
-    def full(text: str) -> bytes:
+    def full(text):
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr("nonsmooth.derive.document.latex.compile_pdf", full)

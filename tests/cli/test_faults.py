@@ -1,7 +1,5 @@
 """Faults in commands that write: nothing is lost, nothing is half, what is no file stays."""
 
-from __future__ import annotations
-
 import errno
 import json
 import os
@@ -212,7 +210,7 @@ SAVING += tuple(f"certify {name}" for name in ("box", "orbit", "event", "all"))
 def test_a_full_disk_does_not_lose_the_answer(writer, place, monkeypatch):
     """The answer is shown, where there is one beside the file."""
 
-    def fill(_: int) -> None:
+    def fill(_):
         raise OSError(errno.ENOSPC, "No space left on device")
 
     asked = shlex.split(WRITERS[writer].replace("TARGET", "target"))

@@ -1,7 +1,5 @@
 """`nonsmooth fit`: its answer, its files, and one line for what is wrong."""
 
-from __future__ import annotations
-
 import json
 import shlex
 import shutil

@@ -1,14 +1,11 @@
 """What Ctrl-C ends and what it does not, in this process, with the real signal."""
 
-from __future__ import annotations
-
 import json
 import os
 import signal
 import time
 from itertools import count
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -37,10 +34,10 @@ def press():
 def pressed(monkeypatch):
     """Let each call of a function press Ctrl-C first, from a number of calls on."""
 
-    def at(owner: Any, name: str, first: int = 1) -> None:
+    def at(owner, name, first=1):
         function, calls = getattr(owner, name), count(1)
 
-        def calling(*arguments: Any, **options: Any) -> Any:
+        def calling(*arguments, **options):
             if next(calls) >= first:
                 press()
             return function(*arguments, **options)

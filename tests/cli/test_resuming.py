@@ -9,7 +9,7 @@ import signal
 from dataclasses import replace
 from importlib import util
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import pytest
 from rich.progress import Progress
@@ -103,17 +103,17 @@ def begun(words, progress, told):
     """A command on a terminal that gets Ctrl-C when its progress of that name is told so often."""
     add, update, left = Progress.add_task, Progress.update, told
 
-    def tell(description: str) -> None:
+    def tell(description):
         nonlocal left
         left -= description.startswith(progress)
         if left == 0 and description.startswith(progress):
             signal.raise_signal(signal.SIGINT)
 
-    def adding(shown: Progress, description: str, **options: Any) -> Any:
+    def adding(shown, description, **options):
         tell(description)
         return add(shown, description, **options)
 
-    def updating(shown: Progress, task: Any, **options: Any) -> None:
+    def updating(shown, task, **options):
         tell(shown.tasks[task].description)
         update(shown, task, **options)
 
@@ -233,7 +233,7 @@ def test_an_orbit_of_another_file_is_held_wherever_it_goes_on(kind, tmp_path, mo
 def test_events_go_on_though_none_is_enclosed_yet(monkeypatch):
     shutil.copy(GALLERY / "two_stops.py", "two_stops.py")
 
-    def stopped(*_: object) -> None:
+    def stopped(*_):
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patched:
@@ -352,7 +352,7 @@ def test_no_file_makes_a_command_run_a_declaration_or_do_something_else():
     run("certify", "box", SYMMETRIC, "V=1:1.1", "--tiles", "1", "--save", "part.json")
     sound = json.loads(Path("part.json").read_text())
 
-    def refused(content: dict[str, Any] | None = None, held: Any = None, **options: Any) -> str:
+    def refused(content=None, held=None, **options):
         request = {**sound["request"], "options": {**sound["request"]["options"], **options}}
         request |= {} if held is None else {"orbit": held}
         forged = {**sound, **(content or {}), "request": request}

@@ -1,7 +1,5 @@
 """One word for a thing: options of one name mean one thing, in all commands."""
 
-from __future__ import annotations
-
 import inspect
 import json
 import re

@@ -1,10 +1,7 @@
 """Divided differences of the exponential: the values of a 50-digit exponential everywhere."""
 
-from __future__ import annotations
-
 import json
 import math
-from typing import Any
 
 import numpy as np
 import pytest
@@ -154,7 +151,7 @@ def test_models_contain_the_range_and_keep_what_variables_share():
 
 
 def test_written_down_as_data_it_gives_the_same_digits():
-    def kernel(a: Any, *, lib: Any) -> Any:
+    def kernel(a, *, lib):
         [t, c0, c1] = a
         return [lib.exponential_difference(1, t, (c0, 2 * c1), (0,), (4, 0)) + 1]
 

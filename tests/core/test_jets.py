@@ -62,7 +62,7 @@ def test_every_coefficient_is_felt_to_all_digits():
         sine, cosine = angle.sin_cos()
         found = 3 * sine / (2 - angle) + cosine - 1 / angle
 
-        def of(t: mpmath.mpf) -> mpmath.mpf:
+        def of(t):
             x = mpmath.mpf("0.7") - 2 * t + 3 * t**2 + 5 * t**3
             return 3 * mpmath.sin(x) / (2 - x) + mpmath.cos(x) - 1 / x
 

@@ -1,7 +1,5 @@
 """Taylor models contain what they enclose; rational functions obey the laws of a field."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 
 import numpy as np

@@ -1,16 +1,12 @@
 """The laws of result files: what is written is read again, and nothing else is."""
 
-from __future__ import annotations
-
 import copy
 import json
 import math
 import random
 import re
-from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
@@ -140,7 +136,7 @@ def test_numbers_come_back_as_they_were(seed, tmp_path):
     """Numbers of all sizes and both zeros, and what is none where that is let through."""
     rng, sweep = random.Random(seed), ns.load(file_of("nonsmooth sweep"))
 
-    def number() -> float:
+    def number():
         return rng.choice([0.0, -0.0, 5e-324, math.nan, rng.gauss(0, 1), rng.gauss(0, 1) * 1e200])
 
     numbers = np.array([number() for _ in range(sweep.samples.size)]).reshape(sweep.samples.shape)
@@ -209,7 +205,7 @@ def changes(content, path):
     """Content without an entry, with it of another type, not finite, or beside an unknown one."""
     *above, last = path
 
-    def changed(change: Callable[[Any], Any]) -> Any:
+    def changed(change):
         other = copy.deepcopy(content)
         parent = other
         for step in above:

@@ -1,14 +1,11 @@
 """C programs: the headers' examples and the page's, compiled without one warning, and run."""
 
-from __future__ import annotations
-
 import re
 import shutil
 import subprocess
 import sysconfig
 from functools import cache
 from importlib import import_module
-from typing import Any
 
 import numpy as np
 import pytest
@@ -195,7 +192,7 @@ def library(names, text=KICKED):
 def test_what_calls_an_absent_kernel_is_absent_for_the_same_reason(
     monkeypatch,
 ):
-    def define(kernel: Any, system: str, orbit: str | None) -> str:
+    def define(kernel, system, orbit):
         if kernel.name == "trace":
             raise DerivationError("it is too long")
         return c_kernel(kernel, system, orbit)

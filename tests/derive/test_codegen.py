@@ -1,14 +1,11 @@
 """Emitted files: reproducible, stamped, and each expression with the value it had."""
 
-from __future__ import annotations
-
 import json
 import os
 import random
 import re
 import subprocess
 import sys
-from collections.abc import Callable
 from fractions import Fraction
 from importlib import import_module
 from typing import Any
@@ -98,7 +95,7 @@ def program(seed):
     known = [*INPUTS, sp.Integer(2)]
     stages = []
 
-    def expression() -> sp.Expr:
+    def expression():
         terms = []
         for _ in range(draw.randint(1, 3)):
             factors = draw.choices(known, k=draw.randint(1, 3))
@@ -142,7 +139,7 @@ def compiled(tmp_path_factory):
     source.write_text("\n".join(["#include <math.h>", *includes, *definitions]))
     library = library_of(source, "-O1", "-Wno-unused-function")
 
-    def results(name: str) -> list[float]:
+    def results(name):
         kernel, given = PROBES[name], np.array([float(v) for v in POINT.values()])
         found = np.zeros(sum(len(output.expressions) for output in kernel.outputs))
         arrays = given[:2], given[2:], found[:-1], found[-1:]
@@ -161,7 +158,7 @@ def test_what_is_emitted_has_its_value_in_every_arithmetic(name, compiled):
     expected = [sp.N(value.subs(Angle(0, -3), sp.pi), 40) for value in values]
     emitted = executed(kernel)
 
-    def found(number: Callable[[Fraction], Any], lib: Any) -> list[sp.Expr]:
+    def found(number, lib):
         point = [number(v) for v in POINT.values()]
         first, ((last,),) = emitted(point[:2], point[2:], lib=lib)
         return [*first, last]

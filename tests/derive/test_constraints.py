@@ -1,7 +1,5 @@
 """Relations between parameters: checked wherever values are taken."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from pathlib import Path
 

@@ -6,7 +6,6 @@ import subprocess
 from dataclasses import replace
 from functools import cache
 from itertools import pairwise
-from typing import Any
 
 import pytest
 
@@ -125,7 +124,7 @@ def test_html_is_one_offline_page(document):
 
 
 def test_mathml_is_set_as_tex_sets_it():
-    def operators(latex: str) -> list[Any]:
+    def operators(latex):
         return list(page_of(Document("", (Paragraph(f"${latex}$"),))).iter("mo"))
 
     found = operators(

@@ -1,7 +1,5 @@
 """What the documents say is what was declared: each formula, evaluated at random numbers."""
 
-from __future__ import annotations
-
 import random
 
 import pytest
@@ -38,11 +36,11 @@ def random_system(seed):
     draw = random.Random(seed)
     letters = sp.symbols("A b k2 mu_c e m nu", positive=True)
 
-    def positive() -> sp.Expr:
+    def positive():
         one, two = draw.sample(letters, 2)
         return draw.choice([one, one + two, one * two, one / two, 2 * one / 3, (one + 1) / two])
 
-    def signed() -> sp.Expr:
+    def signed():
         one, two, three = draw.sample(letters, 3)
         choices = [-one, -one - two, one - two, -(one + two) / three, -2 * one, (two - 3) * one]
         return draw.choice(choices)

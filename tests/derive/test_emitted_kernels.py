@@ -1,7 +1,5 @@
 """Every emitted kernel of every system: the same numbers in every arithmetic, and in C."""
 
-from __future__ import annotations
-
 import random
 import re
 from fractions import Fraction
@@ -145,15 +143,15 @@ def test_compiled_kernels_broadcast_over_any_strides(system, kernel):
     arrays = arrays_for(system, kernel, 6)
     plain = outputs(function(*arrays))
 
-    def strided(array: np.ndarray) -> np.ndarray:
+    def strided(array):
         wide = np.full((2 * len(array), *array.shape[1:]), np.nan)
         wide[::2] = array
         return wide[::2]
 
-    def backwards(array: np.ndarray) -> np.ndarray:
+    def backwards(array):
         return np.ascontiguousarray(array[::-1])[::-1]
 
-    def columns(array: np.ndarray) -> np.ndarray:
+    def columns(array):
         copy = np.asfortranarray(array)
         copy.setflags(write=False)
         return copy

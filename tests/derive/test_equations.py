@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import ctypes
 import random
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import Any
@@ -376,7 +376,7 @@ def in_c(orbit, folder):
         (folder / file).write_text(text, encoding="utf-8")
     solver = library_of(folder / f"{system}.c", include=folder)[f"{system}_{name}_solve"]
 
-    def solve(*given: Sequence[Any]) -> tuple[int, list[float]]:
+    def solve(*given):
         taken = [np.array(numbers, dtype=float) for numbers in given if len(numbers)]
         unknowns = np.zeros(len(orbit.unknowns))
         codes = np.zeros((2, 1), np.int32)
@@ -481,7 +481,7 @@ def test_orbit_and_poincare_jacobian_against_an_independent_map(name, rotation):
         return
     embedding = table(section.embedding, example.known)
 
-    def image(moved: list[Any]) -> list[Any]:
+    def image(moved):
         found = second.image(list(MP.matrix(start) + embedding * MP.matrix(moved)))
         return [found[place] for place in section.places]
 

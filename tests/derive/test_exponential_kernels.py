@@ -1,7 +1,5 @@
 """Emitted C of divided differences of the exponential: the exact values, each set computed once."""
 
-from __future__ import annotations
-
 import ctypes
 from collections.abc import Callable, Sequence
 from functools import cache
@@ -65,7 +63,7 @@ def compiled(tmp_path_factory):
     (folder / "probe.c").write_text("\n".join(['#include "nonsmooth_differences.h"', *sources]))
     library = library_of(folder / "probe.c", *FLAGS)
 
-    def call(shape: str, t: float, coefficients: Sequence[float]) -> list[float]:
+    def call(shape, t, coefficients):
         arguments = (ctypes.c_double * (1 + len(coefficients)))(t, *coefficients)
         (output,) = kernel_of(shape).outputs
         found = (ctypes.c_double * len(output.expressions))()

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import ctypes
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -138,7 +138,7 @@ def library(tmp_path_factory):
     """The kernels of a system, compiled; None without a compiler."""
 
     @cache
-    def compiled_kernels(name: str) -> ctypes.CDLL | None:
+    def compiled_kernels(name):
         if COMPILER is None:
             return None
         sources = [c_kernel(each, name.replace(" ", "_"), None) for each in case(name).kernels]
@@ -150,7 +150,7 @@ def library(tmp_path_factory):
 
 
 def compiled(library, name, values, t, state):
-    def function(kernel: Kernel) -> Any:
+    def function(kernel):
         return library[f"{name} {kernel.name}".replace(" ", "_").replace("-", "_")]
 
     known = case(name)
@@ -186,7 +186,7 @@ def condition(known, values, t, state):
     spectrum, _ = known.run[0]([lib.mp.mpf(values[n]) for n in known.spectrum], lib=lib)
     inputs = [*numbers, *spectrum]
 
-    def after(inputs: Sequence[Any]) -> Any:
+    def after(inputs):
         parameters, spectrum = inputs[: len(numbers)], inputs[len(numbers) :]
         return known.run[1](parameters, spectrum, lib.mp.mpf(t), [*map(lib.mp.mpf, state)], lib=lib)
 

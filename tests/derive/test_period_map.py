@@ -1,9 +1,5 @@
 """The Appendix's route by the map of a turn: the same orbit, and a misprint shown."""
 
-from __future__ import annotations
-
-from typing import Any
-
 import pytest
 import sympy as sp
 
@@ -45,7 +41,7 @@ def solved(orbit, equations, kernel, guess):
     parameters = [orbit.values[str(s)] for s in equations.parameters]
     spectrum, _ = orbit.kernels.spectrum(parameters, lib)
 
-    def values(*times: Any) -> list[Any]:
+    def values(*times):
         # what stands in the place of the start is not read
         return kernel(parameters, spectrum, [*[lib.mp.nan] * size, *times], lib=lib)
 

@@ -1,7 +1,5 @@
 """Wrong declarations are refused, each in one line that names what is wrong."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import replace
@@ -138,7 +136,7 @@ def sourced(**changes):
 def referred(parameters, guess):
     """An orbit of a mass that the stop kicks, with a reference."""
 
-    def derive() -> object:
+    def derive():
         kicked = alone(replace(BOUNCE, reset={V: -V / 2 - 1}))()
         phases, reference = (("free", "hits", "T"),), Reference(parameters, guess)
         return emit_system(

@@ -27,7 +27,7 @@ KINDS += "none of velocities", "pressed of velocities"
 def random_itinerary(kind, draw):
     """Return a phase between two masses that ends at a random line, with a reset of one kind."""
 
-    def number() -> sp.Rational:
+    def number():
         return sp.Rational(draw.choice([n for n in range(-6, 7) if n]), 4)
 
     kind, _, crossed = kind.partition(" of ")

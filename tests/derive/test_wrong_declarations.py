@@ -1,7 +1,5 @@
 """Whatever a declaration is given, it is made, or refused in one line."""
 
-from __future__ import annotations
-
 import inspect
 from dataclasses import fields
 

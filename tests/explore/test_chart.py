@@ -9,7 +9,7 @@ import sys
 from hashlib import sha256
 from pathlib import Path
 from threading import Event, Thread
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import google_crc32c
 import numpy as np
@@ -107,7 +107,7 @@ CHUNK = "tau1/c/1/2"
 
 
 def changed(where, *, cut=False):
-    def change(file: Path) -> None:
+    def change(file):
         content = bytearray(file.read_bytes())
         content[where] ^= 4
         file.write_bytes(content[:where] if cut else content)
@@ -118,7 +118,7 @@ def changed(where, *, cut=False):
 def forged(change):
     """With its CRC renewed."""
 
-    def forge(file: Path) -> None:
+    def forge(file):
         content = change(file.read_bytes()[:-4])
         file.write_bytes(content + google_crc32c.value(content).to_bytes(4, "little"))
 
@@ -314,13 +314,13 @@ def test_two_processes_on_one_store(store, tmp_path):
 def test_a_lost_lock_is_left_to_who_took_it_over(store):
     lock, begun, ends = store.with_name("F.zarr.lock"), Event(), Event()
 
-    def wait(*_: int) -> None:
+    def wait(*_):
         begun.set()
         ends.wait(60)
 
     first = Thread(target=lambda: ns.chart(str(store), progress=wait))
 
-    def later(*_: int) -> None:
+    def later(*_):
         ends.set()
         first.join()
         assert lock.exists()
@@ -416,7 +416,7 @@ def test_outlines_go_along_the_cells(finished):
     corners = mesh.get_coordinates()
     across, up = corners[0, :, 0], corners[:, 0, 1]
 
-    def label(point: np.ndarray) -> Any:
+    def label(point):
         return labels[np.searchsorted(up, point[1]) - 1, np.searchsorted(across, point[0]) - 1]
 
     for first, last in lines:

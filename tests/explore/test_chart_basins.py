@@ -109,7 +109,7 @@ def test_bits_are_the_same_for_any_chunks_and_threads_and_after_a_stop(found, tm
     whole = ns.chart(str(found), **STARTS)
     store = tmp_path / "basins.zarr"
 
-    def stop(done: int, total: int) -> None:
+    def stop(done, total):
         if done > total // 2:
             raise KeyboardInterrupt
 

@@ -32,7 +32,7 @@ def cluster():
 def test_killed_worker_costs_only_its_chunk(basins, cluster, tmp_path):
     killed = []
 
-    def progress(done: int, total: int) -> None:
+    def progress(done, total):
         if done >= total // 4 and not killed:
             killed.append(cluster.workers[0].pid)
             os.kill(killed[0], signal.SIGKILL)
@@ -68,7 +68,7 @@ def test_workers_that_do_not_see_the_folder(moved, cluster, tmp_path, monkeypatc
     """What they have written is elsewhere, or the folder is moved when the first chunk is done."""
     store, is_file = tmp_path / "F.zarr", Path.is_file
 
-    def move(done: int, total: int) -> None:
+    def move(done, total):
         if moved and done == 1:
             store.rename(tmp_path / "elsewhere")
 

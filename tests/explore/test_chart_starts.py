@@ -1,7 +1,5 @@
 """Charts from anchor to anchor: what is found, and that it depends on the grid alone."""
 
-from typing import Any
-
 import numpy as np
 import pytest
 
@@ -33,7 +31,7 @@ def test_points_lie_between_their_anchors(count):
 
 @pytest.mark.parametrize("unit", [1.0, 1e-9, 1e9])
 def test_most_neighbours_decide_between_orbits_that_are_as_good_in_all_units(unit):
-    def either(values: Any, start: np.ndarray | None) -> dict[str, np.ndarray]:
+    def either(values, start):
         """One and two units, from the nearer; without a start two at every seventh point."""
         alone = np.arange(values["p"].size) % 7 == 3
         second = alone if start is None else start[:, 0] > 1.5 * unit

@@ -1,11 +1,8 @@
 """Branches over one parameter: points, ends, events, against other routes to the same numbers."""
 
-from __future__ import annotations
-
 import math
 from functools import cache
 from types import SimpleNamespace
-from typing import Any
 
 import numpy as np
 import pytest
@@ -105,7 +102,7 @@ def test_border_collision_is_passed(monkeypatch):
     branch = stick()
     (event,) = branch.events
 
-    def refused(*_: Any) -> Any:
+    def refused(*_):
         raise nonsmooth.InputError("no such motion")
 
     # that one of the ways on cannot be judged loses none of the others
@@ -184,7 +181,7 @@ def test_an_interrupt_while_events_are_located_loses_no_point(
     """They take as long as the points; a branch that is whole is not followed again."""
     orbit, calls, median = nonsmooth.solve(STICK), list[int](), np.nanmedian
 
-    def interrupted_once(values: np.ndarray) -> Any:
+    def interrupted_once(values):
         calls.append(1)
         if len(calls) == 1:
             raise KeyboardInterrupt

@@ -3,8 +3,6 @@
 Closed forms: C. Budd and F. Dux, Phil. Trans. R. Soc. Lond. A 347 (1994).
 """
 
-from __future__ import annotations
-
 import math
 from functools import cache
 
@@ -89,7 +87,7 @@ def test_multipliers_by_simulation():
         start = here.states[0].astype(float)
         angle = math.atan2(start[3], start[2])
 
-        def impact(moved: np.ndarray, here=here, start=start) -> np.ndarray:
+        def impact(moved, here=here, start=start):
             speed, turn = moved
             state = [start[0], speed, math.cos(turn), math.sin(turn)]
             motion = nonsmooth.simulate(system(), here.parameters, state, "free", transitions=1)

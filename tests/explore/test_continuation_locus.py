@@ -1,7 +1,5 @@
 """Curves of events: closed forms, other solutions, files, pictures, and the command."""
 
-from __future__ import annotations
-
 import math
 from functools import cache
 

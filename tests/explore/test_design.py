@@ -1,7 +1,6 @@
 """Designs: optima against scans, closed forms and differences, along a branch and at its limits."""
 
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
@@ -229,7 +228,7 @@ def test_two_multipliers_meet_where_the_spectral_radius_is_least():
 def check_least(matrix, rates):
     """The design of the map over p, against a scan of eigenvalues and their change at a bound."""
 
-    def radius(p: float) -> float:
+    def radius(p):
         return float(abs(np.linalg.eigvals(matrix + p * rates)).max())
 
     orbit = mapped(matrix, rates, 0.05)
@@ -289,7 +288,7 @@ def test_extremes_in_several_places_tie_at_an_optimum(quantity):
 
 def test_local_extremes_have_the_derivatives_of_differences():
 
-    def found(gap: float) -> tuple[Any, ...]:
+    def found(gap):
         orbit = ns.solve(DAMPER, {"r": "0.3", "zeta": "0.05", "d": gap})
         return orbit.derivatives(["d"]).local_extremes("peak_acceleration:x")
 

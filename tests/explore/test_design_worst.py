@@ -162,7 +162,7 @@ def test_the_optimum_is_kept_and_drawn(tmp_path):
 
 @pytest.mark.slow
 def test_an_interrupted_design_goes_on_to_the_same_end():
-    def stop(iterates: int, _: int) -> None:
+    def stop(iterates, _):
         if iterates >= 2:
             os.kill(os.getpid(), signal.SIGINT)
 

@@ -1,11 +1,8 @@
 """Parameters from measurements, against the truth behind synthetic data."""
 
-from __future__ import annotations
-
 import math
 import zipfile
 import zlib
-from typing import Any
 
 import numpy as np
 import pytest
@@ -162,7 +159,7 @@ def test_errors_are_those_of_an_m_estimate(kind, loss, known):
     found = fitted(data, "k", "r", parameters=GUESS, sigma=sigma if known else None, loss=loss)
     unit = sigma if known else found.noise["x"]
 
-    def predicted(point: np.ndarray) -> np.ndarray:
+    def predicted(point):
         values = {**TRUTH, "k": point[0], "r": point[1]}
         motion = ns.simulate(SYSTEM, values, START, transitions=20)
         where = [WALL in names for names in motion.boundaries]
@@ -305,7 +302,7 @@ def test_a_long_record_leads_to_its_minimum_by_way_of_its_beginnings():
 def test_evaluations_are_those_of_all_searches(monkeypatch):
     spent, search = [], optimize.least_squares
 
-    def counted(*arguments: Any, **options: Any) -> Any:
+    def counted(*arguments, **options):
         found = search(*arguments, **options)
         spent.append(found.nfev)
         return found
@@ -317,7 +314,7 @@ def test_evaluations_are_those_of_all_searches(monkeypatch):
 
 
 def test_what_was_found_until_an_interruption_is_kept():
-    def stop(done: int, total: int) -> None:
+    def stop(done, total):
         if done == 2:
             raise KeyboardInterrupt
 

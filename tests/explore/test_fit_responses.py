@@ -1,7 +1,5 @@
 """Parameters from steady responses, and accelerations and forces, against the truth behind them."""
 
-from __future__ import annotations
-
 import functools
 from dataclasses import replace
 
@@ -98,7 +96,7 @@ def test_linear_responses_are_those_of_the_resonance_curve():
 
     there = np.array([0, 1, 1, 1, 1, 1, 1, 0, 1, 1], bool)  # not all was measured everywhere
 
-    def parts(point: np.ndarray) -> np.ndarray:
+    def parts(point):
         gain = point[2] / (point[1] - ws**2 + 1j * point[0] * ws)
         return np.concatenate([abs(gain), np.angle(gain)])[there]
 
@@ -159,7 +157,7 @@ def test_quantities_and_their_derivatives_are_those_of_simulations(output):
     found = fitted(data, sigma=1e-3)
     np.testing.assert_allclose(found.estimates, [0.1, 1, 3], rtol=0, atol=1e-5)
 
-    def predicted(point: np.ndarray) -> np.ndarray:
+    def predicted(point):
         moved = dict(zip(FREE, (float(x) for x in point), strict=True))
         return np.array([measured(text, w, **moved) for text in texts for w in ws.tolist()])
 
@@ -268,7 +266,7 @@ def test_accelerometers_and_load_cells_tell_the_parameters():
     """With the errors that differences tell, of a clock and a start beside them."""
     times, free = np.linspace(0.1, 29.9, 90), ("c", "k", "s", "w", "x0", "offset")
 
-    def predicted(point: np.ndarray) -> np.ndarray:
+    def predicted(point):
         """A scaled acceleration, and the stop's force."""
         *values, place, offset = (float(x) for x in point)
         known = TRUTH | dict(zip(free, values, strict=False))

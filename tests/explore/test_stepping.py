@@ -4,8 +4,6 @@ A stop at place + d - q^2 closes the branch of the orbits with one impact over q
 q^2 = d - a (y - y0)^2 is nearly an ellipse.
 """
 
-from __future__ import annotations
-
 from functools import cache
 
 import numpy as np
@@ -34,7 +32,7 @@ def first():
 def followed(kind, stop=None, **options):
     """The branch, or what it has when so many points were told."""
 
-    def progress(done: int, *_: int) -> None:
+    def progress(done, *_):
         if stop is not None and done >= stop:
             raise KeyboardInterrupt
 

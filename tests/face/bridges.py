@@ -19,25 +19,25 @@ def made(*, pulled=False, calls=None):
     """Three values of two numbers, NaN where the first number is above 10; note each call."""
     noted = [] if calls is None else calls
 
-    def evaluate(x: np.ndarray) -> np.ndarray:
+    def evaluate(x):
         noted.append(f"evaluate {len(x)}")
         found = np.stack([x[:, 0] * x[:, 1], x[:, 0] ** 2, np.sin(x[:, 1])], axis=1)
         found[x[:, 0] > 10] = np.nan
         return found
 
-    def jacobian(x: np.ndarray) -> np.ndarray:
+    def jacobian(x):
         found = np.zeros((len(x), 3, 2))
         found[:, 0, 0], found[:, 0, 1] = x[:, 1], x[:, 0]
         found[:, 1, 0], found[:, 2, 1] = 2 * x[:, 0], np.cos(x[:, 1])
         found[x[:, 0] > 10] = np.nan
         return found
 
-    def differentiate(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def differentiate(x):
         values = evaluate(x)
         noted[-1] = f"differentiate {len(x)}"
         return values, jacobian(x)
 
-    def pull(x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    def pull(x, y):
         noted.append(f"pull {len(x)}")
         return np.einsum("nm,nmq->nq", y, jacobian(x))
 
@@ -66,11 +66,11 @@ class Bridge(NamedTuple):
     reverse_calls: list[str]  # of a gradient of five points
     forward: bool = True
 
-    def jacobians(self) -> list[Callable[..., Any]]:
+    def jacobians(self):
         found = self.transformations
         return [found.jacrev, found.jacfwd] if self.forward else [found.jacrev]
 
-    def of(self, **options: Any) -> tuple[ns.DifferentiableFunction, Callable[..., Any]]:
+    def of(self, **options):
         """A function, and what the library makes of it."""
         source = made(pulled=self.pulled, **options)
         return source, self.differentiable(source)
@@ -127,11 +127,11 @@ class Laws:
     def test_it_composes_with_what_the_library_differentiates(self, bridge):
         _, function = bridge.of()
 
-        def plain(x: Any) -> Any:
+        def plain(x):
             return bridge.numbers.stack([x[..., 0] * x[..., 1], x[..., 0] ** 2], -1)
 
-        def thrice(step: Callable[..., Any]) -> Callable[..., Any]:
-            def whole(x: Any) -> Any:
+        def thrice(step):
+            def whole(x):
                 for _ in range(3):
                     x = step(bridge.numbers.sin(x))[..., :2]
                 return x.sum()

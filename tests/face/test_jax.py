@@ -4,8 +4,6 @@ All in one file, so that one process alone loads JAX. Gradients through motions 
 differences in 40 digits.
 """
 
-from __future__ import annotations
-
 from functools import partial
 
 import numpy as np

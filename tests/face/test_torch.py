@@ -1,9 +1,6 @@
 """Functions with derivatives in PyTorch: its own checkers, `torch.func`, and what is refused."""
 
-from __future__ import annotations
-
 import re
-from typing import Any
 
 import numpy as np
 import pytest
@@ -29,7 +26,7 @@ class TestTorch(Laws):
         options = {"check_forward_ad": True, "check_batched_grad": True}
         options |= {"check_batched_forward_grad": True, "check_undefined_grad": True}
 
-        def tensor(x: np.ndarray) -> Any:
+        def tensor(x):
             return torch.tensor(x, requires_grad=True)
 
         return Bridge(

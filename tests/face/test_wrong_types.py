@@ -1,7 +1,5 @@
 """Whatever is passed to a public function or method, the answer is a result or one clear line."""
 
-from __future__ import annotations
-
 import inspect
 import json
 import pickle
@@ -310,7 +308,7 @@ def test_names_may_come_one_by_one():
 
 def test_what_has_names_that_its_order_would_not_heed_is_refused():
     class Series(list):  # as that of pandas: its entries have names
-        def items(self) -> list[tuple[str, float]]:
+        def items(self):
             return [*zip(("v2", "x1", "x2", "v1"), self, strict=True)]
 
     with pytest.raises(ns.InputError, match=r"^state takes several values"):

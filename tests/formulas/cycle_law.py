@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 import sympy as sp
@@ -95,7 +94,7 @@ class CycleLaw(SystemLaw):
         state = naming.state
         found = {}
 
-        def say(name: str, value: Any) -> None:
+        def say(name, value):
             found[name_of(name)] = value
 
         for k in range(count + 1):
@@ -189,7 +188,7 @@ class CycleLaw(SystemLaw):
         phase, before = self.orbit.phases[self.phase - 1], self.orbit.behind[self.phase - 1]
         system, facts = self.facts.system, self.facts
 
-        def highest(state: np.ndarray) -> float:
+        def highest(state):
             found = []
             for boundary in system.configuration(phase.configuration).boundaries:
                 normal, constant = system.gradient(boundary.function)
@@ -197,7 +196,7 @@ class CycleLaw(SystemLaw):
                 found.append(value + float(constant.xreplace(facts.given)))
             return float(max(found))
 
-        def moved(time: float) -> Any:
+        def moved(time):
             phi, forcing = facts.flow(phase.configuration, time)
             return phi @ before + forcing
 

@@ -1,7 +1,5 @@
 """LaTeX as it stands on the page."""
 
-from __future__ import annotations
-
 import re
 
 from tests.formulas.layout import (

@@ -37,12 +37,12 @@ class Motion(np.ndarray):
     flow: Any = None
 
     @classmethod
-    def of(cls, state: np.ndarray, flow: Any) -> Motion:
+    def of(cls, state, flow):
         found = np.array(state, dtype=float).reshape(-1, 1).view(cls)
         found.flow = flow
         return found
 
-    def __call__(self, time: float) -> Any:
+    def __call__(self, time):
         return self.flow(time)
 
 
@@ -165,7 +165,7 @@ class Facts:
             c, s = (system.states.index(symbol) for symbol in pair)
             start[[c, s]] /= np.hypot(start[c], start[s])
 
-        def moved(t: float) -> Any:
+        def moved(t):
             phi, forcing = self.flow(configuration, t)
             return phi @ start[:, None] + forcing
 
@@ -197,12 +197,12 @@ class Facts:
         right = a[others, c] - 1j * a[others, s]
         inner = 1j * frequency * np.eye(len(others)) - a[np.ix_(others, others)]
 
-        def phase(t: float) -> float:
+        def phase(t):
             return float(np.arctan2(moved(t)[s, 0], moved(t)[c, 0]))
 
         found[f"{name_of(self.letters.phase)}()"] = phase
 
-        def response(t: float, which: int) -> float:
+        def response(t, which):
             # in resonance there is none, and nothing says what it is
             value = np.linalg.solve(inner, right)[which]
             return float((value * np.exp(1j * phase(t))).real)
@@ -320,7 +320,7 @@ class SystemLaw:
             if not all(np.allclose(m, matrices[0], rtol=1e-12) for m in matrices):
                 raise Broken(f"{sharing} do not share a flow")
 
-            def phi(t: float, name: str = sharing[0]) -> np.ndarray:
+            def phi(t, name=sharing[0]):
                 return self.facts.flow(name, t)[0]
 
             found[f"Φ_{{{match[1]}}}"] = phi
@@ -329,7 +329,7 @@ class SystemLaw:
                     rows, columns = (slice(k * half, (k + 1) * half) for k in (i, j))
 
                     # defaults bind what the loop changes; they need no types of their own
-                    def block_of(t: float, phi=phi, place=(rows, columns)) -> Any:
+                    def block_of(t, phi=phi, place=(rows, columns)):
                         return phi(t)[place]
 
                     found[f"Φ_{{{match[1]}}}^{{{i + 1}{j + 1}}}"] = block_of
@@ -455,13 +455,13 @@ class SystemLaw:
         if signs != ["="]:
             return None
 
-        def at(symbol: sp.Symbol, value: float) -> SystemLaw:
+        def at(symbol, value):
             given = {**self.facts.given, symbol: value}
             law = copy(self)
             law.facts = replace(self.facts, given=given)
             return law
 
-        def gap(value: float, symbol: sp.Symbol) -> float:
+        def gap(value, symbol):
             one, other = map(Reading(at(symbol, value).names), sides)
             return float(one - other)
 

@@ -1,7 +1,5 @@
 """The formulas of a document, and those that stand on its pages in each format."""
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from xml.etree import ElementTree

@@ -1,7 +1,5 @@
 """Characteristic factors and impulse responses at numbers, by the exponential of a companion."""
 
-from __future__ import annotations
-
 from functools import partial
 from itertools import combinations
 

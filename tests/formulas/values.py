@@ -96,7 +96,7 @@ class Reading:
     def label(self, row):
         """Text of an index, its letters replaced by their numbers."""
 
-        def number(match: re.Match[str]) -> str:
+        def number(match):
             letter = match[2] or match[1]
             value = self.indices.get(letter)
             if value is None:

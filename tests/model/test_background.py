@@ -1,7 +1,5 @@
 """Compiled kernels of declarations: made beside the work, kept where nobody else writes."""
 
-from __future__ import annotations
-
 import logging
 import os
 import shlex
@@ -225,7 +223,7 @@ def test_who_interrupts_the_wait_ends_the_compilation(cache, monkeypatch):
     process = library._building.process  # it is building
     wait, calls = process.wait, []
 
-    def interrupted(timeout: float | None = None) -> int:
+    def interrupted(timeout=None):
         calls.append(timeout)
         if len(calls) == 1:
             raise KeyboardInterrupt

@@ -1,10 +1,7 @@
 """Functions as data: the digits of the kernels that they were written from, and nothing else."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
@@ -184,7 +181,7 @@ def test_shapes_are_those_of_the_texts(shape):
 
 
 def test_the_first_results_do_without_later_arguments():
-    def two(since: tuple[int, int], first: str = "a1") -> Function:
+    def two(since, first="a1"):
         return Function(
             takes=("a1", "b1"),
             inputs=((1,), (1,)),
@@ -232,7 +229,7 @@ def test_the_first_results_need_no_work_for_later_ones():
     class Counted:
         """A number that notes with what it is multiplied."""
 
-        def __mul__(self, other: Any) -> Counted:
+        def __mul__(self, other):
             done.append(other)
             return self
 

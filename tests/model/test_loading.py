@@ -1,7 +1,5 @@
 """A user's own declaration: loaded from a file, a folder, or Python, and cached."""
 
-from __future__ import annotations
-
 import functools
 import gc
 import linecache
@@ -14,7 +12,6 @@ import weakref
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from types import FunctionType, ModuleType
-from typing import Any
 
 import numpy as np
 import pytest
@@ -54,7 +51,7 @@ def derivations(monkeypatch):
     names = []
     derive = python_file.emit_python
 
-    def counted(system: Any, orbits: Any, source: str) -> str:
+    def counted(system, orbits, source):
         names.append(system.name)
         return derive(system, orbits, source)
 
@@ -618,7 +615,7 @@ def test_two_processes_remove_the_same(tmp_path, monkeypatch):
     monkeypatch.setattr(caching, "MOST_BYTES", 100)
     unlink = Path.unlink
 
-    def twice(path: Path, missing_ok: bool = False) -> None:
+    def twice(path, missing_ok=False):
         unlink(path, missing_ok)
         unlink(path, missing_ok)
 

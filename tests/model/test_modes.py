@@ -4,8 +4,6 @@ Of fields of all kinds: one by one and in stacks, with few states and many, wher
 equal, nearly equal, or apart.
 """
 
-from __future__ import annotations
-
 import math
 import weakref
 from itertools import product

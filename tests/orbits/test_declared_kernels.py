@@ -1,7 +1,5 @@
 """Declared orbits that are composed are found at many points by compiled kernels of their own."""
 
-from __future__ import annotations
-
 import shutil
 from functools import cache
 from pathlib import Path
@@ -233,7 +231,7 @@ def test_kernels_whose_tables_went_are_made_again(tmp_path, monkeypatch):
         shutil.copy2(path, tmp_path)
     monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path))
 
-    def found() -> bool:
+    def found():
         library = background.KernelLibrary(key, None, "impact_oscillator")
         return library.module() is not None
 

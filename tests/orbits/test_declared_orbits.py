@@ -5,7 +5,6 @@ import pickle
 import re
 from dataclasses import replace
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
@@ -27,7 +26,7 @@ def installed(monkeypatch):
 
 
 def install(monkeypatch, kernels):
-    def orbit(name: str) -> Any:
+    def orbit(name):
         return kernels if name == NAME else load_orbit(name)
 
     monkeypatch.setattr("nonsmooth.runtime.orbits.solve.load_orbit", orbit)

@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 
 import nonsmooth as ns
 from nonsmooth import InputError
-from nonsmooth.derive import Harmonic, Parameter, RigidStop, SoftStop, System, oscillator
+from nonsmooth.derive import Harmonic, Parameter, RigidStop, SoftStop, oscillator
 from tests.one_mass import one_mass
 
 ONE = [("free", "stop-reaches-stop")]
@@ -32,7 +32,7 @@ def settled(system, data, transitions=800):
 
 
 def test_the_forcing_starts_at_its_maximum_where_nothing_is_said():
-    def begin(system: System, start: dict[str, float]) -> list[float]:
+    def begin(system, start):
         motion = ns.simulate(system, DATA, start, until=1.0)
         return list(motion.states[0].tolist())
 
@@ -90,7 +90,7 @@ def test_a_mass_that_nothing_moves_does_not_hide_the_orbit(monkeypatch, backend)
     """Its state goes to zero by itself: it has no size that a step could be compared with."""
     monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
 
-    def stop(coordinates: list[str]) -> System:
+    def stop(coordinates):
         still = len(coordinates) - 1
         return oscillator(
             f"masses-{len(coordinates)}",

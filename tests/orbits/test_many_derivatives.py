@@ -1,9 +1,5 @@
 """Derivatives of batches: what has none, and what no point owes to its neighbours."""
 
-from __future__ import annotations
-
-from typing import Any
-
 import numpy as np
 import pytest
 import sympy as sp
@@ -30,7 +26,7 @@ def test_a_direction_that_turns_with_a_parameter_has_its_share():
     orbit = settled_orbit(GEARED, TURNED)
     data, guess = {"i": TURNED["i"]}, [*orbit.dwell_times, *orbit.states[0]]
 
-    def solved(i: float) -> Any:
+    def solved(i):
         return ns.solve(GEARED, {**TURNED, "i": i}, guess, itinerary=orbit.itinerary)
 
     values = {**TURNED, "i": [TURNED["i"]]}
@@ -128,7 +124,7 @@ def test_arrays_that_do_not_fit_are_refused():
     places = [[0, 1, 1, 2, 2], [0, 14], [0, 1], []]  # two phases, two directions, two states
     sizes = [2, 2, 12, 6, 12, 2, 4, 4, 2, 4, 8]
 
-    def given() -> list[np.ndarray]:
+    def given():
         integers = [np.array(part, dtype=np.int32) for part in places]
         return [*integers, *(np.zeros(size) for size in sizes)]
 

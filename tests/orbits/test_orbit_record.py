@@ -1,7 +1,5 @@
 """An orbit keeps what it was solved with, whatever becomes of the file that declared it."""
 
-from __future__ import annotations
-
 import shutil
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Orbits that are periodic up to a shift, against closed forms and direct integration."""
 
-from __future__ import annotations
-
 import json
 import math
 from functools import cache
@@ -106,7 +104,7 @@ def test_where_the_guess_lies_along_the_direction_does_not_matter():
 
 
 def gear_field(data):
-    def field(time: float, y: np.ndarray) -> np.ndarray:
+    def field(time, y):
         gap = y[0] - y[1]
         teeth = data["k"] * (max(gap - data["b"], 0) + min(gap + data["b"], 0))
         torque = data["M"] + data["A"] * y[5] - data["c"] * y[2]
@@ -133,7 +131,7 @@ def test_the_gear_turns_by_the_mean_torque_and_comes_back_by_direct_integration(
     # multipliers of the return map at a fixed phase, by differences
     step = 1e-7
 
-    def returned(state: np.ndarray) -> np.ndarray:
+    def returned(state):
         return ns.simulate(GEAR, data, state, until=period)([period])[0, :4]
 
     columns = [returned(start + step * d) - returned(start - step * d) for d in np.eye(6)[:4]]

@@ -33,7 +33,7 @@ def turned(reverse=False):
     load, period = Parameter("p", "load"), Parameter("T", "period")
     quarter, fifth = sp.Rational(1, 4), sp.Rational(1, 5)
 
-    def masses(stop: int) -> SecondOrder:
+    def masses(stop):
         forces = (-2 * quarter * load.symbol, quarter * load.symbol)
         return SecondOrder(sp.eye(2), [[7 * quarter + stop, -1], [-1, 7 * quarter]], forces)
 

@@ -1,7 +1,5 @@
 """What is wrong in a question for orbits is named on one line, whoever would answer it."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Bugs that mutate.py plants are found by syntax, everywhere, and each changes its place alone."""
 
-from __future__ import annotations
-
 import re
 import subprocess
 
@@ -136,7 +134,7 @@ def test_a_difference_can_be_applied(tmp_path, monkeypatch, capsys):
     file.parent.mkdir()
     file.write_text(PYTHON, encoding="utf-8")
 
-    def git(*arguments: str, told: str = "") -> None:
+    def git(*arguments, told=""):
         subprocess.run(["git", *arguments], cwd=tmp_path, input=told, text=True, check=True)
 
     git("init", "-q")

@@ -45,7 +45,7 @@ def written(folder, formulas, *, certified=False, pictures=()):
     steps = []
     save = figure.Figure.savefig
 
-    def saved(own: Any, target: io.BytesIO, **options: Any) -> None:
+    def saved(own, target, **options):
         second = io.BytesIO()
         if len(drawn) // 2 in pictures:
             for file in (target, second):

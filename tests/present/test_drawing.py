@@ -71,7 +71,7 @@ def test_tick_labels_stand_apart_at_every_draw():
     """Of a figure that is made narrower, and whose numbers are written longer, once drawn."""
     figure, axes = drawn(0, 0.5)
 
-    def labels() -> list[str]:
+    def labels():
         figure.draw_without_rendering()
         drawn = [label for label in axes.get_xticklabels() if label.get_text()]
         boxes = [label.get_window_extent() for label in drawn]

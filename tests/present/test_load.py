@@ -1,7 +1,5 @@
 """One function reads every file of results, and every result is drawn or says why it is not."""
 
-from __future__ import annotations
-
 import json
 import os
 import re

@@ -70,7 +70,7 @@ def thermostat(lags):
     states = sp.symbols(f"a:{lags}", real=True)
     matrix = sp.Matrix(lags, lags, lambda i, j: {0: -1, 1: 1}.get(i - j, 0))
 
-    def regime(name: str, way: int) -> Configuration:
+    def regime(name, way):
         reached = Boundary(f"{name}-ends", way * states[-1] - sp.Rational(1, 10))
         return Configuration(name, FirstOrder(matrix, [way, *[0] * (lags - 1)]), (reached,))
 

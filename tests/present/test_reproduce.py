@@ -1,7 +1,5 @@
 """The reproduction of the source paper: files, numbers by other routes, bad input."""
 
-from __future__ import annotations
-
 import json
 import re
 import sys

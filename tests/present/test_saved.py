@@ -3,7 +3,6 @@
 import json
 from fractions import Fraction
 from functools import cache, partial
-from typing import Any
 
 import mpmath
 import pytest
@@ -121,7 +120,7 @@ def put(where, entry):
     """Change that replaces an entry; "unknowns/tau" is one of a mapping."""
     *outer, name = where.split("/")
 
-    def change(content: dict[str, Any]) -> None:
+    def change(content):
         for key in outer:
             content = content[key]
         content[name] = entry

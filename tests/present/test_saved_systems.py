@@ -1,10 +1,7 @@
 """Files of results hold their system as data: nothing that they name is ever run."""
 
-from __future__ import annotations
-
 import json
 from hashlib import sha256
-from typing import Any
 
 import numpy as np
 import pytest
@@ -235,7 +232,7 @@ def resealed(content, change):
 def put(path, entry):
     *outer, last = path.split("/")
 
-    def change(tables: Any) -> None:
+    def change(tables):
         for name in outer:
             tables = tables[int(name) if isinstance(tables, list) else name]
         tables[int(last) if isinstance(tables, list) else last] = entry
@@ -279,7 +276,7 @@ def test_data_that_are_not_in_order_are_refused_at_small_cost(where, folder):
     assert resealed(sound, lambda tables: None)["system"] == sound["system"]
     most = 2 * calls_of(lambda: ns.load(folder / "orbit.json"))
 
-    def refuse() -> None:
+    def refuse():
         with pytest.raises(InputError) as refused:
             ns.load(wrong)
         assert str(refused.value).startswith(str(wrong)), entry

@@ -2,7 +2,6 @@
 
 import copy
 from functools import cache
-from typing import Any
 
 import mpmath
 import numpy as np
@@ -215,7 +214,7 @@ def test_a_contact_that_vanishes_leaves_the_motion_without_it(tmp_path):
 def forged(found, change):
     """A file whose claims about what is beyond were edited, with its checksum."""
 
-    def both(content: dict[str, Any]) -> None:
+    def both(content):
         event = next(t["event"] for t in content["tiles"] if (t["event"] or {}).get("beyond"))
         change(event, event["beyond"][0])
 
@@ -289,7 +288,7 @@ def test_a_border_where_a_phase_began_is_not_met_where_it_ends():
 def test_a_branch_is_not_beyond_itself():
     """A tile of the branch itself meets the border too, on its own side: no itinerary begins."""
 
-    def itself(event: dict[str, Any], beyond: dict[str, Any]) -> None:
+    def itself(event, beyond):
         content = content_of(relay())
         branch = {name: content[name] for name in beyond["branch"]}
         tile = next(tile for tile in branch["tiles"] if tile["event"])
@@ -307,7 +306,7 @@ def test_orbits_beside_the_event_are_not_its_motion():
     (other,) = checked_tiles(beyond["branch"])
     own = next(tile for tile in checked_tiles(content) if tile.event is not None)
 
-    def same(longer: Any = (), shorter: Any = (), more: Any = ()) -> bool:
+    def same(longer=(), shorter=(), more=()):
         pair = _Met(other), _Met(own)
         for met, changed in zip(pair, (longer, shorter), strict=True):
             vars(met).update(changed)

@@ -1,13 +1,10 @@
 """Proofs over boxes of parameters: true at every point that is looked at, and never too much."""
 
-from __future__ import annotations
-
 import json
 import math
 import time
 from fractions import Fraction
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
@@ -145,7 +142,7 @@ def test_states_are_kept_on_the_way(monkeypatch):
     kept = []
     told = []
 
-    def passed(*share: Any) -> None:
+    def passed(*share):
         told.append(share)
         monkeypatch.setattr(time, "monotonic", lambda: 11.0 * len(told))
 

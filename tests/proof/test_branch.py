@@ -6,7 +6,6 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 from types import SimpleNamespace
-from typing import Any
 
 import mpmath
 import numpy as np
@@ -161,7 +160,7 @@ def test_another_orbit_is_not_taken_for_the_one_that_is_known(tile_near):
 def test_a_pair_that_leaves_the_circle_at_both_ends_is_not_one_flip():
     """With a period that is given m + 1/m may pass 2 where the equations stay regular."""
 
-    def orbit(period: object) -> Any:
+    def orbit(period):
         values = {"m2": "1.13", "k1": "7.74", "k2": "0.85", "T": period}
         return ns.solve("rigid-stop/one-impact", values)
 
@@ -173,7 +172,7 @@ def test_a_pair_that_leaves_the_circle_at_both_ends_is_not_one_flip():
     numbers = [ns.certify(orbit(7.425 + 0.315 * e)).enclosures for e in nodes]
     rows = [[float(each[name]) for name in found.unknown_names] for each in numbers]
 
-    def widen(content: dict[str, Any]) -> None:
+    def widen(content):
         (tile,) = (tile for tile in content["tiles"] if tile["event"])
         tile.update(lower="711/100", upper="387/50", before="unstable", after="unstable")
         tile["centre"] = np.polynomial.polynomial.polyfit(nodes, rows, 5).T.tolist()
@@ -226,7 +225,7 @@ def test_a_torus_is_an_event_and_a_neutral_saddle_is_none(tmp_path):
     for ball in stated["enclosures"].values():
         ball["rad"] = "10"
 
-    def plant(content: dict[str, Any]) -> None:
+    def plant(content):
         (tile,) = (
             tile
             for tile in content["tiles"]
@@ -343,7 +342,7 @@ def first_tile(content):
 def without(kind):
     """Leave all but the first tile out, and of what happens there one kind."""
 
-    def change(content: dict[str, Any]) -> None:
+    def change(content):
         first_tile(content)
         event = content["tiles"][0]["event"]
         event["also"] = [other for other in event["also"] if other[0] != kind]

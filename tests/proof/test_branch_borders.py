@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 from functools import cache
-from typing import Any
 
 import mpmath
 import pytest
@@ -66,7 +65,7 @@ def peak():
     """The largest a of the orbit, which both phases reach with opposite signs."""
     with mpmath.workprec(200):
 
-        def missed(time: Any) -> Any:
+        def missed(time):
             tenth = mpmath.mpf(1) / 10
             start, decay = -mpmath.tanh(time / 2), mpmath.exp(-time)
             return 1 + (start - 1) * time * decay - (1 + tenth) * decay - tenth
@@ -142,7 +141,7 @@ def certified(system):
 def with_event(found, **changes):
     """The content of its file with another event."""
 
-    def change(content: dict[str, Any]) -> None:
+    def change(content):
         (tile,) = (tile for tile in content["tiles"] if tile["event"])
         tile["event"].update(changes)
 
@@ -166,7 +165,7 @@ def test_a_condition_without_effect_is_no_event():
     refused(with_event(event, phase=2))
     refused(with_event(event, also=[["condition", 1, "1.1", "end"]]))
 
-    def turned(content: dict[str, Any]) -> None:
+    def turned(content):
         first = content["declaration"]["transitions"][0]["conditions"][0]
         first[2] = not first[2]
 
@@ -219,7 +218,7 @@ def test_numbers_that_are_zero_are_proved_again(tmp_path):
 def test_a_phase_that_may_end_before_passes_nothing():
     """One tile over all: where the phase lasts less than 1/100 the orbit is a motion."""
 
-    def whole(content: dict[str, Any]) -> None:
+    def whole(content):
         first, last = content["tiles"][0], content["tiles"][-1]
         centre = [[0.0] * 6 for _ in content["unknown_names"]]
         centre[content["unknown_names"].index("tau1")][:2] = [0.4, 0.5]
@@ -231,7 +230,7 @@ def test_a_phase_that_may_end_before_passes_nothing():
 
 
 def test_a_branch_goes_on_where_its_phase_vanishes_and_nothing_turns():
-    def cut(content: dict[str, Any]) -> None:
+    def cut(content):
         place = next(k for k, tile in enumerate(content["tiles"]) if tile["event"])
         content["tiles"] = content["tiles"][place:]
         content["start"] -= place
@@ -290,7 +289,7 @@ def test_a_parameter_may_be_called_as_an_unknown_is():
     assert event.enclosures["a0"].ball.contains(reached)
     assert (-event.enclosures["a"].ball).contains(reached)
 
-    def renamed(content: dict[str, Any]) -> None:
+    def renamed(content):
         content["declaration"]["start"][0] = content["unknown_names"][0] = "a0"
         (event,) = (tile["event"] for tile in content["tiles"] if tile["event"])
         del event["enclosures"]["a"]

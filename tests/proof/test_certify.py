@@ -1,7 +1,5 @@
 """Certificates: what is proved is true, and what is not true is never proved."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from fractions import Fraction

@@ -1,14 +1,11 @@
 """Counted orbits: none is missed, none counts twice, and what cannot be told is undecided."""
 
-from __future__ import annotations
-
 import json
 import math
 from dataclasses import replace
 from functools import cache
 from itertools import product
 from types import SimpleNamespace
-from typing import Any
 
 import mpmath
 import numpy as np
@@ -271,7 +268,7 @@ def by_brute_force(numbers, longest):
     """How many cycles there are: Newton's method in doubles from many starts, and roots apart."""
     *sides, r, a = numbers
 
-    def passed(side: Any, time: Any, speed: Any) -> tuple[Any, Any]:
+    def passed(side, time, speed):
         stiffness, damping, load = side
         at, rate = load / stiffness, np.emath.sqrt(damping**2 / 4 - stiffness)
         swing, decay = np.sinh(rate * time) / rate, np.exp(-damping / 2 * time)
@@ -280,7 +277,7 @@ def by_brute_force(numbers, longest):
         velocity = decay * (at * stiffness * swing + speed * (still - damping * swing))
         return position.real, velocity.real
 
-    def residual(unknowns: Any) -> Any:
+    def residual(unknowns):
         first, second, speed = unknowns
         position, velocity = passed(sides[:3], first, speed)
         end, back = passed(sides[3:], second, velocity)

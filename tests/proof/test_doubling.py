@@ -113,7 +113,7 @@ def test_time_and_an_interruption_along_the_doubled_branch_keep_what_is_proved(
     assert len(short.branch.tiles) == 1
     shares = []
 
-    def stop(share: float, tiles: int) -> None:
+    def stop(share, tiles):
         shares.append(share)
         if share > 0.6:  # beyond the tube
             raise KeyboardInterrupt

@@ -1,7 +1,5 @@
 """Files of maps of two parameters whose curves are not true: they are refused, with the reason."""
 
-from __future__ import annotations
-
 from functools import partial
 
 import pytest

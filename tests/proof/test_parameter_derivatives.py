@@ -1,7 +1,5 @@
 """Proved derivatives by parameters: against refined orbits, differences and closed forms."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import pytest

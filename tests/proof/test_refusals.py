@@ -1,12 +1,9 @@
 """What the checker refuses is undecided, with its reason, and the file holds nothing of it."""
 
-from __future__ import annotations
-
 from contextlib import contextmanager
 from fractions import Fraction
 from functools import cache
 from pkgutil import resolve_name
-from typing import Any
 
 import pytest
 from flint import fmpq
@@ -25,7 +22,7 @@ def refusing(step, claimed=lambda *told: True):
     """Let a check refuse what is claimed, too."""
     check = resolve_name(f"nonsmooth.runtime.{step}")
 
-    def planted(*told: Any) -> Any:
+    def planted(*told):
         if claimed(*told):
             raise Failure("planted")
         return check(*told)
@@ -53,7 +50,7 @@ def test_a_claim_of_an_orbit_that_cannot_be_judged(claim, error, tmp_path, monke
         "existence": "stated_system", "stability": "judged_stability", "derivatives": "rates_along",
     }.get(claim, claim)  # fmt: skip
 
-    def planted(*_: Any, **__: Any) -> Any:
+    def planted(*_, **__):
         raise error
 
     with monkeypatch.context() as judging:
@@ -179,7 +176,7 @@ def test_an_orbit_that_is_counted(tmp_path):
 
 @pytest.mark.parametrize("error", [KeyboardInterrupt, KeyError, TypeError, AttributeError])
 def test_an_interruption_and_an_error_of_the_program_are_no_refusals(error, monkeypatch):
-    def stopped(*told: Any) -> None:
+    def stopped(*told):
         raise error
 
     monkeypatch.setattr("nonsmooth.runtime.checker.ranges.tiles.CheckedBox.judged", stopped)

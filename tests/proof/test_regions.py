@@ -1,7 +1,5 @@
 """Maps of two parameters: regions with one verdict, curves of events between them, and no more."""
 
-from __future__ import annotations
-
 import random
 from fractions import Fraction
 from functools import cache

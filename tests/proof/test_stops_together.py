@@ -1,7 +1,5 @@
 """Stops that are reached at one instant, in proofs: every order of impacts has to agree."""
 
-from __future__ import annotations
-
 import copy
 from functools import cache
 

@@ -1,7 +1,5 @@
 """Proofs of the sequence of transitions, against integration at 60 digits by other means."""
 
-from __future__ import annotations
-
 import math
 import random
 from fractions import Fraction
@@ -322,7 +320,7 @@ def test_wrong_input_is_named(changes, told):
 
 
 def test_work_is_in_proportion_to_the_transitions():
-    def prove(count: int) -> None:
+    def prove(count):
         proof = certify.motion("dry-friction", FIRST, START, "slip-slip", count)
         assert proof.decided
         assert proof.transitions == count

@@ -1,10 +1,7 @@
 """Proofs of motions whose flows have no closed form: damped, forced, defective, growing."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from itertools import pairwise
-from typing import Any
 
 import pytest
 import sympy as sp
@@ -157,7 +154,7 @@ def test_a_damped_mass_is_proved_to_come_to_rest(a, k):
 def test_a_motion_takes_a_unit_of_time_that_is_longer(rate):
     """Of a mass of some megahertz in seconds as much is proved as in its own unit."""
 
-    def proved(rate: int) -> Any:
+    def proved(rate):
         stop = RigidStop("x", at="1/1000", restitution="4/5")
         matrices = [[1]], [[rate**2]], [[Fraction(rate, 10)]]
         system = oscillator("struck", ["x"], *matrices, elements=[stop])

@@ -1,7 +1,5 @@
 """Conservative orbits: the first integral, the defective double one, the reciprocal pair."""
 
-from __future__ import annotations
-
 from functools import cache
 
 import mpmath

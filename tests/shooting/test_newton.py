@@ -97,7 +97,7 @@ def test_a_refinement_whose_last_step_still_corrects_has_left_the_orbit(remainin
 
     passed = []
 
-    def step(x: np.ndarray, last: bool) -> tuple[list[Any], str]:
+    def step(x, last):
         passed.append(last)
         return [lib.mp.mpf(remaining)], "last" if last else "before"
 

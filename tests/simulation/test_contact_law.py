@@ -1,12 +1,9 @@
 """Contacts that the mass matrix couples: order, mirror images, the minimum, proofs."""
 
-from __future__ import annotations
-
 import copy
 import json
 from dataclasses import replace
 from itertools import product
-from typing import Any
 
 import numpy as np
 import pytest
@@ -43,7 +40,7 @@ def parts(seed, count, order, sign, stop=False):
     """
     rng = np.random.default_rng(seed)
 
-    def number(low: float, high: float) -> sp.Rational:
+    def number(low, high):
         return sp.Rational(round(rng.uniform(low, high) * 64), 64)
 
     names = [f"x{i + 1}" for i in range(count)]
@@ -149,7 +146,7 @@ def least(point, state, reached):
     while True:
         bound = np.array([limits[i]["kinetic" if i in reached else "static"] for i in range(count)])
 
-        def cost(z: np.ndarray, bound: np.ndarray = bound) -> float:
+        def cost(z, bound=bound):
             change = z[:count] - free
             return float(change @ inverse @ change / 2 + bound @ z[count:])
 
@@ -316,7 +313,7 @@ def test_an_orbit_through_coupled_contacts_is_proved_and_checked(tmp_path):
     taken = content["declaration"]["transitions"][0]
     assert len(taken["steps"]) == 2
 
-    def refused(change: Any) -> None:
+    def refused(change):
         other = copy.deepcopy(content)
         change(other["declaration"])
         other["sha256"] = checksum_of(other)

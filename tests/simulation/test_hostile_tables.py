@@ -1,7 +1,5 @@
 """Tables of numbers that no system has: an engine ends with a status, and soon."""
 
-from __future__ import annotations
-
 import math
 import signal
 from contextlib import contextmanager
@@ -30,7 +28,7 @@ class Late(BaseException):
 
 @contextmanager
 def limited():
-    def late(*_: object) -> None:
+    def late(*_):
         raise Late
 
     before = signal.signal(signal.SIGPROF, late)

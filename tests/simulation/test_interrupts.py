@@ -1,7 +1,5 @@
 """Work in C ends at once when a signal wants it to, in this thread and in others."""
 
-from __future__ import annotations
-
 import gc
 import signal
 from concurrent.futures import ThreadPoolExecutor
@@ -45,7 +43,7 @@ def admissible(count):
 
 
 def chart_threads():
-    def work(number: int) -> None:
+    def work(number):
         ns.simulate("dry-friction", RUBBING, STARTS, until=1e9, transitions=10**9, threads=1)
 
     run_threads(work, range(4), 2, lambda done: None)
@@ -81,7 +79,7 @@ def test_a_signal_ends_it(name):
     """Signals are heard several times in the middle of a call, and then one ends it."""
     heard = []
 
-    def ring(_: object, frame) -> None:
+    def ring(_, frame):
         while frame and frame.f_code.co_filename.endswith(WAITING):
             frame = frame.f_back
         heard.append((frame, frame.f_lasti if frame else 0))
@@ -130,17 +128,17 @@ def test_it_ends_in_a_thread_that_is_called_off(name):
 def test_a_failure_calls_off_the_pool_and_those_inside_it():
     begun, ended = Event(), Event()
 
-    def inner() -> None:
+    def inner():
         begun.set()
         with pytest.raises(KeyboardInterrupt):
             wait_until_called_off()
         ended.set()
 
-    def outer() -> None:
+    def outer():
         with thread_pool(1) as pool:
             pool.submit(inner).result()
 
-    def fail() -> None:
+    def fail():
         with thread_pool(1) as pool:
             pool.submit(outer)
             begun.wait()

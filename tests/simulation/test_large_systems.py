@@ -127,7 +127,7 @@ def test_rounding_by_factors_is_bounded_as_by_matrices(count, growing):
     """What a decider is told of an event: never less than by matrices, and not much more."""
     engine, told = compiled_engine(), []
 
-    def decide(*what: object) -> tuple[int, int, int]:
+    def decide(*what):
         told.append([np.frombuffer(what[4]), what[5]])  # bytes
         return Status.UNDECLARED, 0, 0
 

@@ -290,7 +290,7 @@ def test_files_that_are_too_large(path, monkeypatch):
 def put(name, entry):
     """An entry of the header, or of an entry of it."""
 
-    def change(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> None:
+    def change(header, arrays):
         del arrays
         outer, _, inner = name.partition("/")
         (header[outer] if inner else header)[inner or outer] = entry
@@ -299,7 +299,7 @@ def put(name, entry):
 
 
 def cell(name, place, entry):
-    def change(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> None:
+    def change(header, arrays):
         del header
         arrays[name] = arrays[name].astype("U40" if isinstance(entry, str) else float)
         arrays[name][place] = entry
