@@ -162,14 +162,14 @@ def solve_full(kernels: OrbitKernels, x: np.ndarray, places: Sequence[int]) -> P
 
     with np.errstate(all="ignore"):
         (iterations,), (status,) = (ended.tolist() for ended in iterate(1, advance))
-    if status != INVALID and (condition := _condition_number(jacobian)) > MOST_CONDITION:
-        raise _undetermined(sought, condition)
-    missed = float(np.abs(residual).max())
-    found = judged_solution(kernels, x, places, missed, iterations, status)
-    if status == CONVERGED and not found.error < DETERMINED:
-        jacobian = equations_at(kernels, x).jacobian[:, places]
-        size = np.maximum(np.abs(x[places]), 1)
-        raise _undetermined(sought, float(np.linalg.cond(jacobian * size)))
+        if status != INVALID and (condition := _condition_number(jacobian)) > MOST_CONDITION:
+            raise _undetermined(sought, condition)
+        missed = float(np.abs(residual).max())
+        found = judged_solution(kernels, x, places, missed, iterations, status)
+        if status == CONVERGED and not found.error < DETERMINED:
+            jacobian = equations_at(kernels, x).jacobian[:, places]
+            size = np.maximum(np.abs(x[places]), 1)
+            raise _undetermined(sought, _condition_in_norm(jacobian * size))
     return found
 
 
@@ -329,14 +329,14 @@ def natural_scales(jacobian: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, np.
 
 
 def _condition_number(jacobian: np.ndarray) -> float:
-    """Condition number of a Jacobian (n, m) after scaling rows, then columns, to unit size.
-
-    It is in the 2-norm, and inf if an entry is not finite.
-    """
+    """Condition number of a Jacobian (n, m) after scaling rows, then columns, to unit size."""
     rows = np.abs(jacobian).max(axis=1, keepdims=True)
     scaled = jacobian / np.where(rows > 0, rows, 1)
     columns = np.abs(scaled).max(axis=0, keepdims=True)
     scaled = scaled / np.where(columns > 0, columns, 1)
-    if not np.isfinite(scaled).all():
-        return np.inf
-    return float(np.linalg.cond(scaled))
+    return _condition_in_norm(scaled)
+
+
+def _condition_in_norm(matrix: np.ndarray) -> float:
+    """Condition number of a matrix (n, m) in the 2-norm, inf if an entry is not finite."""
+    return float(np.linalg.cond(matrix)) if np.isfinite(matrix).all() else np.inf

@@ -5,17 +5,17 @@ import json
 import random
 from fractions import Fraction
 from functools import cache
-from itertools import permutations
+from itertools import permutations, product
 from types import SimpleNamespace
 
 import pytest
-from flint import arb, fmpq
+from flint import arb, ctx, fmpq
 
 import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.ranges.folded import beyond_folds, neighbours
-from nonsmooth.runtime.checker.ranges.tiles import MapTile
+from nonsmooth.runtime.checker.ranges.tiles import CheckedBox, MapTile
 from nonsmooth.runtime.checker.stated.parameters import independent
 from nonsmooth.runtime.core.rational_functions import symbols
 from nonsmooth.runtime.core.result_files import checksum_of
@@ -432,11 +432,26 @@ def test_open_tiles_are_beyond_folds_where_nothing_else_is_beside_them(seed, ste
         assert answers[k] == own if steep else answers[k] <= own
 
 
+@pytest.mark.parametrize("bend", [-1.5, 0.0])
+def test_an_edge_that_a_curve_passes_twice_is_not_beyond_it(bend):
+    event = {"kind": "fold", "centre": [0.0, 0.0, bend], "radius": 0, "above": "", "axis": 1}
+    tiles = [{"event": own, "place": [(k, 1), (0, 0)]} for k, own in enumerate((None, event))]
+    assert beyond_folds(tiles, ("undecided", ""), [[1], [0]]) == [not bend, False]
+
+
 def test_a_fold_is_where_orbits_meet_and_not_amid_their_tube():
     """The tube is moved along the two orbits, and the curve to where the parameter then is."""
     content = content_of(test_fold_curves.small())
     (event,) = (tile["event"] for tile in content["tiles"])
     believed(content)
+    fold = CheckedBox(content).proved(content["tiles"][0]).fold
+    point = next(p for p in product((fmpq(-1), fmpq(1)), repeat=2) if fold.claims_at(p))
+    with ctx.workprec(64):
+        own = fold.at(point)
+        other = "above" if fold.sheets.sheet == "below" else "below"
+        fold.sheets = fold.sheets._replace(sheet=other)
+        assert fold.holds(point, fold.at(point))
+        assert not fold.holds(point, own)
     event["fold"]["centre"][0] += event["fold"]["half"] / 250
     event["centre"][0] += 3.1536e-5
     event["radius"] = 1.5e-5

@@ -1,5 +1,6 @@
 """One orbit at one point: exchanges, searches and failures."""
 
+from contextlib import suppress
 from itertools import combinations
 
 import numpy as np
@@ -102,6 +103,14 @@ def test_every_exchange_is_solved_but_where_the_equations_are_singular(reference
     for text in refused.values():
         assert "do not determine" in text
         assert float(text.partition("condition number ")[2]) > 1e12
+
+
+@pytest.mark.parametrize("factor", [0, 2, 100])
+def test_an_exchange_far_off_is_solved_or_refused(reference, factor):
+    """Some end beside numbers that no system has, at which nothing is finite."""
+    for swapped, fixed in EXCHANGES[::3]:
+        with suppress(InputError, NoConvergence):
+            exchanged(reference, swapped, fixed, factor)
 
 
 def test_the_guess_serves_an_exchange_too(reference):

@@ -40,6 +40,12 @@ def test_the_papers_flip_is_subcritical(found):
     assert "subcritical" in found.statement
     left = replace(doubling, verdict="undecided", reason="not known")
     assert replace(found, doubled=left).claims == {"doubling": "undecided"}
+    unknown = [replace(tile, before="unstable", after="unstable") for tile in found.branch.tiles]
+    assert replace(found, branch=replace(found.branch, tiles=tuple(unknown))).kind == ""
+    away = doubling.branch.tiles  # followed from the other end, orbits are proved as far
+    back = tuple(replace(tile, forwards=not tile.forwards) for tile in away[::-1])
+    turned = replace(doubling.branch, tiles=back, start=len(back))
+    assert replace(found, doubled=replace(doubling, branch=turned)).statement == found.statement
 
 
 @pytest.mark.slow
