@@ -105,10 +105,10 @@ def test_every_exchange_is_solved_but_where_the_equations_are_singular(reference
         assert float(text.partition("condition number ")[2]) > 1e12
 
 
-@pytest.mark.parametrize("factor", [0, 2, 100])
+@pytest.mark.parametrize("factor", [2, 100])
 def test_an_exchange_far_off_is_solved_or_refused(reference, factor):
     """Some end beside numbers that no system has, at which nothing is finite."""
-    for swapped, fixed in EXCHANGES[::3]:
+    for swapped, fixed in EXCHANGES[:12]:
         with suppress(InputError, NoConvergence):
             exchanged(reference, swapped, fixed, factor)
 
