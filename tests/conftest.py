@@ -13,6 +13,7 @@ import pytest
 import sympy.core.cache
 import typer.testing
 from hypothesis import HealthCheck, find, settings, strategies
+from hypothesis.internal.conjecture import providers
 
 from tests.places import CHECKOUT
 from tests.shared import FOLDER
@@ -32,6 +33,8 @@ settings.register_profile(
     "laws", deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow]
 )
 settings.load_profile("laws")
+if hasattr(providers, "is_local_module_file"):  # of constants in modules that others loaded
+    providers.is_local_module_file = lambda path: False
 
 # modules that keep what was derived and what is known of a system
 _REMEMBERING = ("nonsmooth.derive.", "nonsmooth.runtime.")

@@ -175,12 +175,13 @@ def read_file(path: Path, largest: int, kind: str) -> bytes:
         if not stat.S_ISREG(known.st_mode) and not stat.S_ISDIR(known.st_mode):
             raise InputError("cannot be read: it is a device or a pipe, not a file")
         with path.open("rb") as file:
-            found = file.read(min(known.st_size, largest) + 1)  # room for all of it is taken
+            # room for all that is asked for is taken
+            found = b"" if known.st_size > largest else file.read(known.st_size + 1)
     except InputError:
         raise
     except (OSError, ValueError) as problem:
         raise InputError(f"cannot be read: {_reason(problem)}") from None
-    if len(found) > largest:
+    if max(known.st_size, len(found)) > largest:
         raise InputError(f"too large for a {kind}")
     return found
 

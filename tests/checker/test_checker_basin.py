@@ -195,6 +195,7 @@ def test_another_declaration_is_refused(belt, tmp_path):
     refused_file({**belt, "declaration": declared}, tmp_path, "")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("change", "told"),
     [

@@ -439,6 +439,7 @@ def test_an_edge_that_a_curve_passes_twice_is_not_beyond_it(bend):
     assert beyond_folds(tiles, ("undecided", ""), [[1], [0]]) == [not bend, False]
 
 
+@pytest.mark.slow
 def test_a_fold_is_where_orbits_meet_and_not_amid_their_tube():
     """The tube is moved along the two orbits, and the curve to where the parameter then is."""
     content = content_of(test_fold_curves.small())

@@ -51,6 +51,7 @@ def preloaded(tmp_path_factory):
     return content
 
 
+@pytest.mark.slow
 def test_derivatives_along_the_branch_are_those_of_differences(content):
     """By the parameter and by an unknown: of orbits at a point, and in a box around it."""
     curve, middle, step = curve_of(content), arb(1.08), arb(2) ** -40
@@ -109,18 +110,20 @@ def call_it_stable(content):
         tile.update(event=None, before="stable", after="stable")
 
 
-ATTACKS = [
+ON_ALL_TILES = [
     drop_an_event,
-    exchange_the_sides,
     call_it_stable,
     lambda c: tile_of(c, "flip").update(event=None, before=tile_of(c, "flip")["after"]),
     lambda c: event_of(c, "flip").update(kind="neimark-sacker"),
     lambda c: event_of(c, "flip").update(kind="fold"),
-    lambda c: event_of(c, "flip").update(lower="107/100", upper="108/100"),
-    lambda c: event_of(c, "flip")["enclosures"]["V"].update(rad="1e-60"),
     lambda c: event_of(c, "grazing").update(window=["1/10", "1/5"]),
     # the function has its one maximum in this window too, but is convex where it begins
     lambda c: event_of(c, "grazing").update(window=["1/10", "2"]),
+]
+ATTACKS = [
+    exchange_the_sides,
+    lambda c: event_of(c, "flip").update(lower="107/100", upper="108/100"),
+    lambda c: event_of(c, "flip")["enclosures"]["V"].update(rad="1e-60"),
     lambda c: event_of(c, "grazing").update(phase=2),
     lambda c: event_of(c, "grazing").update(also=[["flip", 1, "", ""]]),
     lambda c: c["tiles"].pop(3),
@@ -135,6 +138,7 @@ ATTACKS = [
     lambda c: c.update(interval=["1/2", "13/10"]),
     lambda c: c.update(ends=[c["ends"][0], ""]),
     lambda c: c.update(ends=["a phase vanishes", c["ends"][1]]),
+    *(pytest.param(attack, marks=pytest.mark.slow) for attack in ON_ALL_TILES),
 ]
 
 

@@ -116,6 +116,7 @@ def test_flows_may_be_rounded_otherwise(content):
     believed(signed({**content, "bits": content["bits"] + 33}))
 
 
+@pytest.mark.slow
 def test_a_component_is_not_split(found, content, tmp_path):
     own = found.components[0].boxes
     half = {*own[: len(own) // 2].tolist()}

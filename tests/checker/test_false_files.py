@@ -157,7 +157,14 @@ FALSE = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(("kind", "name"), [(kind, name) for kind in FALSE for name in FALSE[kind]])
+@pytest.mark.parametrize(
+    ("kind", "name"),
+    [
+        pytest.param(kind, name, marks=[pytest.mark.slow] * (kind == "census-derived"))
+        for kind in FALSE
+        for name in FALSE[kind]
+    ],
+)
 def test_false_files_are_refused(kind, name, tmp_path):
     change = FALSE[kind][name]
     content = content_named(kind)

@@ -103,6 +103,7 @@ def test_wide_sets_are_divided(declared):
     assert parts.high.max() <= whole.high.max()
 
 
+@pytest.mark.slow
 def test_a_set_that_comes_elsewhere_is_lost_and_not_followed_further(declared, found):
     name = "slip-slip"
     whole, own = found[name], motions_of(declared)

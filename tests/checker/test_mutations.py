@@ -285,7 +285,7 @@ def sampled(content, drawn, count):
     return [drawn.choice(group) for group in drawn.sample(list(groups.values()), count)]
 
 
-DEAR = "branch-vanishing", "census-derived", "map"
+DEAR = "branch", "branch-vanishing", "census-conservative", "census-derived", "map"
 KINDS = [pytest.param(name, marks=pytest.mark.slow) if name in DEAR else name for name in FILES]
 
 

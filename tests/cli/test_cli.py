@@ -138,7 +138,7 @@ def engine_needed(example):
 LONG = "certify chaos", "certify basin", "certify region", "certify doubling", "certify branch"
 LONG = *LONG, "--worst-over", "--responses", "--compile", "nonsmooth find", "map.json"
 LONG = *LONG, "--over energy", "A.zarr", "--format", "forcing-phase", "--subject", "--switch"
-LONG = *LONG, "found.json"
+LONG = *LONG, "found.json", "certify all"
 
 
 def marks_of(example):
@@ -523,6 +523,7 @@ def test_equations_print_or_write(form, start, tmp_path):
     assert target.read_text(encoding="utf-8") == printed["text"]
 
 
+@pytest.mark.slow
 def test_equations_print_one_section():
     text = told("equations", "rigid-stop/one-impact", "--section", "map", "--format", "markdown")
     headings = re.findall(r"^## (.*)", text["text"], re.MULTILINE)

@@ -24,7 +24,12 @@ pytest.importorskip("latex2mathml")
 needs_latex = pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is missing")
 
 
-@pytest.fixture(params=marked(declarations(), "den_hartog/without-rest"))
+# closed forms of two masses, and the longest of declared ones
+LONG = "dry-friction/symmetric", "elastic-stop/one-contact", "two_stops/symmetric"
+LONG = *LONG, "beam", "den_hartog/without-rest", "rattle"
+
+
+@pytest.fixture(params=marked(declarations(), *LONG))
 def document(request):
     return document_of(str(request.param))
 

@@ -301,10 +301,9 @@ SLOW = ("symmetric", "solution-ii", "one-contact")
 def started(*first):
     """Give each example with each start, of some with the first alone."""
     cases = [
-        pytest.param(name, k, marks=[pytest.mark.slow] if name in slow else [])
+        pytest.param(name, k, marks=[pytest.mark.slow] * (name in (*SLOW, "dry-friction", "pair")))
         for name, example in EXAMPLES.items()
         for k in range(1 if name in first else len(example.itinerary().phases))
-        for slow in [(*SLOW, "dry-friction", "pair") if k else SLOW]
     ]
     return pytest.mark.parametrize(("name", "rotation"), cases)
 
@@ -389,7 +388,7 @@ def in_c(orbit, folder):
 
 @needs_compiler
 @pytest.mark.parametrize(
-    "name", ["pair", "belt", pytest.param("one-contact", marks=pytest.mark.slow)]
+    "name", ["belt", *(pytest.param(n, marks=pytest.mark.slow) for n in ("pair", "one-contact"))]
 )
 def test_the_solver_in_c_finds_the_orbit(name, tmp_path):
     """And tells of a dwell time that is negative, though it is no unknown: the period's rest."""

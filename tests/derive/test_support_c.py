@@ -233,6 +233,7 @@ def hard_cases():
     yield frequency, [row], duration, [0.99]
 
 
+@pytest.mark.slow
 def test_maxima_are_those_of_python(vector):
     """Whose laws are measured in tests/events."""
     for frequency, rows, duration, floor in (*cases(500), *hard_cases()):

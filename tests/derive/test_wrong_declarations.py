@@ -218,6 +218,9 @@ def refusal(name, given):
     return ""
 
 
+LONG = "System", "Itinerary"
+
+
 def public():
     """The public functions and classes, but for errors."""
     found = {name: getattr(nd, name) for name in nd.__all__ if name not in MADE_ALONE}
@@ -228,7 +231,9 @@ def public():
     }
 
 
-@pytest.mark.parametrize("name", public())
+@pytest.mark.parametrize(
+    "name", [pytest.param(n, marks=[pytest.mark.slow] * (n in LONG)) for n in public()]
+)
 @pytest.mark.filterwarnings("ignore::sympy.utilities.exceptions.SymPyDeprecationWarning")
 def test_wrong_values_are_refused_in_one_line(name, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)

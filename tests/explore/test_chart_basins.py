@@ -40,6 +40,7 @@ def found(tmp_path_factory):
     return file
 
 
+@pytest.mark.slow
 def test_labels_agree_with_following_single_starts(found, tmp_path):
     store, known = tmp_path / "basins.zarr", ns.load(found)
     plane = ns.chart(str(found), **STARTS, start={"x2": "1/2"}, store=store)

@@ -92,7 +92,7 @@ SETTLING = {"V": np.linspace(0.3, 1.1, 5), "eta": [1.0, 4.0], "simulate": True, 
         case(STICK, {"us1": [0.4, 0.9], "ur1": [3.6, 3.9, 4.2]}, 5),
         case(IMPACT, {"w": np.linspace(2.2, 2.8, 9), "r": 1}, 5),  # which keeps areas
         *(case(orbit, None, 11, slow=True) for orbit in (IMPACT, PIECEWISE, BELTS)),
-        case("chain", {"T": np.linspace(7.95, 8.2, 8), "k": [0.1, 0.2, 0.4]}, 5),
+        case("chain", {"T": np.linspace(7.95, 8.2, 8), "k": [0.1, 0.2, 0.4]}, 5, slow=True),
         case("damped", {"r": np.linspace(0.2, 0.4, 4), "k": [0.9, 1.0]}, 3, slow=True),
         case("dry-friction", {**SETTLING, "transitions": 300, **MOTIONS}, 1, slow=True),
     ],
@@ -205,6 +205,7 @@ def test_more_is_found_than_point_by_point():
 # --- lost chunks, and other engines
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("orbit", "plane", "chunk"), [case(STICK, WIDE, 500), case(IMPACT, None, 60)]
 )
@@ -222,7 +223,7 @@ def test_what_is_lost_or_damaged_is_computed_to_the_same_bits(orbit, plane, chun
 @pytest.mark.parametrize(
     ("orbit", "plane"),
     [
-        case(STICK, {"V": [1.06, 1.13, 1.21, 1.29], "eta": np.linspace(0.8, 1.3, 5)}),
+        case(STICK, {"V": [1.06, 1.13, 1.21, 1.29], "eta": np.linspace(0.8, 1.3, 5)}, slow=True),
         *(
             case(orbit, {name: values[::4] for name, values in PLANES[orbit].items()}, slow=True)
             for orbit in (IMPACT, PIECEWISE, BELTS)

@@ -32,6 +32,7 @@ def composed_folds():
     return nonsmooth.continue_orbit(impacts(), "w", (2.7, 2.9), event=fold, step=0.1)
 
 
+@pytest.mark.slow
 def test_orbits_of_a_curve_have_its_event():
     for place in (0, flips().start, -1):
         at = flips().orbit_at(place)

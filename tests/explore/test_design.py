@@ -132,6 +132,7 @@ def test_a_closed_form_is_met():
     assert abs(found.after["v0"]) < 1e-6
 
 
+@pytest.mark.slow
 def test_margins_are_limits():
     """Two designs to the border of admissibility: the optimiser's, and the branch's own."""
     branch = ns.continue_orbit(whole(), "V", (0.2, 3))
@@ -268,6 +269,7 @@ def test_conditions_that_are_missed_are_approached_first():
     assert abs(slope) < 1e-7
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("quantity", ["maximum:v", "peak:v"])
 def test_extremes_in_several_places_tie_at_an_optimum(quantity):
     """The velocity in front of a stop and that between: one falls with the gap, one rises."""
@@ -302,6 +304,7 @@ def test_local_extremes_have_the_derivatives_of_differences():
         ns.solve(DAMPER).derivatives().local_extremes("period")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["impact_damper.py:struck-twice", "two_belts.py:both-stick"])
 def test_no_local_maximum_is_missed(name):
     """Against a dense grid, which comes as near to the end of a phase as its points are apart."""
@@ -343,6 +346,7 @@ def test_the_optimum_does_not_depend_on_where_it_begins():
         assert design.after["eta"] == pytest.approx(4.23229159609, abs=1e-7)
 
 
+@pytest.mark.slow
 def test_a_design_ends_where_its_branch_does():
     """A contact's time goes to zero as steeply as a branch turns: the reason tells them apart."""
     values, stick = struck().parameter_values, ns.solve("dry-friction/global-stick")

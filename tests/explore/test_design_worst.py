@@ -70,6 +70,7 @@ def test_the_smallest_resonance_peak_is_that_of_a_grid():
     assert values[best.argmax()] == pytest.approx(worst, abs=3e-3)
 
 
+@pytest.mark.slow
 def test_at_the_worst_frequency_the_peak_changes_with_nothing():
     """A saddle: the derivatives by the frequency and by the gap are zero, by both."""
     value, slopes = tuned().orbit.derivatives(["w", "d"]).quantity("maximum:x")

@@ -8,7 +8,7 @@ from nonsmooth import find_orbits
 from nonsmooth.derive import SoftStop, oscillator
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", [3, *(pytest.param(s, marks=pytest.mark.slow) for s in range(3))])
 def test_a_state_that_vanishes_is_zero(seed):
     """Where others are not, in coupled coordinates; velocities always."""
     random = np.random.default_rng(seed)

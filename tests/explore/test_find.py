@@ -64,6 +64,7 @@ def test_what_is_known_to_live_there_is_found(name):
     assert mine.trace == pytest.approx(wanted.trace, abs=1e-9)
 
 
+@pytest.mark.slow
 def test_a_second_attractor_of_less_than_one_percent_has_known_multipliers():
     multipliers = by_period("A", 15.1006).orbit.multipliers
     np.testing.assert_allclose(multipliers.real, -0.711, atol=5e-4)
@@ -81,6 +82,7 @@ def test_a_planted_attractor_is_found_from_a_box():
     np.testing.assert_allclose(near.box.mean(axis=1), target, atol=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", KNOWN)
 def test_what_is_listed_is_there_once(name):
     check_listed("dry-friction", found(name))

@@ -147,9 +147,8 @@ def measured(text, w, **changed):
     return float(KINDS[kind](times, values, states))
 
 
-@pytest.mark.parametrize(
-    "output", [*[*OUTPUTS][:2], pytest.param([*OUTPUTS][2], marks=pytest.mark.slow)]
-)
+@pytest.mark.slow
+@pytest.mark.parametrize("output", OUTPUTS)
 def test_quantities_and_their_derivatives_are_those_of_simulations(output):
     """The truth comes back whatever is measured, with the errors that differences tell."""
     ws, texts = np.array([1.0, 1.12]), [f"{kind}:{output}" for kind in KINDS]

@@ -65,6 +65,7 @@ def turned(found):
     return np.abs(angles)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", INTERVALS)
 def test_a_branch_goes_on_to_the_whole_from_every_point(kind):
     known = whole(kind)
@@ -80,7 +81,7 @@ def test_a_branch_goes_on_to_the_whole_from_every_point(kind):
 
 
 @pytest.mark.parametrize("left", [1, 2, 5])
-@pytest.mark.parametrize("fine", [1e-2, 5e-4])
+@pytest.mark.parametrize("fine", [1e-2, pytest.param(5e-4, marks=pytest.mark.slow)])
 def test_a_branch_does_not_pass_its_other_end(left, fine):
     """Though its first steps, when it goes on, would be longer than what is left."""
     part = followed("closed", points_of(fine) - 1 - left, step=fine)

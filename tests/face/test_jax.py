@@ -15,7 +15,8 @@ import nonsmooth as ns
 from nonsmooth.jax import differentiable
 from tests.face.bridges import Bridge, Laws, made, refused_in_one_line
 
-MODES = ("both", pytest.param("reverse", marks=pytest.mark.slow))
+MODES = "both", "reverse"
+pytestmark = pytest.mark.slow  # loading JAX and its first Jacobians take 140 MB
 
 
 @pytest.fixture

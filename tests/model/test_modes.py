@@ -220,6 +220,7 @@ def nearly_met(small):
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("small", SMALL)
 def test_where_modes_nearly_meet_no_digits_cancel(small):
     """In front of boundaries, which set the unit of time, and without a load without any."""

@@ -37,6 +37,7 @@ def test_modes_of_visited_configurations_are_the_same_and_no_others_are_found(vi
     assert len(calls) == (1 + len(points)) * len(visited)
 
 
+@pytest.mark.slow
 def test_what_a_cycle_needs_is_finite():
     kernels = load_system(chain())
     points = np.array([[1.0, 20.0], [np.inf, 20.0]])

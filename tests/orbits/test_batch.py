@@ -36,7 +36,13 @@ def assert_same_bits(first, second, places=...):
         assert_array_equal(array[places], second[name], err_msg=name, strict=True)
 
 
-@pytest.fixture(scope="module", params=orbit_names())
+SLOW = "dry-friction/symmetric", "dry-friction/solution-ii"
+
+
+@pytest.fixture(
+    scope="module",
+    params=[pytest.param(n, marks=[pytest.mark.slow] * (n in SLOW)) for n in orbit_names()],
+)
 def name(request):
     return request.param
 

@@ -146,8 +146,9 @@ def itineraries():
     ]
 
 
+@pytest.mark.slow
 @pytest.mark.compiled  # some of its orbits are found by simulation
-@pytest.mark.parametrize("engine", ["c", pytest.param("numpy", marks=pytest.mark.slow)])
+@pytest.mark.parametrize("engine", ["c", "numpy"])
 def test_many_points(engine, monkeypatch):
     for orbit, varied in itineraries():
         system, phases, by = orbit.problem.system, orbit.itinerary, list(varied)

@@ -44,6 +44,7 @@ def declared(folder, text, *, derived):
     return f"{folder / 'own'}:loop"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("text", "derived"), [(KICKED, True), (DAMPED, False)])
 @pytest.mark.parametrize("change", ["edited", "deleted"])
 def test_a_live_record_does_not_read_its_file_again(tmp_path, text, derived, change):

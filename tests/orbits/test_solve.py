@@ -162,6 +162,7 @@ def is_motion(orbit):
     return orbit.converged and orbit.admissibility.verdict is not False
 
 
+@pytest.mark.slow
 def test_an_admissible_orbit_is_found_where_the_first_attempt_leads_elsewhere():
     points = np.random.default_rng(6).uniform(*WIDE, (1000, 5))
     many = solve(ORBIT, dict(zip(PARAMETERS, points.T, strict=True)))

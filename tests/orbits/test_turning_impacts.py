@@ -20,6 +20,7 @@ from nonsmooth.derive import (
 )
 from tests.cli.test_cli import told
 
+pytestmark = pytest.mark.slow
 X, Y, V, W = sp.symbols("x y v w", real=True)
 GIVEN = {"p": "1", "T": "6.26574158"}
 

@@ -117,7 +117,13 @@ def test_the_python_of_the_index_runs(monkeypatch, capsys):
     assert float(period) == pytest.approx(2 * math.pi / 0.9, rel=1e-13)
 
 
-@pytest.mark.parametrize(("name", "orbit"), ORBITS)
+LONG = ("two_belts", "second-sticks")
+
+
+@pytest.mark.parametrize(
+    ("name", "orbit"),
+    [pytest.param(*each, marks=[pytest.mark.slow] * (each == LONG)) for each in ORBITS],
+)
 def test_declared_orbits_are_motions(name, orbit):
     found = solved(name, orbit)
     assert found.converged

@@ -39,6 +39,7 @@ def inline(page):
 # --- JSON and Markdown
 
 
+@pytest.mark.slow
 def test_json_is_that_of_every_reader(paper):
     def refused(constant):
         raise AssertionError(f"{constant} is no JSON")

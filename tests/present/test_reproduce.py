@@ -35,6 +35,7 @@ def results(paper):
     return paper.results
 
 
+@pytest.mark.slow
 def test_figures_show_the_spans_of_the_paper(results, paper):
     assert {f"figure-{number:02}" for number in range(1, 12)} <= set(paper.figures)
     for number, name, mass, periods in (

@@ -153,6 +153,7 @@ def content(path):
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["own", "found", "motions"])
 def test_a_chart_goes_on_to_the_same_bits(name, folder):
     place = folder / f"{name}.zarr"

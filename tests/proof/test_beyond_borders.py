@@ -299,6 +299,7 @@ def test_a_branch_is_not_beyond_itself():
     refused(forged(relay(), itself), "two motions")
 
 
+@pytest.mark.slow
 def test_orbits_beside_the_event_are_not_its_motion():
     """The exact conditions hold for any such itinerary: the tube tells the orbits apart."""
     content = content_of(symmetric())

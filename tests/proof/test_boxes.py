@@ -297,7 +297,9 @@ def lines():
     return interrupted(asked, ("certify_box.py",), {"look", "stated"})[0]
 
 
-@pytest.mark.parametrize("share", [0.0, 0.01, 0.3, 0.7, 0.95, 0.99])
+@pytest.mark.parametrize(
+    "share", [0.01, 0.7, *(pytest.param(x, marks=pytest.mark.slow) for x in (0.0, 0.3, 0.95, 0.99))]
+)
 def test_an_interruption_anywhere_leaves_tiles_that_fill_the_box(share, tmp_path):
     """Also in the check that ends a map, which asks about tiles that were not looked at."""
     _, state = interrupted(asked, ("certify_box.py",), {"look", "stated"}, share * lines())

@@ -239,6 +239,7 @@ def test_a_branch_goes_on_where_its_phase_vanishes_and_nothing_turns():
     refused(edited(shrinking(), cut), "it goes on")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("place", ["before", "behind"])
 def test_another_transition_that_does_the_same_is_no_other_motion(place):
     """Where it follows in place of the itinerary's the motion is still the orbit's."""

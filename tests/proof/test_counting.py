@@ -457,6 +457,7 @@ def searched():
     return ns.certify.all(STICK, box={"tau": ("1.5", 3), "tau1": (1, 3), "tau2": (3, 4)})
 
 
+SHARES = 0.0, 0.01, 0.3, 0.9, 0.98, 0.99, 0.995, 0.999
 SEARCHING = ("certify_all.py", "covering.py", "census.py"), {"follow", "certify_orbits"}
 
 
@@ -465,7 +466,9 @@ def whole():
     return interrupted(searched, *SEARCHING)
 
 
-@pytest.mark.parametrize("share", [0.0, 0.01, 0.3, 0.9, 0.98, 0.99, 0.995, 0.999])
+@pytest.mark.parametrize(
+    "share", [pytest.param(x, marks=[pytest.mark.slow] * (x not in (0.3, 0.99))) for x in SHARES]
+)
 def test_an_interrupted_census_loses_no_orbit(share):
     lines, found = whole()
     _, partial = interrupted(searched, *SEARCHING, share * lines)

@@ -70,6 +70,7 @@ def test_doubled_orbits_by_newton_are_where_the_rate_says(branch, found):
     assert np.polyfit(squares, quotients, 2)[-1] == pytest.approx(float(doubling.rate), rel=1e-4)
 
 
+@pytest.mark.slow
 def test_motions_leave_the_unstable_doubled_orbit_and_settle_on_the_stable_one(
     found,
 ):

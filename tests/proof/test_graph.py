@@ -91,6 +91,7 @@ def test_the_attracting_component_contains_the_stable_orbit(friction):
     assert friction.proved
 
 
+@pytest.mark.slow
 def test_motions_do_not_leave_trapping_regions(friction, impacts):
     trapping = set(friction.trapping)
     assert len(trapping) > 600

@@ -50,6 +50,7 @@ def starts(seed, count, fastest, spread):
     ]
 
 
+@pytest.mark.slow
 def test_friction_agrees_with_60_digits():
     seen = set[str]()
     for data, fastest, seed, spread in ((FIRST, "1", 1, 60), (SECOND, "0.6773", 2, 20)):
@@ -64,7 +65,11 @@ def test_friction_agrees_with_60_digits():
 
 @pytest.mark.parametrize(
     ("declared", "more"),
-    [(rigid_stop, {"r": "1"}), (rigid_stop, {"r": "0.8"}), (elastic_stop, {"k3": "10"})],
+    [
+        (rigid_stop, {"r": "1"}),
+        pytest.param(rigid_stop, {"r": "0.8"}, marks=pytest.mark.slow),
+        (elastic_stop, {"k3": "10"}),
+    ],
 )
 def test_stops_agree_with_60_digits(declared, more):
     data, start = CHAIN | more, ["0.5", "0.2", "1", "-0.25"]
@@ -73,6 +78,7 @@ def test_stops_agree_with_60_digits(declared, more):
     DeclaredMotion(declared.system, data).agrees(proof, start, 1e-20)
 
 
+@pytest.mark.slow
 def test_more_bits_where_the_first_do_not_do():
     """Each transition costs digits; the sequence is the same at any precision."""
     given = "dry-friction", FIRST, START, "slip-slip", 100
@@ -205,7 +211,14 @@ def test_a_start_on_a_boundary():
 
 
 @pytest.mark.parametrize(
-    ("short", "frequency"), [("0", 1), ("1e-38", 1), ("1e-100", 1), ("0", 10**7), ("1e-38", 10**7)]
+    ("short", "frequency"),
+    [
+        ("0", 1),
+        ("1e-38", 1),
+        ("1e-100", 1),
+        pytest.param("0", 10**7, marks=pytest.mark.slow),
+        ("1e-38", 10**7),
+    ],
 )
 def test_a_stop_that_is_barely_reached_is_not_passed_by(short, frequency):
     """Also where a second has very many of the steps in which motions are enclosed."""
@@ -367,6 +380,7 @@ def test_nothing_is_reached_before_what_is_open():
             assert float(caught.value.at.rad()) < 1e-15
 
 
+@pytest.mark.slow
 def test_only_what_is_next_is_proved():
     """The second mass reaches the belt; all else that is told of the phase is refused."""
     proof = certify.motion("dry-friction", FIRST, START, "slip-slip", 1)

@@ -104,7 +104,8 @@ def test_neither_order_nor_direction_of_a_declaration_matters(seed, count, stop)
         assert_allclose(end, ends[0][1], atol=1e-7 if stop else 1e-9)
 
 
-@pytest.mark.parametrize("order", [pytest.param((0, 1), marks=pytest.mark.slow), (1, 0)])
+@pytest.mark.slow
+@pytest.mark.parametrize("order", [(0, 1), (1, 0)])
 def test_motions_of_coupled_contacts_are_proved(order):
     system, start = declared(3, 2, order), np.array([0.5, -0.25, 0, 0, 1, 0])
     for sign in (1, -1):
@@ -161,7 +162,8 @@ def least(point, state, reached):
         reached = reached | slipping
 
 
-@pytest.mark.parametrize(("seed", "count"), [(5, 2), pytest.param(4, 3, marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize(("seed", "count"), [(5, 2), (4, 3)])
 def test_the_choice_is_the_minimum(seed, count, monkeypatch):
     """And what minimises is tried first: nothing else has to be, where nothing is tied."""
     monkeypatch.setattr("nonsmooth.runtime.events.transition_choice.product", None)

@@ -102,7 +102,7 @@ def declared(name):
     return oscillator("obeying", *matrices, **more), Newton(*matrices, **more)
 
 
-QUICK = ("falling", "carried to a stop", "on a released soft stop", "soft stops", "slider")
+QUICK = ("falling", "carried to a stop", "slider")
 
 
 @pytest.mark.parametrize(

@@ -144,9 +144,8 @@ def test_special_starts_belong_where_the_listed_system_puts_them(make, start):
         assert_allclose(many.states[0], expected(until), atol=1e-11)
 
 
-@pytest.mark.parametrize(
-    "make", [striking, *(pytest.param(m, marks=pytest.mark.slow) for m in (rubbing, mixed))]
-)
+@pytest.mark.slow
+@pytest.mark.parametrize("make", [striking, rubbing, mixed])
 def test_a_start_anywhere_belongs_where_the_listed_system_puts_it(make):
     """Each with a system of its own, in which nothing was visited before."""
     rng, configurations = np.random.default_rng(11), set()
