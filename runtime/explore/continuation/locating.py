@@ -38,6 +38,7 @@ _NOISE, _MOST_NOISE = 16 * float(np.finfo(float).eps), 1e-10
 _POLE = 1e3  # of the values at the ends: so large is it between them beside a pole alone
 
 _PARTS = 3  # of a step: looked at one by one
+_TOGETHER = 100  # places whose flows are in memory at once
 _LEAST_COSINE = 0.99  # between the tangent and that of the interpolation
 _BESIDE = 1e-3  # of a chord: where the branch is still determined beside a singular point
 
@@ -70,9 +71,14 @@ class Track:
 
         Its error is of the fourth order in the step.
         """
+        known, parts = self.monitors, -(-len(self.places) // _TOGETHER)
+        split = (np.array_split(each, parts) for each in self._samples)
         with np.errstate(all="ignore"):  # infinite where a boundary is touched
-            smooth = self.monitors.smooth_values(*self._samples)
-            return np.hstack([smooth, self.monitors.border_values(self._samples[0])[0]])
+            values = [
+                np.hstack([known.smooth_values(z, ahead), known.border_values(z)[0]])
+                for z, ahead in zip(*split, strict=True)
+            ]
+        return np.vstack(values)
 
     def _interpolated(
         self, steps: np.ndarray, r: np.ndarray
