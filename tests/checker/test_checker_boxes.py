@@ -19,7 +19,6 @@ from nonsmooth.runtime.checker.ranges.tiles import CheckedBox, MapTile
 from nonsmooth.runtime.checker.stated.parameters import independent
 from nonsmooth.runtime.core.rational_functions import symbols
 from nonsmooth.runtime.core.result_files import checksum_of
-from nonsmooth.runtime.present.files.kept import format_named
 from tests.certified import PAD, believed, claimed, content_of, loop, moved, refused, saved
 from tests.checker.test_checker import other_systems
 from tests.proof import test_fold_curves
@@ -62,7 +61,7 @@ def mapped(name):
 @cache
 def written(name):
     """The file of a map."""
-    return json.dumps(format_named("nonsmooth box certificate").content(mapped(name)))
+    return json.dumps(content_of(mapped(name)))
 
 
 @pytest.fixture
