@@ -3,7 +3,6 @@
 import os
 import shutil
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -224,21 +223,18 @@ def test_wrong_arrays_are_refused_in_the_same_words(values, message, monkeypatch
 def test_kernels_whose_tables_went_are_made_again(tmp_path, monkeypatch):
     """The cache is kept small file by file: one of the two may go alone."""
     assert declared_kernels(load_orbit(ONE_PERIOD)) is not None
-    for path in Path(os.environ["NONSMOOTH_CACHE"]).iterdir():
-        if path.is_file():
-            shutil.copy2(path, tmp_path)
-    tmp_path.chmod(0o700)
-    monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path))
+    cache = shutil.copytree(os.environ["NONSMOOTH_CACHE"], tmp_path / "cache")
+    monkeypatch.setenv("NONSMOOTH_CACHE", str(cache))
 
     def found():
         libraries = (background.KernelLibrary(key, None, "impact_oscillator") for key in keys)
         return [library.key for library in libraries if library.module() is not None]
 
-    keys = [path.stem for path in tmp_path.glob("*.py")]
+    keys = [path.stem for path in cache.glob("*.py")]
     whole = found()
     assert whole
     for key in whole:
-        (tmp_path / f"{key}.py").unlink()
+        (cache / f"{key}.py").unlink()
     assert not found()
 
 
