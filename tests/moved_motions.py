@@ -236,5 +236,15 @@ def compared_at_random(rng, name, transitions):
     return compared_with_digits(system, motion, rng, 3)
 
 
+def check_reverse(found, draw):
+    """See derivatives of a motion by the reverse mode be products with those of the forward one."""
+    names = ("states", "event_times", "before", "behind")
+    factors = {name: draw.normal(size=getattr(found, name).shape[:-1]) for name in names}
+    expected = sum(
+        np.tensordot(part, getattr(found, name), axes=part.ndim) for name, part in factors.items()
+    )
+    np.testing.assert_allclose(found.vjp(**factors), expected, rtol=1e-12, atol=1e-12)
+
+
 def _exact(value):
     return arb(value.numerator) / value.denominator

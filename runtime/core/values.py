@@ -75,7 +75,7 @@ class Value:
 
     def __float__(self) -> float:
         """Give the double nearest to the number."""
-        return self._double
+        return self._double + 0.0  # never -0.0
 
     def __str__(self) -> str:
         """Give the text as the user wrote it."""
@@ -148,7 +148,7 @@ def as_value(number: object) -> Value:
             return parse(number)
         case float() if math.isfinite(number):
             text = float.__repr__(number)  # numpy.float64, a subclass, prints its type too
-            return Value(text, Fraction(Decimal(text)), float(number) + 0.0)  # no -0.0
+            return Value(text, Fraction(Decimal(text)), float(number))
         case Rational():
             exact = Fraction(int(number.numerator), int(number.denominator))
         case Real() if hasattr(number, "_mpf_") and (parts := _parts_of_mpf(number)):

@@ -22,7 +22,6 @@ from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, lower
 from nonsmooth.runtime.checker.orbits.points import JudgedOrbit
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.taylor_models import TaylorModel, space_of
-from nonsmooth.runtime.present.tell import tell
 from tests.certified import (
     believed,
     content_of,
@@ -524,7 +523,7 @@ def test_bounds_that_are_fractions_are_shown(tmp_path):
     content = content_of(certificate("global-stick"))
     content["other_multipliers"] = "1/64"
     content["margins"][0]["least"] = content["box"][0]["rad"] = f"1/{10**20}"
-    told = str(tell(ns.load(saved(content, tmp_path / "certificate.json"))))
+    told = ns.load(saved(content, tmp_path / "certificate.json"))._repr_html_()
     assert "at most 0.015625 in absolute value" in told
     assert told.count("1e-20") == 2
 

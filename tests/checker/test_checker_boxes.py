@@ -19,8 +19,17 @@ from nonsmooth.runtime.checker.ranges.tiles import CheckedBox, MapTile
 from nonsmooth.runtime.checker.stated.parameters import independent
 from nonsmooth.runtime.core.rational_functions import symbols
 from nonsmooth.runtime.core.result_files import checksum_of
-from nonsmooth.runtime.present.files.kept import format_named
-from tests.certified import PAD, believed, claimed, content_of, loop, moved, refused, saved
+from tests.certified import (
+    PAD,
+    believed,
+    claimed,
+    content_of,
+    loop,
+    moved,
+    of_files,
+    refused,
+    saved,
+)
 from tests.checker.test_checker import other_systems
 from tests.proof import test_fold_curves
 
@@ -62,7 +71,7 @@ def mapped(name):
 @cache
 def written(name):
     """The file of a map."""
-    return json.dumps(format_named("nonsmooth box certificate").content(mapped(name)))
+    return json.dumps(content_of(mapped(name)))
 
 
 @pytest.fixture
@@ -70,10 +79,6 @@ def content(request):
     """The entries of the map that a test is about."""
     found = json.loads(written(request.param))
     return found
-
-
-def of(*names):
-    return pytest.mark.parametrize("content", names, indirect=True)
 
 
 def totalled(content):
@@ -88,7 +93,7 @@ def proved(content):
     return [tile for tile in content["tiles"] if tile["claims"]["existence"] == "proved"]
 
 
-@of(*MAPS)
+@of_files(*MAPS)
 def test_true_maps_pass(content):
     believed(content)
 
@@ -103,7 +108,7 @@ def test_the_maps_are_of_all_kinds():
     assert verdicts["unstable"]["unstable"] > verdicts["coarse"]["proved"] == 0
 
 
-@of("stick", "rigid", "forced", "flip")
+@of_files("stick", "rigid", "forced", "flip")
 def test_centres_outside_their_enclosures_are_refused(content):
     for name in content["tiles"][0]["enclosures"]:
         changed = copy.deepcopy(content)
@@ -112,13 +117,13 @@ def test_centres_outside_their_enclosures_are_refused(content):
 
 
 @pytest.mark.slow
-@of("stick", "rigid", "forced", "irrational")
+@of_files("stick", "rigid", "forced", "irrational")
 def test_another_system_has_another_orbit(content):
     for _ in other_systems(content["declaration"], "11/10", 6):
         refused(content)
 
 
-@of("stick", "flip", "rigid", "unstable", "wall", "coarse")
+@of_files("stick", "flip", "rigid", "unstable", "wall", "coarse")
 def test_claims_of_another_verdict_are_refused(content, request):
     seen = set()
     if "wall" in request.node.name:  # what was not tried may be true
@@ -141,7 +146,7 @@ def test_claims_of_another_verdict_are_refused(content, request):
                 refused(totalled(changed), name)
 
 
-@of("flip", "wall")
+@of_files("flip", "wall")
 def test_tiles_of_other_places_are_refused(content):
     for change in (
         lambda tiles: tiles.pop(),
@@ -165,7 +170,7 @@ def test_tiles_of_other_places_are_refused(content):
     refused(totalled(content), "in the tile")
 
 
-@of("stick", "rigid", "forced")
+@of_files("stick", "rigid", "forced")
 def test_guesses_in_other_places_are_refused(content):
     size = len(content["tiles"][0]["guess"])
     for guess in ([0.0] * size, [3.0] * size, [0.5] * (size - 1)):
@@ -174,7 +179,7 @@ def test_guesses_in_other_places_are_refused(content):
 
 
 @pytest.mark.slow
-@of("stick", "rigid", "forced", "flip", "wall", "irrational")
+@of_files("stick", "rigid", "forced", "flip", "wall", "irrational")
 def test_wider_boxes_are_refused(content):
     for name in content["box"]:
         changed = copy.deepcopy(content)
@@ -201,7 +206,7 @@ def test_constants_may_not_depend_on_each_other():
             independent(declared, [arb(2).sqrt()], box)
 
 
-@of("rigid", "unstable")
+@of_files("rigid", "unstable")
 def test_what_is_kept_is_not_taken_for_granted(content):
     for change in (
         {"kind": "state", "dropped": -1},
@@ -218,7 +223,7 @@ def test_what_is_kept_is_not_taken_for_granted(content):
     refused(content, "a reset keeps neither energy nor form")
 
 
-@of("flip")
+@of_files("flip")
 def test_totals_follow_from_the_tiles(content):
     changed = copy.deepcopy(content)
     changed["claims"]["stability"] = "proved"
@@ -288,7 +293,7 @@ def test_the_orbit_is_the_same_on_all_of_a_tile(monkeypatch):
     assert seen
 
 
-@of("stick", "rigid")
+@of_files("stick", "rigid")
 def test_a_map_is_compared_with_its_system(content, tmp_path):
     path = saved(content, tmp_path / "map.json")
     found = ns.certify.check(path)

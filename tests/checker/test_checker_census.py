@@ -3,9 +3,11 @@
 import copy
 import json
 from functools import cache
+from types import SimpleNamespace
 
 import pytest
 import sympy as sp
+from flint import arb, arb_mat
 
 import nonsmooth as ns
 from nonsmooth.derive import (
@@ -17,11 +19,15 @@ from nonsmooth.derive import (
     System,
     Transition,
 )
+from nonsmooth.runtime.checker import Failure
+from nonsmooth.runtime.checker.counting.census import Counting
+from nonsmooth.runtime.checker.counting.covering import Walk
 from tests.certified import (
     LOOP,
     PAD,
     between_springs,
     claimed,
+    content_of,
     kicked,
     refused,
     refused_file,
@@ -39,10 +45,9 @@ def _census():
 
 
 @pytest.fixture
-def content(tmp_path):
+def content():
     """Of a file with two orbits: half a turn, and a whole one, on the right."""
-    _census().save(tmp_path / "census.json")
-    found = json.loads((tmp_path / "census.json").read_text())
+    found = content_of(_census())
     assert found["count"] == 2
     return found
 
@@ -206,7 +211,7 @@ def test_a_certificate_of_another_number_of_turns_is_refused(tmp_path):
             assert checked(_stated(changed), tmp_path).difference is not None
 
 
-def test_an_itinerary_repeats_itself_by_its_transitions(tmp_path):
+def test_an_itinerary_repeats_itself_by_its_transitions():
     """Kicked in two ways by turns, an orbit has not the half of the phases that it names twice."""
     v = sp.Symbol("v", real=True)
     kicks = [
@@ -215,13 +220,46 @@ def test_an_itinerary_repeats_itself_by_its_transitions(tmp_path):
     ]
     springs = SecondOrder([[1]], [[1]]), SecondOrder([[1]], [[4]])
     system = between_springs("kicked-by-turns", springs, kicks)
-    path, sides = tmp_path / "turns.json", [("2", "4"), ("1", "2")] * 2
+    sides = [("2", "4"), ("1", "2")] * 2
     box = {f"tau{k}": side for k, side in enumerate(sides, 1)}
-    ns.certify.all(system, {}, box, itinerary=LOOP * 2).save(path)
-    content = json.loads(path.read_text())
+    content = content_of(ns.certify.all(system, {}, box, itinerary=LOOP * 2))
     for phase, transition in zip(content["declaration"]["phases"], (0, 1, 0, 2), strict=True):
         phase["transition"] = transition
     refused(content)
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        ({"largest": "1/100"}, "a coordinate is too large"),
+        ({"box": ["1e-3 <= tau1 <= 1e-2", "0 < tau2 <= 2"]}, "tau1 is not in the box"),
+    ],
+)
+def test_a_certificate_is_of_an_orbit_that_is_asked_for(content, change, told):
+    judges = [Counting(each).within(each["box"]) for each in (content, content | change)]
+    walk, letters = Walk(*judges[0].equations), iter(*content["trees"])
+    walk.follow(lambda _: next(letters))
+    for orbit, found in zip(content["orbits"], judges[0].judged([walk]).inside, strict=True):
+        judges[0].check_orbit(orbit["certificate"], *found)
+        with pytest.raises(Failure, match=told):
+            judges[1].check_orbit(orbit["certificate"], *found)
+
+
+@pytest.mark.parametrize(("size", "edges"), [(1, 0), (3, 1)])
+def test_what_begins_with_another_size_later_may_be_another_orbit(content, size, edges):
+    """Though it has the same dwell times: only one is in a box that is not too large."""
+    judge, box = Counting(content).within(content["box"]), ((1.0, 1.125),)
+    judge.largest, judge.setting = arb(2), SimpleNamespace(rotation=0, places=[0])
+    judge.counting = SimpleNamespace(part=1, declared=SimpleNamespace(steps="ab"))
+    root = SimpleNamespace(sides=box, unique=((0.5, 1.5),), coordinates=[arb(0)])
+    equations = SimpleNamespace(
+        first=False,
+        dwell=lambda *_: {"tau1": arb(1), "tau2": arb(1)},
+        starts=lambda *_: [arb_mat([[0]]), arb_mat([[size]])],
+        begun_later=lambda *_: [box],
+    )
+    found = judge.judged([SimpleNamespace(roots=[root], equations=equations, undecided=[])])
+    assert (len(found.inside), len(found.edges)) == (0, edges)
 
 
 def test_what_meets_no_boundary_or_two_at_once_is_not_counted():

@@ -103,10 +103,15 @@ def test_a_branch_of_something_else_is_not_the_doubled_one(content, proved, chan
         check_doubled(content["doubled"], [branch, beyond], tiles)
 
 
+def judged(content, proved):
+    (branch, _), (own, _) = proved
+    return JudgedDoubling(content["doubled"], branch, own[content["doubled"]["tile"] - 1])
+
+
 def test_the_doubled_branch_begins_in_the_tube(content, proved):
     """Not in one of half the amplitude, nor in one that is beside it."""
-    (branch, beyond), (own, (first, *_)) = proved
-    found = JudgedDoubling(content["doubled"], branch, own[content["doubled"]["tile"] - 1])
+    (_, beyond), (_, (first, *_)) = proved
+    found = judged(content, proved)
     assert abs(float(found.first_of(beyond, first)[-1]) - float(first.low)) < 1e-12
     centre, found.centre = found.centre, [x + 1e-3 for x in found.centre]
     with pytest.raises(Failure, match="begins elsewhere"):
@@ -133,16 +138,14 @@ def test_the_flip_is_that_of_the_tile(content, proved, by, told):
 
 
 def test_nothing_is_claimed_where_the_parameter_may_turn(content, proved, monkeypatch):
-    (branch, _), (own, _) = proved
-    found = JudgedDoubling(content["doubled"], branch, own[content["doubled"]["tile"] - 1])
+    found = judged(content, proved)
     monkeypatch.setattr(f"{DOUBLING}.DoubledEquations.rate", lambda *_: arb(-1, 2))
     with pytest.raises(Failure, match="on which side"):
         found.locate()
 
 
 def test_another_event_on_the_tube_leaves_it_undecided(content, proved, monkeypatch):
-    (branch, _), (own, _) = proved
-    found = JudgedDoubling(content["doubled"], branch, own[content["doubled"]["tile"] - 1])
+    found = judged(content, proved)
     found.locate()
     found.decide()
     monkeypatch.setattr(f"{DOUBLING}.passing", lambda _, kind: arb(0, 1) + 3 * (kind == "flip"))

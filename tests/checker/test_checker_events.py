@@ -70,6 +70,7 @@ def limited(parameter, lower, upper):
     return ns.continue_orbit(orbit, parameter, (lower, upper))
 
 
+@cache
 def followed(name, parameter, lower, upper):
     return ns.continue_orbit(ns.solve(name), parameter, (lower, upper))
 

@@ -12,10 +12,8 @@ import json
 import os
 import random
 import re
-from contextlib import redirect_stdout
 from fractions import Fraction
 from functools import cache
-from io import StringIO
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -23,7 +21,6 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth import InputError
-from nonsmooth.runtime.cli.display import show_result
 from nonsmooth.runtime.present.files.kept import save_result
 from tests.certified import (
     LOOP,
@@ -268,9 +265,7 @@ def said(content, path):
     if found.difference is not None:
         assert found.certificate is None
         return None
-    with redirect_stdout(StringIO()) as out:
-        show_result(found)
-    return out.getvalue(), found.claims, found.note
+    return found._repr_html_(), found.claims, found.note
 
 
 def sampled(content, drawn, count):

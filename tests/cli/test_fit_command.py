@@ -19,6 +19,10 @@ TRUTH = {"c": 0.05, "h": 0.2, "w": 2.1, "k": 2.5, "r": 0.8}
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path, monkeypatch):
+    enter(tmp_path, monkeypatch)
+
+
+def enter(tmp_path, monkeypatch):
     for name in ("identification.py", "impacts.csv"):
         shutil.copy(GALLERY / name, tmp_path)
     monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path / "cache"))

@@ -4,14 +4,14 @@ import ast
 import json
 import math
 import shlex
-import shutil
 
 from typer.testing import CliRunner
 
 import nonsmooth as ns
 from nonsmooth.runtime.cli.application import print_json
 from nonsmooth.runtime.cli.program import app
-from tests.places import CHECKOUT, GALLERY
+from tests.cli import test_fit_command
+from tests.places import CHECKOUT
 
 
 def refused(constant):
@@ -40,10 +40,7 @@ def test_what_is_not_known_is_printed_as_null(capsys):
 
 def test_an_error_that_is_not_known_is_null(tmp_path, monkeypatch):
     """A parameter that ends at its bound has no standard error."""
-    for name in ("identification.py", "impacts.csv"):
-        shutil.copy(GALLERY / name, tmp_path)
-    monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path / "cache"))
-    monkeypatch.chdir(tmp_path)
+    test_fit_command.enter(tmp_path, monkeypatch)
     fixed = "c=0.05 h=0.2 w=2.1 k=2.6:2.7 r=0.7:1 --from x=-0.6,v=0.1 --save fit.json"
     found = CliRunner().invoke(
         app, shlex.split(f"fit identification.py impacts.csv {fixed} --json")

@@ -94,6 +94,10 @@ def test_what_is_no_file_is_refused_and_stays(tmp_path):
     for name in ("pipe", "device"):
         with pytest.raises(InputError, match="it is a device or a pipe, not a file"):
             read_file(tmp_path / name, 10, "thing")
+    write_file(tmp_path / "ten", b"0123456789")
+    assert len(read_file(tmp_path / "ten", 10, "thing")) == 10
+    with pytest.raises(InputError, match="too large"):
+        read_file(tmp_path / "ten", 9, "thing")
 
 
 def test_the_file_that_the_output_goes_to_is_refused(tmp_path):

@@ -12,9 +12,8 @@ import nonsmooth as ns
 from nonsmooth import InputError, solve
 from nonsmooth.derive import Friction, RigidStop, Slider, SoftStop, oscillator
 from nonsmooth.runtime.cli.program import app
-from nonsmooth.runtime.core.values import as_value
-from nonsmooth.runtime.model.kernels import kernels_of
-from nonsmooth.runtime.model.parameters import check_constraints
+from nonsmooth.runtime.model.kernels import load_system
+from nonsmooth.runtime.model.piecewise import piecewise
 
 BELT = """
 import sympy as sp
@@ -43,7 +42,7 @@ def test_constraints_hold_where_their_expressions_are_not_negative():
         "loaded", ["x"], [[1]], [[1]],
         elements=[Friction("x", 1, a / 2, normal=n - b**2 / 3 - a * b / (1 + n) - 1)],
     )  # fmt: skip
-    kernels, symbols = kernels_of(system), {p.name: p.symbol for p in system.parameters}
+    kernels, symbols = load_system(system), {p.name: p.symbol for p in system.parameters}
     assert len(system.constraints) == 2
     rng, kept = np.random.default_rng(5), 0
     for _ in range(100):
@@ -53,10 +52,10 @@ def test_constraints_hold_where_their_expressions_are_not_negative():
         holds = all(c.subs(point) >= 0 for c in system.constraints)
         kept += holds
         if holds:
-            check_constraints(kernels, {k: as_value(v) for k, v in values.items()})
+            piecewise(kernels, values)
         else:
             with pytest.raises(InputError, match="does not hold"):
-                check_constraints(kernels, {k: as_value(v) for k, v in values.items()})
+                piecewise(kernels, values)
     assert 10 < kept < 90
 
 

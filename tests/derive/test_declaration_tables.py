@@ -10,7 +10,6 @@ from numpy.testing import assert_allclose, assert_array_equal
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at
-from nonsmooth.runtime.model.structure import structure_of
 
 NAMES = list(SYSTEMS)
 
@@ -59,7 +58,7 @@ def check_rows(name, found, declared, values):
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.usefixtures("backend")
 def test_fields_boundaries_constraints_and_contacts_are_the_declared_ones(name):
-    system, structure, declared = declaration(name).system, structure_of(name), []
+    system, structure, declared = declaration(name).system, at(name, points(name)[0]).structure, []
     states, size, fields = system.states, len(system.states) // 2, []
     assert [*structure.configurations] == [c.name for c in system.configurations]
     for place, configuration in enumerate(system.configurations):

@@ -407,15 +407,19 @@ def test_the_solver_in_c_finds_the_orbit(name, tmp_path):
 # --- derivatives ------------------------------------------------------------------------
 
 
+def check_jacobians(run, values, at):
+    assert has_slopes(run("jacobian", values, at), lambda u: run("residual", values, u), at)
+    moved = run("parameter_jacobian", values, at)
+    assert has_slopes(moved, lambda p: run("residual", p, at), values)
+
+
 @most_starts
 def test_derivatives_against_differences(name, rotation):
     """Total ones by the parameters, and those of the spectrum, on which they rest."""
     example = solved(name, rotation)
     run, values, source = example.derived.run, example.values, random.Random(rotation)
     at = [u * (1 + MP.mpf(source.uniform(-0.05, 0.05))) for u in example.unknowns]
-    assert has_slopes(run("jacobian", values, at), lambda u: run("residual", values, u), at)
-    moved = run("parameter_jacobian", values, at)
-    assert has_slopes(moved, lambda p: run("residual", p, at), values)
+    check_jacobians(run, values, at)
     gradient = run("trace_gradient", values, at)
     assert has_slopes([gradient[: len(at)]], lambda u: [run("trace", values, u)], at)
     assert has_slopes([gradient[len(at) :]], lambda p: [run("trace", p, at)], values)

@@ -9,7 +9,17 @@ import pytest
 import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth.derive import Harmonic, RigidStop, oscillator
+from nonsmooth.derive import (
+    Boundary,
+    Condition,
+    Configuration,
+    FirstOrder,
+    Harmonic,
+    RigidStop,
+    System,
+    Transition,
+    oscillator,
+)
 from nonsmooth.runtime.events.transition_choice import Decider
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import TransitionShape
@@ -214,3 +224,24 @@ def test_a_row_that_is_known_to_be_zero_is_judged_by_its_rate():
         told = [decider.choice(0, reached, at, zero) for zero in (frozenset({row}), frozenset())]
         targets = [choice.transition.target for choice in told if choice.transition]
         assert targets == [4 if rate < 0 else 3, 3 if sign > 0 else 4]
+
+
+def test_within_the_error_of_an_events_time_all_happens_at_once():
+    """A swing touches 1 while a clock comes to 0; that the clock is behind 0 is then not known."""
+    x, u, _ = states = sp.symbols("x u w", real=True)
+    swing = FirstOrder([[0, 0, 0], [0, 0, 1], [0, -1, 0]], [1, 0, 0])
+    comes, touches = Boundary("comes", x), Boundary("touches", u - 1, acts_when="reached")
+    ways = [Transition("on", own, "off") for own in ({"comes"}, {"touches"}, {"comes", "touches"})]
+    late = Transition("on", {"touches"}, "late", (Condition(x, "late"),))
+    rests = [Configuration(name, FirstOrder([[0] * 3] * 3), ()) for name in ("late", "off")]
+    two, one = (
+        System("clock", "", states, (), [Configuration("on", swing, watched), *rests], taken)
+        for watched, taken in (([comes, touches], ways), ([touches], [late, ways[1]]))
+    )
+    for angle in np.random.default_rng(6).uniform(0, 1.2, 10):
+        for system, early in ((two, 0), (one, 1e-4)):  # touched from below, or passed
+            state = np.array([np.sin(angle), np.cos(angle)]) / np.cos(early)
+            start = [angle + early - np.pi / 2, *state]
+            for motion in with_both(ns.simulate, system, {}, start, transitions=1):
+                assert motion.configurations[-1] == "off"
+                assert system is one or motion.boundaries[-1] == ("comes", "touches")

@@ -2,13 +2,11 @@
 
 import math
 from functools import cache
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import nonsmooth
-from nonsmooth.runtime.explore.continuation.locating import locate_limits
 from nonsmooth.runtime.explore.intervals import admissible_intervals
 from tests.certified import loop
 from tests.core.test_result_files import composed as timed
@@ -54,7 +52,7 @@ def test_ends_are_admissibility_limits():
         assert (event.configuration, event.boundary) == PHASES[0]
 
 
-def test_grazing_names_the_boundary_that_is_touched():
+def test_grazing_names_the_boundary_that_is_touched(monkeypatch):
     orbit = nonsmooth.solve("dry-friction/symmetric")
     branch = nonsmooth.continue_orbit(orbit, "V", (0.5, 0.8))
     (event,) = [e for e in branch.events if e.kind == "grazing"]
@@ -71,21 +69,15 @@ def test_grazing_names_the_boundary_that_is_touched():
     assert slower.max() < event.value + 1e-9
     before, behind = math.floor(event.place), math.ceil(event.place)
     assert branch.admissible[before] != branch.admissible[behind]
-
-
-def test_a_limit_is_on_its_admissible_side_and_names_what_is_violated_beyond():
-    def violated(point):
-        return [SimpleNamespace(phase=0, boundary="wall")] if 3 * point[0] > 1 else []
-
-    curve = SimpleNamespace(
-        admissible=lambda points: np.array([not violated(points[0])]),
-        at=lambda point: SimpleNamespace(admissibility=SimpleNamespace(violations=violated(point))),
-        parameter="p", unknowns=("u",), phases=(("free", "wall"),),
-    )  # fmt: skip
-    track = SimpleNamespace(curve=curve, point=lambda row, share: np.array([share, 0.0]))
-    (limit,) = locate_limits(track, np.array([True, False]), [])
-    assert (limit.boundary, limit.unknowns) == ("wall", {"u": limit.place})
-    assert 1 / 3 - 1e-12 < limit.place <= 1 / 3
+    # were it not seen, admissibility would still end there, here between sides that can be told
+    room = "nonsmooth.runtime.explore.continuation"
+    monkeypatch.setattr(f"{room}.continue_orbit.locate_all", lambda track: [])
+    monkeypatch.setattr(f"{room}.locating._HALVINGS", 20)
+    bare = nonsmooth.continue_orbit(orbit, "V", (0.5, 0.8))
+    (limit,) = bare.events
+    assert (limit.kind, limit.boundary) == ("admissibility", "first-reaches-belt")
+    assert limit.value == pytest.approx(event.value, abs=1e-7)
+    assert bare.orbit_at(limit).admissibility.verdict
 
 
 def test_period_as_the_parameter():

@@ -139,9 +139,15 @@ def mirrored():
     )
 
 
-def test_symmetry_breaking_between_two_stops():
+@cache
+def broken():
+    """Its branch, and the events where it loses its symmetry."""
     found = nonsmooth.continue_orbit(mirrored(), "w", (1.0, 2.0), step=0.03)
-    events = [event for event in found.events if event.kind == "symmetry-breaking"]
+    return found, [event for event in found.events if event.kind == "symmetry-breaking"]
+
+
+def test_symmetry_breaking_between_two_stops():
+    found, events = broken()
     assert len(events) == 2
     for event in events:
         at = found.orbit_at(event)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import nonsmooth
-from tests.explore.test_continuation_forced import R, W, branch, mirrored, stops, system
+from tests.explore.test_continuation_forced import R, W, branch, broken, stops, system
 from tests.explore.test_continuation_pairs import pair
 from tests.places import GALLERY
 
@@ -110,8 +110,7 @@ def test_a_crossing_branch_has_the_other_root():
 
 
 def test_a_lost_symmetry_is_that_of_a_simulation():
-    found = nonsmooth.continue_orbit(mirrored(), "w", (1.0, 2.0), step=0.03)
-    events = [event for event in found.events if event.kind == "symmetry-breaking"]
+    found, events = broken()
     checked = 0
     for event in events:
         orbit = found.switch(event)

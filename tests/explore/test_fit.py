@@ -359,9 +359,9 @@ def test_distance_to_grazing_of_a_slow_arrival():
 # --- bad input
 
 
-def refusal(data, *free, **options):
+def refusal(data, *free, ask=fitted, **options):
     with pytest.raises(InputError) as refused:
-        fitted(data, *free, **options)
+        ask(data, *free, **options)
     (line,) = str(refused.value).splitlines()
     return line
 

@@ -11,6 +11,7 @@ import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.derive import RigidStop, SoftStop
 from tests.differences import in_doubles
+from tests.explore import test_fit
 from tests.one_mass import one_mass
 
 c, k, s, F, w, r = sp.symbols("c k s F w r")
@@ -52,6 +53,9 @@ def of_noisy_amplitudes():
 def fitted(data, *free, **options):
     known = {**TRUTH, **options.pop("parameters", GUESS)}
     return ns.fit(SYSTEM, data, parameters=known, free=free or FREE, **options)
+
+
+refusal = functools.partial(test_fit.refusal, ask=fitted)
 
 
 def check_errors(found, predicted, within, step=1e-6):
@@ -336,13 +340,6 @@ def test_bad_input_is_one_line(columns, free, told):
 )
 def test_wrong_responses(data, responses, told):
     assert told in refusal(data, responses=responses)
-
-
-def refusal(data, *free, **options):
-    with pytest.raises(InputError) as refused:
-        fitted(data, *free, **options)
-    (line,) = str(refused.value).splitlines()
-    return line
 
 
 def test_no_harmonic_without_a_forcing():

@@ -12,7 +12,6 @@ import nonsmooth as ns
 from nonsmooth import InputError, find_orbits
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, SoftStop, oscillator
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
-from nonsmooth.runtime.present.answers import result_json
 from tests.explore.listed import check_listed
 from tests.explore.test_escape import (
     EQUILIBRIUM,
@@ -367,7 +366,7 @@ def test_places_of_mirror_images_count_the_orbits_first():
         for build, place, strength in ((SoftStop, 1, 4), (RigidStop, 2, "1/2"))
     )  # fmt: skip
     system = one_mass("two-wells", *soft, *walls, damping="-1/5", stiffness=-1)
-    told = result_json(find_orbits(system, {}, 4, transitions=60, rng=1))
+    told = find_orbits(system, {}, 4, transitions=60, rng=1).to_json()
     entries = [*told["orbits"], *told["equilibria"]]
     assert told["orbits"]
     (image,) = (entry for entry in told["equilibria"] if entry["mirror_of"])

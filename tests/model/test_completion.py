@@ -61,6 +61,13 @@ def test_arrays_complete_to_the_same():
                 assert column[k] == pytest.approx(float(value), abs=1e-12)
 
 
+def test_arrays_of_objects_hold_the_doubles_that_arrays_of_doubles_hold():
+    kernels, several = load_orbit(FRICTION[0]), np.random.default_rng(35).normal(size=(40, 2))
+    for array in (*several, np.array([0.1, np.nan]), np.array([np.inf, -np.inf])):
+        found = complete_arrays(kernels, {"V": array.astype(object)})
+        np.testing.assert_array_equal(found["V"], array)
+
+
 @pytest.mark.parametrize("name", FRICTION)
 def test_a_contradiction_is_refused_on_one_line_that_names_both(name):
     kernels = load_orbit(name)

@@ -22,7 +22,7 @@ from nonsmooth.derive import (
     dry_friction,
 )
 from tests.cli.test_cli import run
-from tests.pictures import figure_of_saved, with_multipliers
+from tests.pictures import figure_of_saved, legend_of, with_multipliers
 from tests.present.elements import Elements
 from tests.two_masses import CHAIN, STICKING
 
@@ -114,10 +114,6 @@ def symbols(axes):
     return [text.get_text() for text in axes.texts if "%" not in text.get_text()]
 
 
-def legend(axes):
-    return [text.get_text() for text in axes.get_legend().get_texts()]
-
-
 def levels(axes):
     return [text.get_text() for text in axes.texts if text.get_text() and "%" not in str(text)]
 
@@ -151,7 +147,7 @@ def test_the_stop_is_drawn_where_it_is(name):
     orbit(name).plot("phase", places)
     counts = [sum(line.get_linestyle() == ":" for line in a.get_lines()) for a in places]
     assert counts == [1, 0]
-    assert "sticking" not in [*legend(places[0]), *legend(places[1])]
+    assert "sticking" not in [*legend_of(places[0]), *legend_of(places[1])]
 
 
 def test_an_impact_is_drawn_before_and_behind():
@@ -166,8 +162,8 @@ def test_an_impact_is_drawn_before_and_behind():
 def test_some_masses_alone(masses):
     (axes,) = axes_of()
     orbit().plot("time", axes, masses=masses)
-    assert legend(axes)[: len(masses)] == [f"$z_{{{m + 1}}}$" for m in masses]
-    assert legend(axes)[len(masses) :] == CONFIGURATIONS
+    assert legend_of(axes)[: len(masses)] == [f"$z_{{{m + 1}}}$" for m in masses]
+    assert legend_of(axes)[len(masses) :] == CONFIGURATIONS
 
 
 @pytest.mark.parametrize("kind", ["time", "velocity"])
@@ -194,7 +190,7 @@ def test_histories_are_the_motion(of, kind):
         assert label in axes.get_ylabel()
     assert axes.get_ylabel().startswith(noun)
     assert axes.get_xlabel().startswith("time $t$")
-    assert legend(axes) == [*labels, *dict.fromkeys(motion.configurations)]
+    assert legend_of(axes) == [*labels, *dict.fromkeys(motion.configurations)]
     assert_allclose(axes.get_xlim(), (0, end * options.get("periods", 1)))
 
 
@@ -218,10 +214,10 @@ def test_phase_portraits_are_the_motion_together_or_apart():
             points = points[np.isfinite(points[:, 0])]
             assert_array_equal(points, states[:, [mass, 2 + mass]])
         assert own.get_xlabel() == f"position $z_{{{mass + 1}}}$ (nondimensional)"
-        assert legend(own) == [label, "sticking"]
+        assert legend_of(own) == [label, "sticking"]
     assert axes.get_xlabel() == "positions $z_{1}$, $z_{2}$ (nondimensional)"
     assert axes.get_ylabel() == "velocities $z_{1}'$, $z_{2}'$ (nondimensional)"
-    assert legend(axes) == ["($z_{1}$, $z_{1}'$)", "sticking", "($z_{2}$, $z_{2}'$)"]
+    assert legend_of(axes) == ["($z_{1}$, $z_{1}'$)", "sticking", "($z_{2}$, $z_{2}'$)"]
     assert levels(axes) == ["$V$"]
 
 
@@ -264,7 +260,7 @@ def test_multipliers_stand_in_the_unit_circle():
     assert_allclose(np.hypot(*circle.T), 1)
     assert axes.get_aspect() == 1
     for number, multiplier in enumerate(orbit().stability.multipliers, 1):
-        (label,) = [text for text in legend(axes) if text.startswith(f"$\\mu_{{{number}}}")]
+        (label,) = [text for text in legend_of(axes) if text.startswith(f"$\\mu_{{{number}}}")]
         assert_array_equal(curve(axes, label), [[multiplier.real, multiplier.imaginary]])
 
 
@@ -272,13 +268,13 @@ def test_multipliers_outside_the_circle_small_and_trivial_ones():
     axes = with_multipliers(orbit(), 1.7 + 2.4j, 1.7 - 2.4j, 2e-5 + 1.916322e-5j, 1).plot(
         "multipliers"
     )
-    assert legend(axes) == [
+    assert legend_of(axes) == [
         "$\\mu_{1} = 1.7+2.4\\,\\mathrm{i}$",
         "$\\mu_{2} = 1.7-2.4\\,\\mathrm{i}$",
         "$\\mu_{3} = 2\\cdot 10^{-5}+1.92\\cdot 10^{-5}\\,\\mathrm{i}$",
         "$\\mu_{4} = 1$, trivial",
     ]
-    marks = [line for line in axes.get_lines() if line.get_label() in legend(axes)]
+    marks = [line for line in axes.get_lines() if line.get_label() in legend_of(axes)]
     assert [mark.get_markerfacecolor() == "none" for mark in marks] == [False, False, False, True]
     assert min(axes.get_ylim()) < -2.4 < 2.4 < max(axes.get_ylim())
 
@@ -334,7 +330,7 @@ def test_many_transitions_become_ranges_and_shares():
     assert (np.asarray(low.get_ydata()) <= high[:, 1]).all()
     shares = [patch for patch in axes.patches if isinstance(patch, StepPatch)]
     order = list(dict.fromkeys(many().configurations))
-    assert legend(axes)[2:] == [f"{name}, share" for name in order]
+    assert legend_of(axes)[2:] == [f"{name}, share" for name in order]
     heights = [np.mean(p.get_data().values - p.get_data().baseline) for p in shares]
     assert_allclose(np.divide(heights, sum(heights)), [found.fractions[n] for n in order], 1e-9)
     assert len(axes.get_lines()) < 10
@@ -377,7 +373,7 @@ def test_portraits_are_the_motion_with_impacts_apart():
     assert len(jumps) == motion.transitions
     (line,) = [line for line in first.get_lines() if line.get_label() == "impact"]
     assert line.get_linestyle() == "--"
-    assert "impact" not in legend(second)
+    assert "impact" not in legend_of(second)
     assert levels(first) == ["$x_{1}$ = $1$"]
     assert levels(second) == []
     assert_array_equal(curve(first, "start"), [[0, 3]])

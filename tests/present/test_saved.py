@@ -53,6 +53,7 @@ def refusal(path):
     message = str(caught.value)
     assert message.startswith(f"{path}: ")
     assert "\n" not in message
+    assert message.count(str(path)) == 1
     return message.removeprefix(f"{path}: ")
 
 

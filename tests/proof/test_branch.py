@@ -205,6 +205,8 @@ def test_a_touch_behind_the_end_of_its_phase_is_none(tile_near):
                 time_of_touch(shorter, border, window)
             shorter.dwell[border.phase] = time + arb("1e-9")
             assert time_of_touch(shorter, border, window) is not None
+            with pytest.raises(Failure, match="outside of its window"):
+                time_of_touch(shorter, border, (time + arb("1e-9"), time + arb("2e-9")))
 
 
 @pytest.mark.slow

@@ -1,7 +1,5 @@
 """Bifurcations and limits of admissibility enclosed: closed forms to many digits, other routes."""
 
-from functools import cache
-
 import mpmath
 import pytest
 import sympy as sp
@@ -11,15 +9,11 @@ from nonsmooth import InputError
 from nonsmooth.derive import Friction, oscillator
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from tests.certified import kicked, loop
+from tests.checker.test_checker_events import followed as branch
 from tests.explore import test_continuation_forced as impacts
 
 STICK = "dry-friction/global-stick"
 SYMMETRIC = "dry-friction/symmetric"
-
-
-@cache
-def branch(name, parameter, lower, upper):
-    return ns.continue_orbit(ns.solve(name), parameter, (lower, upper))
 
 
 def of_kind(found, kind):

@@ -15,7 +15,6 @@ from nonsmooth import InputError
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.certificate import Stated
-from nonsmooth.runtime.proof.motion.motion_proof import exactly
 from tests.certified import FORCED, forced, loop
 from tests.explore import test_continuation_forced as impacts
 from tests.friction_sets import DATA
@@ -78,10 +77,10 @@ def test_a_ball_that_is_not_finite_has_no_decimals(text):
 @settings(max_examples=30)
 @given(st.fractions(-9, 9), st.fractions(0, 1), st.integers(-99, 99), st.integers(1, 4))
 def test_decimals_contain_their_ball(middle, radius, power, digits):
-    ball = arb(exactly(middle, ""), exactly(radius, "")) * arb(2) ** power
+    ball = arb(*(fmpq(x.numerator, x.denominator) for x in (middle, radius))) * arb(2) ** power
     found = Stated.around(ball, 64, digits)
     with flint_precision(2000):
-        middle, radius = (arb(exactly(text, "")) for text in (found.mid, found.rad))
+        middle, radius = (arb(fmpq(*Fraction(x).as_integer_ratio())) for x in found.texts)
         assert abs(ball.mid() - middle) + ball.rad() <= radius
 
 

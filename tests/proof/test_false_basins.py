@@ -59,18 +59,21 @@ def basin(itinerary, **options):
     return orbit, ns.certify.basin(orbit, box=box, side=2.0**-5, tiles=0, **options)
 
 
-def rank_of(found, place):
+def box_around(found, place):
     (number,) = np.floor(place / found.grid.sides).astype(int) - found.grid.first
-    return found.ranks[number]
+    return number
+
+
+def rank_of(found, place):
+    return found.ranks[box_around(found, place)]
 
 
 def with_rank(found, place, rank, path):
     """The file of a basin in which the box around a place has another rank."""
     found.save(path)
     content = json.loads(path.read_text())
-    (number,) = np.floor(place / found.grid.sides).astype(int) - found.grid.first
     ranks = found.ranks.tolist()
-    ranks[number] = rank
+    ranks[box_around(found, place)] = rank
     content["ranks"] = [[value, 1] for value in ranks]
     path.write_text(json.dumps(signed(content)))
     return ns.certify.check(path).difference

@@ -27,9 +27,13 @@ def friction():
 
 @pytest.fixture(scope="module")
 def impacts():
-    system = load_system(str(GALLERY / "impact_oscillator.py"))
-    region = {"x": (-2, 0), "v": (-2, 2)}
-    return ns.certify.region(system, IMPACTS, {"x": -0.7, "v": 0.1}, boxes=64, region=region)
+    return impacts_by(1)
+
+
+def impacts_by(workers):
+    system, start = load_system(str(GALLERY / "impact_oscillator.py")), {"x": -0.7, "v": 0.1}
+    asked = {"boxes": 64, "region": {"x": (-2, 0), "v": (-2, 2)}, "workers": workers}
+    return ns.certify.region(system, IMPACTS, start, **asked)
 
 
 def returned(place):
@@ -216,12 +220,7 @@ def test_a_box_where_both_masses_break_away_together_has_a_known_image(chaotic):
 
 @pytest.mark.slow
 def test_several_processes_find_the_same_graph(impacts):
-    system = load_system(str(GALLERY / "impact_oscillator.py"))
-    region = {"x": (-2, 0), "v": (-2, 2)}
-    shared = ns.certify.region(
-        system, IMPACTS, {"x": -0.7, "v": 0.1}, boxes=64, region=region, workers=2
-    )
-    assert shared.to_json() == impacts.to_json()
+    assert impacts_by(2).to_json() == impacts.to_json()
 
 
 @pytest.mark.slow

@@ -1,7 +1,6 @@
 """Contacts that the mass matrix couples: order, mirror images, the minimum, proofs."""
 
 import copy
-import json
 from dataclasses import replace
 from itertools import product
 
@@ -14,11 +13,10 @@ from scipy.optimize import minimize
 import nonsmooth as ns
 from nonsmooth import InputError, itinerary_of
 from nonsmooth.derive import DeclarationError, Friction, Harmonic, RigidStop, oscillator
-from nonsmooth.runtime.checker import Failure, check
-from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.events.transition_choice import Decider
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.present.compare_declarations import compare
+from tests.certified import accepted, believed, content_of, refused, signed
 from tests.engines import with_both
 from tests.newton import Newton
 
@@ -298,37 +296,33 @@ def settled(folder, text):
     return ns.solve(str(file), {}, guess, itinerary=itinerary), guess
 
 
-def saved(proof, file):
+def saved(proof, folder):
     """What the file of a proof holds."""
-    assert set(proof.claims.values()) == {"proved"}
-    proof.save(file)
-    content = json.loads(file.read_text())
-    check(content)
-    return content
+    check = accepted(proof, folder)
+    assert {*check.claims.values()} == {"proved"}
+    assert check.compared
+    return content_of(proof)
 
 
 def test_an_orbit_through_coupled_contacts_is_proved_and_checked(tmp_path):
     orbit, _ = settled(tmp_path, SLIDING)
     assert orbit.admissibility.verdict is True
-    content = saved(ns.certify(orbit), tmp_path / "proof.json")
-    assert compare(content) is True
+    content = saved(ns.certify(orbit), tmp_path)
     taken = content["declaration"]["transitions"][0]
     assert len(taken["steps"]) == 2
 
-    def refused(change):
+    def wrong(change):
         other = copy.deepcopy(content)
         change(other["declaration"])
-        other["sha256"] = checksum_of(other)
-        with pytest.raises(Failure):
-            check(other)
+        refused(other)
 
-    refused(lambda d: d["transitions"][0].update(target="stick-stick"))
-    refused(lambda d: d["transitions"][0]["steps"].pop(0))
-    refused(lambda d: d["transitions"][0]["steps"][1].update(kinetic=[]))
-    refused(lambda d: d["transitions"][0]["conditions"].pop())
-    refused(lambda d: d["law"]["contacts"][0].update(static=d["law"]["contacts"][1]["static"]))
-    refused(lambda d: d["law"].update(limits=d["law"]["arrivals"]))
-    refused(lambda d: d["law"].pop("free"))
+    wrong(lambda d: d["transitions"][0].update(target="stick-stick"))
+    wrong(lambda d: d["transitions"][0]["steps"].pop(0))
+    wrong(lambda d: d["transitions"][0]["steps"][1].update(kinetic=[]))
+    wrong(lambda d: d["transitions"][0]["conditions"].pop())
+    wrong(lambda d: d["law"]["contacts"][0].update(static=d["law"]["contacts"][1]["static"]))
+    wrong(lambda d: d["law"].update(limits=d["law"]["arrivals"]))
+    wrong(lambda d: d["law"].pop("free"))
 
 
 def test_half_of_an_orbit_through_coupled_contacts_and_its_mirror_image(tmp_path):
@@ -354,17 +348,16 @@ CRAWLING = (
 
 def test_a_shift_changes_nothing_that_the_law_is_told(tmp_path):
     orbit, _ = settled(tmp_path, CRAWLING)
-    content = saved(ns.certify(orbit), tmp_path / "proof.json")
+    content = saved(ns.certify(orbit), tmp_path)
     assert content["closing"]["translations"] == [["1", "1", "0", "0", "0", "0"]]
     law = content["declaration"]["law"]
     rows = [c[name] for c in law["contacts"] for name in ("static", "kinetic", "slipping")]
     reasons = []
     for row in (*rows, *(row for free in law["free"].values() for row in free)):
         kept, row[0] = row[0], "1/100"  # it depends on where the lower block is
-        content["sha256"] = checksum_of(content)
-        with pytest.raises(Failure) as refused:
-            check(content)
-        reasons.append(str(refused.value))
+        with pytest.raises(Failure) as caught:
+            believed(signed(content))
+        reasons.append(str(caught.value))
         row[0] = kept
     # of a limit that no condition has
     assert any(reason.endswith("no translation of the system") for reason in reasons)

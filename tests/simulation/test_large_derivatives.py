@@ -14,13 +14,16 @@ from tests.moved_motions import compared_with_digits
 DATA = {"k": 2.0, "F": 1.0, "w": 1.1, "gap": 0.05, "r": 0.8}
 
 
+def springs(count):
+    """Their stiffness, between walls."""
+    return sp.Matrix(count, count, lambda i, j: 2 * (i == j) - (abs(i - j) == 1))
+
+
 def chain(count):
     """Masses in a chain between walls; the first one is forced, and strikes a stop."""
     found = [Parameter(name, name) for name in DATA]
     k, force, w, gap, r = (parameter.symbol for parameter in found)
-    stiffness = 2 * sp.eye(count)
-    for i in range(1, count):
-        stiffness[i, i - 1] = stiffness[i - 1, i] = -1
+    stiffness = springs(count)
     damping = sp.Rational(1, 50) * (stiffness + sp.eye(count))
     stiffness[0, 0] = 1 + k
     return oscillator(
@@ -39,9 +42,6 @@ def rubbing(count):
     """Masses in a chain, each on a belt: 3^count configurations, made when they are visited."""
     found = [Parameter(name, name) for name in ("V", "mu")]
     belt, force = (parameter.symbol for parameter in found)
-    stiffness = 2 * sp.eye(count)
-    for i in range(1, count):
-        stiffness[i, i - 1] = stiffness[i - 1, i] = -1
     names = [f"x{i}" for i in range(1, count + 1)]
     rubs = [
         Friction(name, force, force * sp.Rational(12 + i, 10), velocity=belt, name=f"belt{i}")
@@ -49,7 +49,7 @@ def rubbing(count):
     ]
     masses = sp.diag(*[sp.Rational(10 + i, 10) for i in range(count)])
     system = oscillator(
-        f"rubbing-{count}", names, masses, stiffness, elements=rubs, parameters=found
+        f"rubbing-{count}", names, masses, springs(count), elements=rubs, parameters=found
     )
     return system, {"V": 0.5, "mu": 0.25}
 

@@ -7,7 +7,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 import nonsmooth as ns
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
 from tests.differences import in_doubles
-from tests.moved_motions import compared_at_random
+from tests.moved_motions import check_reverse, compared_at_random
 
 DATA = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 0.5}
 START = [0, 0, 1.5, 0.3]
@@ -29,14 +29,7 @@ def test_reverse_is_forward(times):
     motion = ns.simulate("rigid-stop", DATA, START, until=20)
     found = motion.derivatives(times=times)
     random = np.random.default_rng(1)
-    factors = {
-        name: random.normal(size=getattr(found, name).shape[:-1])
-        for name in ("states", "event_times", "before", "behind")
-    }
-    expected = sum(
-        np.tensordot(part, getattr(found, name), axes=part.ndim) for name, part in factors.items()
-    )
-    assert_allclose(found.vjp(**factors), expected, rtol=1e-12, atol=1e-12)
+    check_reverse(found, random)
     direction = random.normal(size=len(found.by))
     for name, part in found.jvp(direction).items():
         assert_allclose(part, getattr(found, name) @ direction, atol=1e-12)

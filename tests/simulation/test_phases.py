@@ -30,11 +30,14 @@ def two(phase=0, second=3, first=0):
     )  # fmt: skip
 
 
+def settled(phase):
+    motion = ns.simulate(two(phase), {}, START, transitions=600)
+    return motion, ns.solve(two(phase), {}, itinerary=ns.itinerary_of(motion))
+
+
 @pytest.mark.parametrize("phase", [0, 1, 2.5])
 def test_the_orbit_is_that_of_the_simulated_phase(phase):
-    system = two(phase)
-    motion = ns.simulate(system, {}, START, transitions=600)
-    orbit = ns.solve(system, {}, itinerary=ns.itinerary_of(motion))
+    motion, orbit = settled(phase)
     assert orbit.converged
     np.testing.assert_allclose(orbit.states[0], motion.states[-1], atol=1e-10)
     other = ns.simulate(two(), {}, START, transitions=600)
@@ -45,9 +48,7 @@ def test_the_orbit_is_that_of_the_simulated_phase(phase):
 def test_a_certificate_is_of_the_phase():
     """Its cosine and sine are exact, rational or not, and never as if they were zero."""
     for phase in (sp.atan2(4, 3), 1):
-        system = two(phase)
-        motion = ns.simulate(system, {}, START, transitions=600)
-        orbit = ns.solve(system, {}, itinerary=ns.itinerary_of(motion))
+        _, orbit = settled(phase)
         certificate = ns.certify(orbit)
         assert certificate.claims["existence"] == "proved"
         for name, value in orbit.unknowns.items():

@@ -18,6 +18,7 @@ import pytest
 import nonsmooth
 from nonsmooth import InputError, simulate
 from nonsmooth.runtime.present.files import motions as saved_trajectory
+from tests.present.test_saved import refusal
 from tests.two_masses import CHAIN, RUBBING
 from tests.unpacking import unpacked_pieces
 
@@ -58,17 +59,6 @@ def others():
 @pytest.fixture(params=ENDINGS)
 def path(request, tmp_path):
     return tmp_path / f"motion{request.param}"
-
-
-def refusal(path):
-    """The one line with which a file is refused."""
-    with pytest.raises(InputError) as caught:
-        nonsmooth.load(path)
-    message = str(caught.value)
-    assert message.startswith(f"{path}: ")
-    assert "\n" not in message
-    assert message.count(str(path)) == 1
-    return message.removeprefix(f"{path}: ")
 
 
 def parts(path):
