@@ -12,6 +12,7 @@ from tests.engines import with_both
 COUNT, DATA = 8, {"A": 1.0}
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_an_orbit_of_many_states_is_found_and_judged_as_in_python():
     """Masses in a chain between walls, the last of which strikes a stop."""
