@@ -226,6 +226,7 @@ def test_a_row_that_is_known_to_be_zero_is_judged_by_its_rate():
         assert targets == [4 if rate < 0 else 3, 3 if sign > 0 else 4]
 
 
+@pytest.mark.compiled
 def test_within_the_error_of_an_events_time_all_happens_at_once():
     """A swing touches 1 while a clock comes to 0; that the clock is behind 0 is then not known."""
     x, u, _ = states = sp.symbols("x u w", real=True)
