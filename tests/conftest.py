@@ -13,7 +13,6 @@ import pytest
 import sympy.core.cache
 import typer.testing
 from hypothesis import HealthCheck, find, settings, strategies
-from hypothesis.internal.conjecture import providers
 
 from tests.places import CHECKOUT
 from tests.shared import FOLDER
@@ -33,6 +32,7 @@ settings.register_profile(
     "laws", deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow]
 )
 settings.load_profile("laws")
+providers = sys.modules.get("hypothesis.internal.conjecture.providers")  # of later versions
 if hasattr(providers, "is_local_module_file"):  # of constants in modules that others loaded
     providers.is_local_module_file = lambda path: False
 
