@@ -38,7 +38,7 @@ _NOISE, _MOST_NOISE = 16 * float(np.finfo(float).eps), 1e-10
 _POLE = 1e3  # of the values at the ends: so large is it between them beside a pole alone
 
 _PARTS = 3  # of a step: looked at one by one
-_TOGETHER = 100  # places whose flows are in memory at once
+_TOGETHER = 500  # places whose flows are in memory at once
 _LEAST_COSINE = 0.99  # between the tangent and that of the interpolation
 _BESIDE = 1e-3  # of a chord: where the branch is still determined beside a singular point
 
