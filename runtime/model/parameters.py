@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
-from functools import cache
+from functools import cache, reduce
 from typing import Any
 
 import numpy as np
@@ -35,9 +35,8 @@ def check_constraints(kernels: SystemKernels, values: Mapping[str, Value]) -> No
 def constrained(kernels: SystemKernels, numbers: Mapping[str, np.ndarray]) -> np.ndarray:
     """Bools (n,): at which points the constraints hold whose parameters have numbers (n,)."""
     found = _constraints(kernels, numbers, np.asarray)
-    totals = [np.asarray(total) >= 0 for _, _, total in found]
     shape = np.broadcast_shapes(*(np.shape(column) for column in numbers.values()))
-    return np.asarray(np.logical_and.reduce([np.full(shape, True), *totals]))
+    return reduce(np.logical_and, (total >= 0 for _, _, total in found), np.full(shape, True))
 
 
 def _constraints(

@@ -99,8 +99,13 @@ def gauges_of(directions: Sequence[Any] | np.ndarray) -> list[int]:
 
 
 def _null_space(rows: np.ndarray) -> np.ndarray:
-    """Vectors that all rows annihilate, in reduced echelon form, by Gauss-Jordan elimination."""
+    """Vectors that all rows annihilate, in reduced echelon form, by Gauss-Jordan elimination.
+
+    There are none where a row is not finite.
+    """
     largest = abs(rows).max(axis=1)
+    if not np.isfinite(largest.astype(float)).all():
+        return rows[:0]
     left = rows[largest > 0] / largest[largest > 0, None]
     width = rows.shape[1]
     values = np.linalg.svd(_floats(left), compute_uv=False)

@@ -8,7 +8,8 @@ import pytest
 
 from nonsmooth import InputError
 from nonsmooth.runtime.model.completion import complete, complete_arrays, complete_system
-from nonsmooth.runtime.model.kernels import load_orbit
+from nonsmooth.runtime.model.kernels import load_orbit, load_system
+from nonsmooth.runtime.model.parameters import constrained
 
 FRICTION = ["dry-friction/global-stick", "dry-friction/symmetric"]
 E, US, UR = "e1", "us1", "ur1"
@@ -100,3 +101,10 @@ def test_a_sum_that_is_open_too_takes_its_least_value():
         assert (found.values[US].exact, found.values[UR].exact) == (us1, ur1)
         assert found.values["us2"].exact == Fraction(33, 10)
         assert set(found.chosen) == {US, UR, "us2"} - set(given) - ({UR} if E in given else set())
+
+
+def test_constraints_of_points_that_share_some_parameters():
+    """One friction force at rest is that of all points, the other one of each."""
+    forces = {"ur1": [0.5], "us1": [0.3], "ur2": [0.5], "us2": [0.3, 0.7]}
+    columns = {name: np.array(values) for name, values in forces.items()}
+    assert constrained(load_system("dry-friction"), columns).tolist() == [True, False]

@@ -237,6 +237,16 @@ def test_where_modes_nearly_meet_no_digits_cancel(small):
     assert joined or not 0 < small < 1e-3  # how near has to be depends on the processor
 
 
+def test_a_forcing_that_hardly_turns_in_front_of_a_wall_that_is_near():
+    """The unit of time is that of the fall to the wall, in which the forcing takes for ever."""
+    stiffness, damping = np.array([[10, -10], [-5, 5]]), np.diag([0.1, 0.025])
+    field = np.zeros((6, 7))
+    field[:2, 2:4], field[2:4, :2], field[2:4, 2:4] = np.eye(2), -stiffness, -damping
+    field[2, 5], field[2, 6], field[3, 6], field[4, 5], field[5, 4] = 1, 0.3, 5e-21, -1e-12, 1e-12
+    wall = np.array([[1, 0, 0, 0, 0, 0, -1e-21]])
+    assert missed(field, numeric_modes(field, wall), 1.0) < 1e-12
+
+
 def test_eigenvalues_that_cannot_be_told_apart():
     """A Jordan block of eleven, moved by 1e-13: eigenvalues 0.07 from each other."""
     field = np.diag(np.full(11, 1.0), 1)[:11]

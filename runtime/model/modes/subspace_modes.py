@@ -278,7 +278,10 @@ def _largest_term(k: int, rate: float, longest: float) -> float:
         return 1.0
     if peak == math.inf:
         return math.inf
-    return math.exp(k * math.log(peak) - math.lgamma(k + 1) + min(rate, 0.0) * peak)
+    try:
+        return math.exp(k * math.log(peak) - math.lgamma(k + 1) + min(rate, 0.0) * peak)
+    except OverflowError:
+        return math.inf
 
 
 def _real_parts_of(terms: list[np.ndarray], *, oscillates: bool) -> list[np.ndarray]:
