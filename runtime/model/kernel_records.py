@@ -19,6 +19,7 @@ from nonsmooth.runtime.model.vectorised import filled, vectorised
 
 # kernels of an orbit, the last of which some have not
 _KINDS = ("equations", "trace", "passage", "linearisation", "reduced", "period_map")
+_quiet = np.errstate(all="ignore")  # who takes a kernel's numbers looks whether they are finite
 
 
 @dataclass(frozen=True)
@@ -128,17 +129,19 @@ class SystemKernels:
         shapes = self._shapes(kernel, outputs)
         name = f"{self.table['name'].replace('-', '_')}_{kernel}_{len(shapes[1])}"
         compiled = getattr(self.compiled, name, None)
-        return self._on_numpy(kernel, outputs) if compiled is None else filled(compiled, *shapes)
+        if compiled is None:
+            return self._on_numpy(kernel, outputs)
+        return _quiet(filled(compiled, *shapes))
 
     @cache  # noqa: B019 - as `function`
     def _on_numpy(self, kernel: str, outputs: int | None) -> Callable[..., Any]:
         source = self.source(kernel)
         if isinstance(source, JoinedKernel):
-            return partial(source.evaluated, lib=FLOATS)
+            return _quiet(partial(source.evaluated, lib=FLOATS))
         inputs, given = self._shapes(kernel, outputs)
         if len(given) < len(self.module.KERNELS[kernel][1]):
             source = partial(source, outputs=len(given))
-        return vectorised(source, inputs, given)
+        return _quiet(vectorised(source, inputs, given))
 
     @cache  # noqa: B019 - as `function`
     def _shapes(
@@ -469,10 +472,9 @@ class OrbitKernels:
         return self.system.evaluate(kernel, every, spectrum, time, state)
 
     def _compiled(self, name: str) -> Callable[..., Any] | None:
-        if self.system.compiled is None:
-            return None
         prefix = f"{self.system.table['name']}_{self.orbit}".replace("-", "_")
-        return getattr(self.system.compiled, f"{prefix}_{name}", None)
+        compiled = getattr(self.system.compiled, f"{prefix}_{name}", None)
+        return None if compiled is None else _quiet(compiled)
 
 
 def _total(terms: Iterator[Any]) -> Any:

@@ -275,17 +275,15 @@ def tables_at(
 
 def _evaluated(kernels: SystemKernels, points: np.ndarray) -> tuple[np.ndarray, ...]:
     """Fields, rows and resets at points (n, p), each (n, rows, columns)."""
-    with np.errstate(all="ignore"):  # who takes them looks whether they are finite
-        return tuple(kernels.evaluate(kernel, points) for kernel in ("fields", "rows", "resets"))
+    return tuple(kernels.evaluate(kernel, points) for kernel in ("fields", "rows", "resets"))
 
 
 def _closed_modes(kernels: SystemKernels, points: np.ndarray) -> tuple[np.ndarray, ...]:
     """Exponents (n, modes, 2) and flows (n, rows, N + 1) in closed form."""
     names = [p.name for p in kernels.parameters]
     places = [names.index(name) for name in kernels.table["spectrum_parameters"]]
-    with np.errstate(all="ignore"):
-        spectrum, _ = kernels.evaluate("spectrum", points[:, places])
-        exponents, flows = kernels.evaluate("modes", points, spectrum)
+    spectrum, _ = kernels.evaluate("spectrum", points[:, places])
+    exponents, flows = kernels.evaluate("modes", points, spectrum)
     return exponents, flows
 
 

@@ -60,8 +60,7 @@ def vectorised(
     @cache
     def patterns() -> list[tuple[np.ndarray, list[int]]]:
         """For each result the entries that are the same at all points, and the places that vary."""
-        with np.errstate(all="ignore"):
-            entries = listed([np.ones((*shape, 1)) for shape in inputs])
+        entries = listed([np.ones((*shape, 1)) for shape in inputs])
         varying = [[k for k, x in enumerate(e) if isinstance(x, np.ndarray)] for e in entries]
         constants = [
             np.array([0.0 if isinstance(x, np.ndarray) else float(x) for x in e]) for e in entries

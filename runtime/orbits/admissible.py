@@ -302,8 +302,7 @@ def kernel_limits(
     if kernels.admissible is None:
         limit, bounds = _admissible_numpy(kernels, points, unknowns)
     else:
-        with np.errstate(all="ignore"):  # points without an orbit are NaN
-            *bounded, limit, _, _ = kernels.admissible(points, unknowns)
+        *bounded, limit, _, _ = kernels.admissible(points, unknowns)
         bounds = np.asarray(bounded[0]) if bounded else np.empty((len(points), 0))
     bounds[limit != NEITHER] = np.nan
     return np.asarray(limit), bounds

@@ -155,6 +155,7 @@ def _stepped_kernel(
     return found
 
 
+@np.errstate(all="ignore")  # of an orbit that hardly fits doubles
 def kernel_directions(orbit: Orbit, by: Sequence[str]) -> Directions:
     """Return how unknowns, dwell times and states move with each of some given numbers.
 

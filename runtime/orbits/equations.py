@@ -303,14 +303,12 @@ class KernelEquations(OrbitEquations):
                 root = np.sqrt(half.astype(complex) ** 2 - 1)
                 larger = np.where(half > 0, half + root, half - root)
                 return np.stack([larger, 1 / larger], axis=-1)
-        with np.errstate(all="ignore"):  # infinite where a boundary is touched
-            matrices = self._kernels.evaluate("poincare_jacobian", at=self._arguments(z))
+        matrices = self._kernels.evaluate("poincare_jacobian", at=self._arguments(z))
         return nontrivial(eigenvalues(matrices), table["rank"], family=self.conservative)
 
     def traces(self, z: np.ndarray) -> np.ndarray:
         """See `OrbitEquations`."""
-        with np.errstate(all="ignore"):
-            return np.asarray(self._kernels.evaluate("trace", at=self._arguments(z)))
+        return np.asarray(self._kernels.evaluate("trace", at=self._arguments(z)))
 
     def admissible(self, z: np.ndarray) -> np.ndarray:
         """See `OrbitEquations`."""

@@ -11,7 +11,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
@@ -43,7 +43,7 @@ from nonsmooth.runtime.shooting.multipliers import (
     modulus,
     stability_of,
 )
-from nonsmooth.runtime.shooting.newton import LEAST
+from nonsmooth.runtime.shooting.newton import CONVERGED, LEAST, NEGATIVE
 from nonsmooth.runtime.shooting.section_map import reciprocal
 
 if TYPE_CHECKING:
@@ -209,6 +209,8 @@ def _joined(
 class KernelEvaluation(Evaluation):
     """The quantities that the kernels give at one orbit, in its arithmetic."""
 
+    orbits: ClassVar[tuple[int, ...]] = (CONVERGED,)
+
     @property
     def tables(self) -> Evaluation:
         """Nothing: `InputError` is always raised, as kernels answer."""
@@ -222,11 +224,14 @@ class KernelEvaluation(Evaluation):
     @cached_property
     def stability(self) -> Stability:
         """See `Evaluation`."""
+        self._check_found()
         return assess_stability(self.orbit)
 
     @cached_property
     def admissibility(self) -> Admissibility:
         """See `Evaluation`."""
+        if self.orbit.status != NEGATIVE:  # which is a verdict
+            self._check_found()
         return assess_admissibility(self.orbit)
 
     @cached_property

@@ -479,8 +479,7 @@ def _count_digits(
     if not len(places):
         return
     x = np.concatenate([solved.unknowns[places], points[places]], axis=-1)
-    with np.errstate(all="ignore"):
-        equations = equations_at(kernels, x)
+    equations = equations_at(kernels, x)
     spread = frequency_spread(kernels, equations.spectrum)
     lost = np.finfo(float).eps * np.minimum(spread, 1e9) ** 2
     errors = error_bounds(kernels, x, slice(len(kernels.unknowns)), equations)

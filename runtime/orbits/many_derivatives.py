@@ -251,8 +251,7 @@ def _by_kernels(
         if kernels.directions is None:
             _on_numpy(kernels, points[part], unknowns[part], at)
         else:
-            with np.errstate(all="ignore"):
-                kernels.directions(points[part], unknowns[part], out=at)
+            kernels.directions(points[part], unknowns[part], out=at)
         columns = dict(zip(kernels.parameter_names, unit, strict=True))
         columns |= dict(zip(kernels.unknowns, moved[:-2], strict=True))
         moved[-1] = reduce(np.add, kernels.durations(columns).values())
@@ -266,10 +265,9 @@ def _on_numpy(
 ) -> None:
     """Fill in derivatives (k, n + 1, p) of the unknowns and of the trace by all parameters."""
     spectrum, moved = kernels.spectrum(points)
-    with np.errstate(all="ignore"):
-        at = (points, spectrum, unknowns, moved)
-        jacobian, changes = kernels.evaluate("jacobian", "parameter_jacobian", at=at)
-        gradient = kernels.evaluate("trace_gradient", at=at)
+    at = (points, spectrum, unknowns, moved)
+    jacobian, changes = kernels.evaluate("jacobian", "parameter_jacobian", at=at)
+    gradient = kernels.evaluate("trace_gradient", at=at)
     size = unknowns.shape[1]
     found[:, :size], _ = solve_linear(jacobian, -changes, np.zeros(points.shape))
     found[:, size] = gradient[:, size:]

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
@@ -277,6 +277,7 @@ class Evaluation:
     """The quantities that the tables give at an orbit, in its arithmetic."""
 
     orbit: Orbit
+    orbits: ClassVar[tuple[int, ...]] = (CONVERGED, SINGULAR)  # statuses: one of a family is one
 
     @property
     def tables(self) -> Evaluation:
@@ -464,7 +465,7 @@ class Evaluation:
         return self.orbit.arithmetic.mp if self.orbit.precise else np
 
     def _check_found(self) -> None:
-        if self.orbit.status not in (CONVERGED, SINGULAR):
+        if self.orbit.status not in self.orbits:
             raise InputError(f"there is no orbit: {self.orbit.message}")
 
 

@@ -184,8 +184,7 @@ class DeclaredPoints(TablePoints):
             x = np.stack([*solved.values()], axis=-1)
             points = np.stack([parameters[name] for name in kernels.parameter_names], axis=-1)
             spectrum, _ = kernels.spectrum(points)
-            with np.errstate(all="ignore"):  # of points without an orbit
-                states = np.asarray(kernels.evaluate("states", at=(points, spectrum, x)))
+            states = np.asarray(kernels.evaluate("states", at=(points, spectrum, x)))
             states[np.isnan(x).any(axis=-1)] = np.nan
             starts = states[:, : len(times)]
             known = {**dict(zip(start, starts[:, 0].T, strict=True)), **known}

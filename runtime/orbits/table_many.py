@@ -137,6 +137,7 @@ def _spread(
         raise InputError(f"{name}: {array.shape} does not broadcast to {shape}") from None
 
 
+@np.errstate(all="ignore")  # of points without an orbit
 def section_of(
     cycle: ItineraryShape,
     kernels: SystemKernels,
@@ -168,9 +169,8 @@ def section_of(
         at = None if start is None else start[part]
         found = solve_shape(here, flat, dwell[part], at, np.full(1, np.nan))
         single = numbers_in(group.structure, flat[0])
-        with np.errstate(all="ignore"):
-            now = shoot(here, single, found.dwell[0], found.starts[0, 0], np)
-            maps = local_maps(here, single, now)
+        now = shoot(here, single, found.dwell[0], found.starts[0, 0], np)
+        maps = local_maps(here, single, now)
         if not all(np.isfinite(matrix).all() for matrix in maps):
             continue
         size_of = sizes(now, found.dwell[0])
@@ -307,9 +307,8 @@ class TableBatch:
             flat = np.concatenate([flat[:, :place], added, flat[:, place:]], axis=1)
         turned, first = closed.rotated(self.section[0]), self.section[0]
         if start is not None and first:
-            with np.errstate(all="ignore"):
-                numbers = numbers_in(closed.structure, flat)
-                start = shoot(closed, numbers, dwell, start, np).starts[first]
+            numbers = numbers_in(closed.structure, flat)
+            start = shoot(closed, numbers, dwell, start, np).starts[first]
         solved = solve_shape(turned, flat, np.roll(dwell, -first, axis=1), start, period)
         _, status = digits_of(turned, flat, solved, period, directions, every=False)
         maps, driven = solved.maps, mechanical_states(cycle)

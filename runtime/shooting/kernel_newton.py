@@ -7,7 +7,7 @@ solved at many points by the compiled solver, or as it does on NumPy.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -55,8 +55,7 @@ def solve_reduced(
     """
     if kernels.solver is not None:
         given = (parameters, guess) if kernels.reduced else (parameters,)
-        with np.errstate(all="ignore"):
-            return Solved(*kernels.solver(*given, out=(out, None, None, None, None)))
+        return Solved(*kernels.solver(*given, out=(out, None, None, None, None)))
     parameters, guess = np.asarray(parameters, float), np.asarray(guess, float)
     lead = np.broadcast_shapes(parameters.shape[:-1], guess.shape[:-1])
     count = math.prod(lead)
@@ -228,6 +227,7 @@ class Errors(NamedTuple):
     of_dwell: np.ndarray  # (..., p), bounds on the errors of the dwell times
 
 
+@np.errstate(all="ignore")
 def error_bounds(
     kernels: OrbitKernels,
     x: np.ndarray,
@@ -238,21 +238,24 @@ def error_bounds(
 
     J^-1 is applied to the residual and to the rounding errors of all that enters the equations:
     parameters and unknowns, and the states along the orbit, whose differences the equations are.
-    `equations` are those at x. The bounds are NaN where J is singular.
+    `equations` are those at x. The bounds are NaN where J is singular, that on all numbers also
+    where the Poincare map is not finite.
     """
     residual, jacobian, spectrum = equations
     unknowns, parameters = _halves(kernels, x)
-    with np.errstate(all="ignore"):
-        states = np.abs(kernels.evaluate("states", at=(parameters, spectrum, unknowns)))
-        sizes = np.abs(x)[..., None] * np.ones(2)
-        sizes[..., places, 0] = np.maximum(sizes[..., places, 0], 1.0)
-        largest = states.reshape(*x.shape[:-1], -1).max(axis=-1)
-        rounding = np.abs(jacobian) @ sizes + largest[..., None, None]
-        noise = np.abs(residual)[..., None] + 4 * _EPSILON * rounding
-        errors = np.zeros((*x.shape, 2))
-        errors[..., places, :] = np.abs(inverses(jacobian[..., places])) @ noise
-        largest = (errors[..., places, 0] / sizes[..., places, 0]).max(axis=-1)
-        waits = _waits(kernels, x, errors[..., 1])
+    at = (parameters, spectrum, unknowns)
+    states = np.abs(kernels.evaluate("states", at=at))
+    sizes = np.abs(x)[..., None] * np.ones(2)
+    sizes[..., places, 0] = np.maximum(sizes[..., places, 0], 1.0)
+    largest = states.reshape(*x.shape[:-1], -1).max(axis=-1)
+    rounding = np.abs(jacobian) @ sizes + largest[..., None, None]
+    noise = np.abs(residual)[..., None] + 4 * _EPSILON * rounding
+    errors = np.zeros((*x.shape, 2))
+    errors[..., places, :] = np.abs(inverses(jacobian[..., places])) @ noise
+    largest = (errors[..., places, 0] / sizes[..., places, 0]).max(axis=-1)
+    # nothing is added, or NaN
+    largest = largest + (0 * kernels.evaluate("poincare_jacobian", at=at)).sum(axis=(-2, -1))
+    waits = _waits(kernels, x, errors[..., 1])
     return Errors(largest, *waits)
 
 
@@ -275,17 +278,20 @@ def _waits(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Dwell times (p,) or (k, p) of the phases that take time, and their errors."""
     names, places = (*kernels.unknowns, *kernels.parameter_names), lasting_phases(kernels)
-    own = dict(zip(names, np.moveaxis(errors, -1, 0), strict=True))
+    own = dict(zip(names, errors.T, strict=True))
     sums = [kernels.table["durations"][place].items() for place in places]
     of_dwell = [sum(abs(factor) * own[term] for term, factor in terms) for terms in sums]
     return dwell_times(kernels, x, places), np.array(of_dwell).T
 
 
-def dwell_times(kernels: OrbitKernels, x: np.ndarray, places: Iterable[int]) -> np.ndarray:
+def dwell_times(kernels: OrbitKernels, x: np.ndarray, places: Sequence[int]) -> np.ndarray:
     """Dwell times (p,) or (k, p) of phases, from unknowns, then parameters: x (m,) or (k, m)."""
     names = (*kernels.unknowns, *kernels.parameter_names)
     found = [*kernels.durations(dict(zip(names, x.T, strict=True))).values()]
-    return np.array(np.broadcast_arrays(*(found[place] for place in places))).T
+    dwell = np.empty((*x.shape[:-1], len(places)))
+    for column, place in enumerate(places):
+        dwell[..., column] = found[place]
+    return dwell
 
 
 def lasting_phases(kernels: OrbitKernels) -> list[int]:

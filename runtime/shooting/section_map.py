@@ -57,6 +57,7 @@ def local_maps(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> list[A
     return [section_map(*part) for part in parts]
 
 
+@np.errstate(all="ignore")
 def saltations(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> Any:
     """Saltation matrix of each transition (p, N, N): R + (f_after - R f_before) n / (n f_before).
 

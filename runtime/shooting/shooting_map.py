@@ -399,6 +399,7 @@ def phases_in(cycle: ItineraryShape, numbers: Numbers) -> list[Phase]:
     ]
 
 
+@np.errstate(all="ignore")  # where nothing is finite there is no orbit
 def shoot(cycle: ItineraryShape, numbers: Numbers, dwell: Any, start: Any, lib: Any) -> Shooting:
     """The shooting map of one passage through a cycle, with dwell times that follow the start.
 

@@ -143,6 +143,17 @@ def test_the_gear_turns_by_the_mean_torque_and_comes_back_by_direct_integration(
     )
 
 
+def test_a_rotor_without_finite_numbers_is_left_out_of_a_batch():
+    """Its direction is found at each point."""
+    system, phases, guess = gear().system, gear().itinerary, [*gear().unknowns.values()]
+    given = {name: float(value) for name, value in gear().parameters.items()}
+    found = ns.solve(system, {**given, "J": [given["J"], 5e-324]}, guess, itinerary=phases)
+    assert found.converged.tolist() == [True, False]
+    stiff = {**given, "J": 2 * given["J"], "k": 1e101}
+    lost = ns.solve(system, stiff, guess, itinerary=phases, throw=False)
+    assert not np.isfinite(lost.saltations).all()
+
+
 def test_a_capsule_moves_on_as_it_does_when_it_is_simulated():
     orbit = capsule()
     assert orbit.stability.verdict == "stable"

@@ -43,6 +43,7 @@ class Line:
             "reduced_jacobian": slopes,
             "states": np.full(parameters.shape, self.size),
             "trace": 0 * parameters[..., 0],
+            "poincare_jacobian": np.zeros((*parameters.shape, 1)),
         }
         values = [known[quantity] for quantity in quantities]
         return values[0] if len(values) == 1 else values
