@@ -63,10 +63,14 @@ def document_of(name):
 @cache
 def derived(name):
     """A declared itinerary whose equations have a closed form."""
-    try:
-        return Written(derive_equations(declarations()[name]))
-    except DerivationError:
-        return None
+
+    def derive():
+        try:
+            return Written(derive_equations(declarations()[name]))
+        except DerivationError:
+            return None
+
+    return shared_value(f"equations of {name}", derive)
 
 
 def names(kind):

@@ -116,6 +116,7 @@ def test_a_box_that_leads_elsewhere_has_no_rank(content, tmp_path):
     refused_file(edited_ranks(content, too_near), tmp_path, "a box of the rank 1")
 
 
+@pytest.mark.slow
 def test_ranks_are_those_of_boxes(belt, tmp_path):
     def below(ranks):
         ranks[ranks.index(-1) if -1 in ranks else 0] = -2

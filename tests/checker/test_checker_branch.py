@@ -207,6 +207,7 @@ def test_a_tile_is_proved_on_parts(content, preloaded):
                 assert abs(after.at([0]) - exact) <= width(after) + 2**-40
 
 
+@pytest.mark.slow
 def test_a_map_that_is_multiplied_by_a_speed_is_the_map_times_it(preloaded):
     """Also where the equations are divided by a dwell time, and the map needs no speed."""
     curve, seen = curve_of(preloaded), set()

@@ -87,6 +87,7 @@ def _stated(content):
     return content
 
 
+@pytest.mark.slow
 def test_no_leaf_of_the_tree_can_be_changed(content, tmp_path):
     """Each letter is needed: the census without it, or with another one, is refused."""
     (tree,) = content["trees"]
@@ -211,6 +212,7 @@ def test_a_certificate_of_another_number_of_turns_is_refused(tmp_path):
             assert checked(_stated(changed), tmp_path).difference is not None
 
 
+@pytest.mark.slow
 def test_an_itinerary_repeats_itself_by_its_transitions():
     """Kicked in two ways by turns, an orbit has not the half of the phases that it names twice."""
     v = sp.Symbol("v", real=True)
@@ -262,6 +264,7 @@ def test_what_begins_with_another_size_later_may_be_another_orbit(content, size,
     assert (len(found.inside), len(found.edges)) == (0, edges)
 
 
+@pytest.mark.slow
 def test_what_meets_no_boundary_or_two_at_once_is_not_counted():
     """Their equations hold elsewhere too: half a turn later, or where one of two is not reached."""
     with pytest.raises(ns.InputError, match="several boundaries end a phase"):

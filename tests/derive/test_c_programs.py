@@ -25,7 +25,8 @@ VECTORS = ["-O3", "-fopenmp-simd", "-DNONSMOOTH_OPENMP_SIMD"]
 COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]
 
 pytestmark = pytest.mark.skipif(not COMPILERS, reason="there is no C compiler")
-each_compiler = pytest.mark.parametrize("compiler", COMPILERS)
+others = [pytest.param(name, marks=pytest.mark.slow) for name in COMPILERS[1:]]
+each_compiler = pytest.mark.parametrize("compiler", [*COMPILERS[:1], *others])
 
 
 @pytest.fixture(scope="module")
@@ -67,6 +68,7 @@ def example_of(header):
     return re.sub(r"^ \*(?: {5})?", "", after.partition("\n */\n")[0], flags=re.MULTILINE)
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(shutil.which("nm") is None, reason="there is no nm")
 def test_public_c_symbols_have_the_name_of_their_system(folder):
     stem = "dry_friction"

@@ -44,6 +44,7 @@ def test_a_word_of_a_description_is_no_dwell_time():
     assert "| stiffness on the stop, against 1 before it |" in text_of(itinerary)
 
 
+@pytest.mark.slow
 def test_a_multiplier_is_trivial_where_a_forcing_is_found():
     struck = Itinerary("struck", one_mass(0), (Phase("free", "stop-reaches-stop", "tau"),))
     described = map(describe_orbit, (impacts(1), switching(), rattle(0), struck))

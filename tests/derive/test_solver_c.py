@@ -115,7 +115,9 @@ def test_every_status_is_met(expected, expected_directions):
 
 
 @pytest.mark.parametrize("size", [1, 3, 8, 16, 17, 64])
-@pytest.mark.parametrize("build", ["baseline", "avx2", "avx512f"])
+@pytest.mark.parametrize(
+    "build", ["baseline", *(pytest.param(b, marks=pytest.mark.slow) for b in ("avx2", "avx512f"))]
+)
 def test_a_point_has_the_same_bits_in_every_group(
     source, data, expected, expected_directions, build, size
 ):

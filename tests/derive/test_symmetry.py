@@ -213,6 +213,7 @@ def test_wrong_names_are_refused_by_name(itinerary, changes, message):
     assert "\n" not in str(caught.value)
 
 
+@pytest.mark.slow
 def test_any_other_parameter_may_be_solved_for():
     """The same border collision, found for another parameter at the e1 that belongs to it."""
     found_for = Derived(replace(dry_friction.solution_ii, solved_for=("e2",)))

@@ -16,7 +16,8 @@ from tests.places import CHECKOUT
 from tests.two_masses import SYSTEMS
 
 compiler = shutil.which("cc")
-pytestmark = [pytest.mark.skipif(compiler is None, reason="no C compiler"), pytest.mark.compiled]
+absent = pytest.mark.skipif(compiler is None, reason="no C compiler")
+pytestmark = [absent, pytest.mark.compiled, pytest.mark.slow]
 
 
 @pytest.fixture(scope="module")
@@ -75,7 +76,6 @@ def answered(harness, file, *arguments):
     return subprocess.run(command, capture_output=True, text=True, check=False, timeout=600)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", [*SYSTEMS, "chain", "factors", "stops"])
 def test_the_engine_is_clean_and_follows_the_reference(harness, name, tmp_path):
     small = name in SYSTEMS

@@ -126,7 +126,7 @@ def exactly(motion, row, times):
 
 
 def test_maxima_are_attained_and_not_exceeded(search):
-    for motion, rows in motions(40, 1):
+    for motion, rows in motions(15, 1):
         found = search(motion, rows, [-math.inf] * len(rows))
         for row, value, time, error, rises in zip(rows, *found, strict=True):
             *values, there = exactly(motion, row, [*np.linspace(0, motion.duration, 60), time])

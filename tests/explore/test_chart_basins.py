@@ -64,6 +64,7 @@ def test_labels_agree_with_following_single_starts(found, tmp_path):
     assert counts[names["1"]] == int((numbers == 1).sum())
 
 
+@pytest.mark.slow
 def test_a_picture_has_the_colours_of_the_legend(found, tmp_path):
     pytest.importorskip("matplotlib")
     plane = ns.chart(str(found), **STARTS)

@@ -76,6 +76,7 @@ def test_a_branch_point_opens_into_a_fold():
     assert folded.parameter_values.max() <= fold.value + 1e-12
 
 
+@pytest.mark.slow
 def test_events_do_not_depend_on_the_steps():
     orbit = nonsmooth.solve("dry-friction/symmetric")
     fine = nonsmooth.continue_orbit(orbit, "V", (0.3, 1.3), step=0.005)

@@ -71,6 +71,7 @@ def test_a_second_attractor_of_less_than_one_percent_has_known_multipliers():
     np.testing.assert_allclose(np.abs(multipliers.imag), 0.565, atol=5e-4)
 
 
+@pytest.mark.slow
 def test_a_planted_attractor_is_found_from_a_box():
     target = by_period("A", 15.1006).orbit.states[0]
     box = {n: (x - 1e-3, x + 1e-3) for n, x in zip(("x1", "x2", "v1", "v2"), target, strict=True)}

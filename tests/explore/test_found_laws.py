@@ -266,6 +266,7 @@ def test_outcomes_have_names(system, data, outcome):
     assert found_at(system(), data, 4, box=box).share(outcome) == 1
 
 
+@pytest.mark.slow
 def test_a_long_transient_is_no_chaos():
     data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5}
     # it strikes the stop nearly a thousand times more, gently, and then never again

@@ -32,7 +32,7 @@ DATA = {
 START = [5, 4, 0.5, 0.25]
 TIMES = [0.1, 0.2, 0.3]
 LONGEST = 300
-SLOW = ("certify.all", "design", "find_orbits", "fit")
+SLOW = ("certify.all", "certify.branch", "branch", "design", "find_orbits", "fit")
 LONG = ("certify.basin", "certify.doubling", "certify.region")  # tried with what never fits alone
 POSSIBLE = (None, True, 5, 2.5, "x", [], {}, float("nan"), {"x": 1})
 # what is given where an argument has to be, or would take long by default
@@ -229,14 +229,16 @@ def never_right():
     return [object(), ns.InputError("x"), [[]], result("orbit"), result("certificate")]
 
 
-@pytest.mark.parametrize(
-    "name", [pytest.param(n, marks=pytest.mark.slow) if n in SLOW else n for n in FUNCTIONS]
-)
+def marked(names):
+    return [pytest.param(n, marks=pytest.mark.slow) if n in SLOW else n for n in names]
+
+
+@pytest.mark.parametrize("name", marked(FUNCTIONS))
 def test_functions_answer_or_refuse_in_one_line(name):
     check(name, FUNCTIONS[name])
 
 
-@pytest.mark.parametrize("kind", RESULTS)
+@pytest.mark.parametrize("kind", marked(RESULTS))
 def test_methods_answer_or_refuse_in_one_line(kind):
     found = result(kind)
     for name in (n for n in dir(type(found)) if not n.startswith("_") or n == "__call__"):

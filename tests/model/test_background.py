@@ -2,7 +2,6 @@
 
 import logging
 import os
-import shlex
 import shutil
 import signal
 import subprocess
@@ -25,31 +24,30 @@ posix = pytest.mark.skipif(os.name != "posix", reason="processes are grouped on 
 K = np.linspace(0.5, 2, 7)
 
 
+def asked(folder, source, flags):
+    """A process that has kernels compiled into a folder: it prints what it is told by them."""
+    code = (
+        "import sys; import nonsmooth as ns;"
+        "found = ns.solve(sys.argv[1], dict(k=[1, 2, 0.7]));"
+        "print(found.problem.kernels.system.compiled is not None, found.trace.tobytes().hex())"
+    )
+    environment = {"NONSMOOTH_CACHE": str(folder), "NONSMOOTH_BACKEND": "c", "CFLAGS": flags}
+    command = [sys.executable, "-c", code, f"{source}:loop"]
+    return subprocess.Popen(
+        command, env=os.environ | environment, stdout=subprocess.PIPE, text=True
+    )
+
+
 @pytest.fixture(scope="module")
 def library(tmp_path_factory):
     """A cache folder in which another process has put the compiled kernels."""
     folder = tmp_path_factory.mktemp("library")
-    code = (
-        "import sys; import nonsmooth as ns;"
-        "found = ns.solve(sys.argv[1], dict(k=[1, 2]));"
-        "print(found.problem.kernels.system.compiled is not None)"
-    )
     path = declare(folder)
-    quick = folder / "cc"  # a compiler that does not optimise
-    quick.write_text(f'#!/bin/sh\nexec {shlex.join(background.compiler())} "$@" -O0\n')
-    quick.chmod(0o700)
-    environment = os.environ | {
-        "NONSMOOTH_CACHE": str(folder / "cache"), "NONSMOOTH_BACKEND": "c", "CC": str(quick),
-    }  # fmt: skip
     # two at once do not disturb each other
-    both = [
-        subprocess.Popen(
-            [sys.executable, "-c", code, f"{path}:loop"],
-            env=environment, stdout=subprocess.PIPE, text=True,
-        )
-        for _ in range(2)
-    ]  # fmt: skip
-    assert [process.communicate()[0].strip() for process in both] == ["True", "True"]
+    both = [asked(folder / "cache", path, "-O0") for _ in range(2)]
+    one, other = (process.communicate()[0] for process in both)
+    assert one == other
+    assert one.startswith("True ")
     assert not list((folder / "cache").glob("*.partial"))
     return folder / "cache"
 
@@ -76,6 +74,17 @@ def filled(library, cache):
 
 def compiled(orbit):
     return load_orbit(orbit).system.compiled is not None
+
+
+@pytest.mark.slow
+@compiler
+def test_bits_are_the_same_at_every_level_of_optimisation(tmp_path, library):
+    path = declare(tmp_path)
+    told = [asked(tmp_path / flags, path, flags) for flags in ("", "-O1")]
+    told.append(asked(library, path, ""))
+    first, *others = (process.communicate()[0] for process in told)
+    assert first.startswith("True ")
+    assert others == [first, first]
 
 
 @pytest.mark.slow

@@ -69,6 +69,7 @@ def test_friction_and_impacts_add_up(place, coupled):
     assert sum(parts) == pytest.approx(lost(orbit), rel=1e-10)
 
 
+@pytest.mark.slow
 def test_losses_have_derivatives():
     orbit = settled(two_masses({"x2": 1, "x1": -1}, coupled=True))
     function = ns.orbit_function(orbit, by=tuple(DATA), of="dissipation")

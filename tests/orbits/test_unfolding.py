@@ -98,6 +98,7 @@ def test_what_is_no_symmetry():
         ns.solve(load_orbit(symmetric(between(2))).name)
 
 
+@pytest.mark.slow
 def test_an_itinerary_from_a_motion_of_a_built_in_system():
     data = dict(chi="0.5", eta=1, V=1, us1=1, us2=1, ur1="4.0195", ur2="1.4831")
     motion = ns.simulate("dry-friction", data, [0, 0, 0, 0], transitions=400)

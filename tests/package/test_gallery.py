@@ -88,7 +88,11 @@ def commands():
 DEAR = {  # whose commands are given for other systems too
     *("nonsmooth solve docs/gallery/backlash_gear.py", "nonsmooth solve docs/gallery/three_masses"),
     *("nonsmooth solve docs/gallery/brake_pad.py", "nonsmooth continue docs/gallery/brake_pad.py"),
-    *("nonsmooth certify docs/gallery/brake_pad.py", "nonsmooth certify docs/gallery/backlash"),
+    *(
+        "nonsmooth solve docs/gallery/beam",
+        "nonsmooth certify docs/gallery/brake_pad.py",
+        "nonsmooth certify docs/gallery/backlash",
+    ),
     *("nonsmooth design docs/gallery/impact_damper.py", "nonsmooth fit "),
 }
 COMMANDS = [
@@ -108,6 +112,7 @@ def test_the_commands_of_the_index_run(command, monkeypatch):
     assert len(out) > 100
 
 
+@pytest.mark.slow
 def test_the_python_of_the_index_runs(monkeypatch, capsys):
     monkeypatch.chdir(GALLERY.parents[1])
     text = (GALLERY / "README.md").read_text(encoding="utf-8")
@@ -314,6 +319,7 @@ def test_a_jenkins_element_takes_the_area_of_its_loop():
 # --- the brake pad ------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_no_claim_holds_where_the_load_of_a_pad_is_negative():
     lifting, pressed = (solved("brake_pad", name) for name in ("lifting", "pressed"))
     height = 4 / math.hypot(4 - 1.3**2, 1.3 / 5)

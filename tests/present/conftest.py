@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import os
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -12,6 +13,7 @@ import pytest
 
 from nonsmooth.runtime.present.paper import writing
 from tests.present.formulas import given_formulas
+from tests.shared import FOLDER, shared_value
 
 EMPTY = b'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"></svg>'
 DRAWN = (*(0, 5, 10), *range(12, 16))  # pictures that are not empty, by their places
@@ -65,14 +67,18 @@ def written(folder, formulas, *, certified=False, pictures=()):
 
 
 @pytest.fixture(scope="session")
-def paper(tmp_path_factory):
+def paper():
     """The whole report, drawn by someone whose paper is black."""
     matplotlib = pytest.importorskip("matplotlib")
     for name in ("jinja2", "latex2mathml", "mdit_py_plugins"):
         pytest.importorskip(name)
-    with matplotlib.rc_context({"figure.facecolor": "black", "text.color": "white"}):
-        folder = tmp_path_factory.mktemp("paper")
-        return written(folder, given_formulas, certified=True, pictures=DRAWN)
+
+    def draw():
+        folder = Path(os.environ[FOLDER]) / "paper"
+        with matplotlib.rc_context({"figure.facecolor": "black", "text.color": "white"}):
+            return written(folder, given_formulas, certified=True, pictures=DRAWN)
+
+    return shared_value("paper", draw)
 
 
 @pytest.fixture(scope="session")

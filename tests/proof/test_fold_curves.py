@@ -117,6 +117,7 @@ def test_a_box_with_a_fold_is_decided():
     assert told["sheets"] == {"own": "stable", "other": "unstable"}
 
 
+@pytest.mark.slow
 def test_the_curve_is_that_of_the_closed_form_to_forty_digits():
     for k in range(20):
         r = Fraction(7980 + 3 * k, 10_000)

@@ -168,6 +168,7 @@ def test_cones():
     assert found.tried == ("no cone condition: planted",)
 
 
+@pytest.mark.slow
 def test_an_orbit_that_is_counted(tmp_path):
     with refusing("checker.counting.census.CountedBox.check_orbit"):
         found = ns.certify.all(ORBIT, box={"tau": 3, "tau1": 3})

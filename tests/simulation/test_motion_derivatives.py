@@ -114,7 +114,9 @@ def test_phases_of_forcings_move_on_their_circle():
     assert_allclose(found[0, 1], (-np.sin(1) + np.sin(2) / 2) / 3, rtol=1e-13)
 
 
-@pytest.mark.parametrize("seed", [2, pytest.param(4, marks=pytest.mark.slow), 5])
+@pytest.mark.parametrize(
+    "seed", [2, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (4, 5))]
+)
 def test_random_oscillators_agree_with_differences_in_fifty_digits(seed):
     found = compared_at_random(np.random.default_rng([7, seed]), f"random-{seed}", 30)
     assert found is None or found < 1e-11

@@ -18,9 +18,9 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, MissingExtra
 
-# No contraction into fused multiply-adds: every build gives the same bits. No traps: loops that
-# choose between two results use vectors.
-_FLAGS = ["-O3", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math"]
+# No contraction into fused multiply-adds: every build gives the same bits, at any level that CFLAGS
+# name. No traps: loops that choose between two results use vectors.
+_FLAGS = ["-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math"]
 _FLAGS += ["-fopenmp-simd", "-DNONSMOOTH_OPENMP_SIMD"]  # no macro says that the first is given
 _FLAGS += ["-fvisibility=hidden"]  # calls between the files of an extension are direct
 _WINDOWS = """
@@ -78,7 +78,8 @@ def _commands(sources: Sequence[str]) -> list[list[str]]:
     position = shlex.split(str(sysconfig.get_config_var("CCSHARED") or "-fPIC"))
     folders = [sysconfig.get_path("include"), sysconfig.get_path("platinclude"), np.get_include()]
     include = [f"-I{folder}" for folder in dict.fromkeys(folders)]
-    options = [*shlex.split(os.environ.get("CFLAGS", "")), *_FLAGS, *position, *include]
+    chosen = shlex.split(os.environ.get("CFLAGS", ""))
+    options = ["-O3", *chosen, *_FLAGS, *position, *include]
     output = f"_kernels{sysconfig.get_config_var('EXT_SUFFIX')}"
     return [[*compiler(), *linking, *options, *sources, "-o", output, "-lm"]]
 
