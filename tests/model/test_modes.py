@@ -255,6 +255,30 @@ def test_eigenvalues_that_cannot_be_told_apart():
         numeric_modes(turned(field))
 
 
+@pytest.mark.parametrize("seed", range(3))
+def test_fields_of_any_numbers_have_modes_or_are_refused(seed, capfd):
+    """Linear algebra is asked for nothing with which it does not end, or of which it complains."""
+    rng = np.random.default_rng(seed)
+    for size in rng.integers(1, 5, 12):
+        shape = 4, size, size + 1
+        wide = rng.normal(size=shape) * 10.0 ** rng.uniform(-250, 250, shape)
+        chosen = rng.choice([0, 1, -1, 1e-8, 1e8, 1e-12, 1e300, -1e300, 1e-300], size=shape)
+        groups = grouped_modes(np.concatenate([wide, chosen]), rng.normal(size=(8, 2, size + 1)))
+        assert sorted(place for group in groups for place in group.places) == [*range(8)]
+    assert capfd.readouterr() == ("", "")
+
+
+def test_conjugate_rates_are_one_mode_of_a_cluster():
+    """Of x'''' = -4 x all four have one modulus and one frequency."""
+    matrix = np.diag(np.ones(3), 1)
+    matrix[-1, 0] = -4
+    clusters = [c.poles for found in precise_candidates(matrix, math.sqrt(2)) for c in found]
+    paired = [poles for poles in clusters if len(poles) > 1]
+    assert paired
+    for poles in paired:
+        assert poles[1::2] == tuple(pole.conjugate() for pole in poles[::2])
+
+
 @pytest.mark.parametrize("rate", [1e-10, 1e-11, 1e-12, 1e-13])
 def test_what_decays_slowly_is_not_taken_for_a_constant(rate):
     """Over the longest search its motion changes by more than rounding."""

@@ -45,9 +45,11 @@ __all__ = ["NumericModes", "grouped_modes", "no_modes", "numeric_modes", "standi
 
 _ONE = mode_shapes([(1, False)])
 _FEW = 4  # for fewer fields it pays to remember their modes
+_FAR_APART = 2.0**200  # entries in natural units, of which a few multiplied are no infinity
 _MOST, _FEWEST = 128 << 20, 32  # bytes of what is remembered of one size, and entries of any size
 
 
+@np.errstate(over="ignore", invalid="ignore")
 def numeric_modes(field: np.ndarray, rows: np.ndarray | None = None) -> NumericModes:
     """Modes of y' = A y + b; `field` (N, N + 1) is A, then b, and finite.
 
@@ -58,14 +60,14 @@ def numeric_modes(field: np.ndarray, rows: np.ndarray | None = None) -> NumericM
     array = np.ascontiguousarray(field, dtype=float)
     rate = 0.0 if rows is None else float(fall_rates(array[None], rows[None])[0])
     try:
-        with np.errstate(over="ignore", invalid="ignore"):
-            return _remembered(len(array))(array.tobytes(), rate)
+        return _remembered(len(array))(array.tobytes(), rate)
     except np.linalg.LinAlgError:
         raise InputError(
             "entries of a vector field are too far apart: double precision does not tell its modes"
         ) from None
 
 
+@np.errstate(over="ignore", invalid="ignore")
 def grouped_modes(fields: np.ndarray, rows: np.ndarray) -> list[ModeGroup]:
     """Modes of n motions y' = A y + b, grouped by their shapes.
 
@@ -141,18 +143,29 @@ def _remembered(size: int) -> Callable[[bytes, float], NumericModes]:
 def _simple_modes(fields: np.ndarray, rows: np.ndarray) -> list[ModeGroup]:
     """Modes of the motions of a stack with distinct eigenvalues, computed in natural units."""
     units = natural_units(fields, fall_rates(fields, rows))
+    scaled = units.fields(fields)
+    near = np.flatnonzero(_is_near(scaled))
     groups = []
-    for group in simple_modes(units.fields(fields)):
-        own = units.at(group.places)
+    for group in simple_modes(scaled[near]):
+        places = near[group.places]
+        own = units.at(places)
         exponents, flows = own.exponents(group.exponents), own.flows(group.shapes, group.flows)
-        groups.append(group._replace(exponents=exponents, flows=flows))
+        groups.append(ModeGroup(places, group.shapes, exponents, flows))
     return groups
 
 
+def _is_near(fields: np.ndarray) -> np.ndarray:
+    """Whether the entries of fields (n, N, N + 1) in natural units are not too far apart: (n,)."""
+    return np.asarray(np.abs(fields).max(axis=(-2, -1), initial=0.0) < _FAR_APART)
+
+
 def _found(field: np.ndarray, rate: float) -> NumericModes:
-    """Modes of one motion, computed in its natural units."""
+    """Modes of one motion, computed in its natural units; `LinAlgError` if it has none."""
     units = natural_units(field[None], np.array([rate]))
-    shapes, exponents, flows = _found_in_natural_units(units.fields(field[None])[0])
+    scaled = units.fields(field[None])
+    if not _is_near(scaled).all():
+        raise np.linalg.LinAlgError
+    shapes, exponents, flows = _found_in_natural_units(scaled[0])
     return NumericModes(
         shapes, units.exponents(exponents[None])[0], units.flows_of_one(shapes, flows)
     )

@@ -41,6 +41,7 @@ _LARGEST = 1e-7
 _MODERATE = 1e3  # term of the flow beside which no digits are lost that count
 _ANGLES = (1 / 64, 1.0, 16.0)  # radians of the fastest at which sums are compared
 _LONG = 1024.0  # the same where eigenvalues were taken for equal
+_SLOWEST = 2.0**-500  # rate whose radians take a time that is no infinity
 _TURNED = 32.0  # radians in which an exponent's rounding grows to that of the sum
 _GROWTH = 100.0  # exponent beyond which nothing is compared
 _BITS = 600  # to which a projector is known: its last power may be tiny
@@ -103,7 +104,8 @@ def _missed(matrix: np.ndarray, modes: NumericModes, scale: float) -> float:
     if any(shape.length > 1 for shape in shapes):
         angles = (*angles, _LONG)
     worst, growth = 0.0, max(exponents[:, 0].max(), 0.0)
-    times = [(angle, 2.0 ** round(math.log2(angle / scale))) for angle in angles]
+    rate = max(scale, _SLOWEST)
+    times = [(angle, 2.0 ** round(math.log2(angle / rate))) for angle in angles]
     times = [(angle, t) for angle, t in times if growth * t <= _GROWTH]
     exact = exponentials_at(matrix, {t for _, t in times}) if times else {}
     for angle, t in times:
@@ -140,7 +142,7 @@ def _cluster(matrix: np.ndarray, group: list[complex], groups: list[list[complex
     """
     projector, bits = _projector(matrix, group, [v for g in groups if g is not group for v in g])
     # zero first, then what is real, then pairs of conjugates
-    poles = tuple(sorted(group, key=lambda v: (v.imag != 0, abs(v.imag), abs(v), -v.imag)))
+    poles = tuple(sorted(group, key=lambda v: (v.imag != 0, abs(v.imag), abs(v), v.real, -v.imag)))
     terms = []
     with flint_precision(bits):
         exact, unit = acb_mat(matrix.tolist()), _unit(len(matrix))

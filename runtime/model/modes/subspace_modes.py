@@ -95,8 +95,9 @@ def _basis(
     shifted = matrix - (middle if turns else middle.real) * np.eye(len(matrix))
     aside = _ASIDE * outside * (1j if turns else 1)
     inverse = np.linalg.inv(shifted - aside * np.eye(len(matrix)))
-    # nearly the subspace that a power of B - mu makes smallest
-    power = np.linalg.matrix_power(shifted, len(group))
+    # nearly the subspace that a power of B - mu makes smallest; its unit keeps it finite
+    unit = math.ldexp(1.0, -math.frexp(np.abs(shifted).max())[1])
+    power = np.linalg.matrix_power(shifted * unit, len(group))
     basis = np.linalg.svd(power)[2][-len(group) :].conj().T
     for _ in range(_ITERATIONS):
         before, basis = basis, np.linalg.qr(inverse @ basis)[0]
