@@ -212,3 +212,5 @@ def test_the_places_of_all_minima_are_found(seed, corner):
     least = _least(parts, values, slopes, at, every=False)
     assert min(at(x)[0] for x, _ in least) <= min(heights) + 1e-9
     assert {*least} <= {*found}
+    bowl = (parts - 0.5) ** 2, 2 * (parts - 0.5)  # its minimum is one of the places
+    assert _least(parts, *bowl, at, every=True) == [(0.5, 0.0)]
