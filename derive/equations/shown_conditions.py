@@ -114,6 +114,4 @@ def _not_negative(expression: sp.Expr, system: System) -> bool:
     """Whether a rational function is shown not to be negative by the signs of all its terms."""
     allowed = {p.symbol for p in system.parameters if p.lower >= 0}
     terms = [t for part in sp.fraction(expression) for t in sp.expand(part).as_ordered_terms()]
-    return expression != 0 and all(
-        term.as_coeff_Mul()[0] > 0 and term.free_symbols <= allowed for term in terms
-    )
+    return all(term.as_coeff_Mul()[0] > 0 and term.free_symbols <= allowed for term in terms)

@@ -158,6 +158,8 @@ def test_tiles_of_other_places_are_refused(content):
         changed = copy.deepcopy(content)
         change(changed["tiles"])
         refused(changed, "fill|no place")
+    changed["tiles"] = [{**content["tiles"][0], "place": [[0, 61]] * len(content["box"])}]
+    refused(changed, "tiny tiles")
     verdicts = [tuple(tile["claims"].values()) for tile in content["tiles"]]
     first, second = next(
         (i, j)
@@ -189,6 +191,89 @@ def test_wider_boxes_are_refused(content):
             refused(changed, "in the tile")
         changed["box"][name] = [str(high), str(low)]
         refused(changed, "the box is empty")
+
+
+def undecided(tile):
+    tile["claims"] = dict.fromkeys(tile["claims"], "undecided")
+    tile["reasons"] = dict.fromkeys(tile["claims"], "so")
+
+
+def nothing():
+    """The file of a map that has no declaration."""
+    orbit = ns.solve("dry-friction/solution-ii")
+    return content_of(ns.certify.box(orbit, {"V": ("0.9", "1.1")}))
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        (lambda _, tile: tile.update(looked_at=False), "was not looked at"),
+        (lambda _, tile: undecided(tile), "enclosures of no orbit"),
+        (lambda content, _: content.update(stability="neutral"), "stability of another kind"),
+        (
+            lambda _, tile: tile.update(guess=[1.15 * x for x in tile["guess"]]),
+            "not near the numbers",
+        ),
+        (lambda _, tile: tile["enclosures"].pop("trace"), "not those of the unknowns"),
+        (
+            lambda _, tile: tile["enclosures"].update(more=tile["enclosures"]["trace"]),
+            "not those of the unknowns",
+        ),
+        (lambda content, _: content["box"].update(V=["1", "1"]), "the box is empty"),
+    ],
+)
+def test_what_a_tile_states_is_whole(change, told):
+    content = json.loads(written("stick"))
+    change(content, content["tiles"][0])
+    refused(totalled(content), told)
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        (lambda content: None, None),
+        (lambda content: content.update(stability="neutral"), "stability of another kind"),
+        (lambda content: content.update(closing={"kind": "state"}), "about no declaration"),
+        (
+            lambda content: content["tiles"][0].update(
+                enclosures={"period": {"mid": "1", "rad": "1"}}
+            ),
+            "enclosures of no orbit",
+        ),
+    ],
+)
+def test_of_no_declaration_nothing_is_stated(change, told):
+    content = nothing()
+    assert not content["declaration"]
+    change(content)
+    if told is None:
+        believed(content)
+    else:
+        refused(content, told)
+
+
+@pytest.mark.parametrize("beside", [True, False])
+def test_tiles_that_meet_are_of_one_orbit(beside):
+    """Of two orbits next to a fold the one in a tile is not the other one in the next tile."""
+    ends = ("-613/500", "-49/40", "-153/125")
+    halves = [
+        content_of(
+            ns.certify.box(
+                test_fold_curves.orbit(stable),
+                {"sigma": ends[k : k + 2], "r": ("0.7999", "0.8001")},
+            )
+        )
+        for k, stable in enumerate((True, beside))
+    ]
+    content, (tile,) = halves[0], halves[1]["tiles"]
+    content["box"]["sigma"] = [ends[0], ends[2]]
+    content["tiles"].append(tile)
+    for k, own in enumerate(content["tiles"]):
+        own["place"][[*content["box"]].index("sigma")] = [k, 1]
+    if beside:
+        believed(totalled(content))
+    else:
+        refused(totalled(content), "not that of a tile beside it")
 
 
 def test_constants_may_not_depend_on_each_other():

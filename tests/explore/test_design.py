@@ -8,6 +8,7 @@ import sympy as sp
 
 import nonsmooth as ns
 from nonsmooth.derive import Boundary, Configuration, FirstOrder, Parameter, System, Transition
+from nonsmooth.runtime.explore.design.quantities import multiplier_rows, radius_rows
 from tests.differences import in_digits
 from tests.explore.test_continuation_forced import branch as struck
 from tests.explore.test_continuation_forced import bump_grazing, bumped, closed_forms
@@ -16,6 +17,7 @@ from tests.places import GALLERY
 IMPACTS = f"{GALLERY / 'impact_oscillator.py'}:one-period"
 DAMPER = f"{GALLERY / 'impact_damper.py'}:struck-twice"
 DATA = {"us1": 1, "ur1": 1, "us2": 1}
+ROWS = radius_rows, multiplier_rows
 
 
 @cache
@@ -366,3 +368,28 @@ def test_a_design_ends_where_its_branch_does():
         assert not found.converged
         assert found.message == message
         assert found.after[name] == pytest.approx(place, rel=1e-8)
+
+
+@pytest.mark.parametrize("size", [1, 2, 3, 4])
+def test_conditions_of_multipliers_have_the_derivatives_of_differences(size):
+    """And none is negative where the largest multiplier is at most the level."""
+    rng = np.random.default_rng(size)
+    matrix, rates = (rng.normal(size=(size, size)).round(2) * k for k in (0.6, 0.4))
+
+    def rows_at(p, level):
+        return [kind(mapped(matrix, rates, p).derivatives(["p"]), level) for kind in ROWS]
+
+    step, level = 1e-6, 0.83
+    radius = float(abs(np.linalg.eigvals(matrix)).max())
+    sides = rows_at(step, level), rows_at(-step, level)
+    levels = rows_at(0, level + step), rows_at(0, level - step)
+    for found, more, less, up, down in zip(rows_at(0, level), *sides, *levels, strict=True):
+        by_level = (up.values - down.values) / (2 * step)
+        by_parameter = (more.values - less.values) / (2 * step)
+        np.testing.assert_allclose(found.by_level, by_level, atol=1e-7)
+        np.testing.assert_allclose(found.by_parameters[:, 0], by_parameter, atol=1e-7)
+    for share in (0.9, 0.99, 1.01, 1.1):
+        within, equal = rows_at(0, share * radius)
+        assert (within.values.min() >= 0) == (share > 1)
+        wanted = np.poly(matrix)[None] @ (share * radius) ** np.arange(size, -1, -1.0)
+        assert equal.values == pytest.approx(wanted, rel=1e-9)

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
+from nonsmooth.runtime.explore.design.worst_over import _least
 from tests.places import GALLERY
 
 DAMPER = f"{GALLERY / 'impact_damper.py'}:struck-twice"
@@ -181,3 +182,35 @@ def test_an_interrupted_design_goes_on_to_the_same_end():
     np.testing.assert_array_equal(whole.history[: len(part.history)], part.history)
     with pytest.raises(ns.InputError, match="the design to resume has another bounds"):
         ns.design(damper(), **{**CUT_OFF, "over": {"d": (7, 11)}}, resume=part)
+
+
+@pytest.mark.parametrize("corner", [False, True])
+@pytest.mark.parametrize("seed", range(4))
+def test_the_places_of_all_minima_are_found(seed, corner):
+    """Of waves, or of the larger of two lines, without a derivative near where they meet."""
+    rng = np.random.default_rng(seed)
+    height, rate, phase = rng.uniform([0.5, 4, 0], [2, 9, 6])
+    kink, left, right = rng.uniform([0.1, 0.5, 0.5], [0.9, 2, 2])
+
+    def at(x):
+        if corner:
+            slope = np.nan if abs(x - kink) < 0.05 else right if x > kink else -left
+            return max(-left * (x - kink), right * (x - kink)), slope
+        angle = rate * x + phase
+        return height * np.cos(angle), -height * rate * np.sin(angle)
+
+    parts, fine = np.linspace(0, 1, 33), np.linspace(0, 1, 20001)
+    values, slopes = np.array([at(x) for x in parts]).T
+    heights = np.array([at(x)[0] for x in fine])
+    around = np.concatenate([[np.inf], heights, [np.inf]])
+    minima = fine[(heights < around[:-2]) & (heights <= around[2:])]
+    found = sorted(_least(parts, values, slopes, at, every=True))
+    np.testing.assert_allclose([x for x, _ in found], minima, atol=1e-4)
+    for x, bend in found:
+        wanted = 0 if corner or x in (0, 1) else -(rate**2) * at(x)[0]
+        assert bend == pytest.approx(wanted, rel=1e-2)
+    least = _least(parts, values, slopes, at, every=False)
+    assert min(at(x)[0] for x, _ in least) <= min(heights) + 1e-9
+    assert {*least} <= {*found}
+    bowl = (parts - 0.5) ** 2, 2 * (parts - 0.5)  # its minimum is one of the places
+    assert _least(parts, *bowl, at, every=True) == [(0.5, 0.0)]

@@ -2,11 +2,13 @@
 
 import copy
 from functools import cache
+from itertools import product
+from types import SimpleNamespace
 
 import mpmath
 import numpy as np
 import pytest
-from flint import ctx
+from flint import arb, ctx
 
 import nonsmooth as ns
 from nonsmooth.derive import (
@@ -18,9 +20,17 @@ from nonsmooth.derive import (
 )
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.orbits.motion import Border
-from nonsmooth.runtime.checker.ranges.beyond import _CheckedState, _demand_one_motion, _Met
+from nonsmooth.runtime.checker.ranges.beyond import (
+    _CheckedState,
+    _demand_one_motion,
+    _Met,
+    _one_system,
+    _side,
+)
 from nonsmooth.runtime.checker.ranges.branch import checked_tiles
+from nonsmooth.runtime.checker.stated.declared import StatedTables
 from nonsmooth.runtime.core.arithmetic import exact_ball
+from nonsmooth.runtime.core.jets import Jet
 from nonsmooth.runtime.core.values import as_value
 from tests.certified import PAD, accepted, certified_over, content_of, edited, refused
 from tests.proof.test_branch_borders import HOT, SYSTEMS, THRESHOLD, WIDTH, A, B, two_phases
@@ -250,12 +260,6 @@ FORGERIES = {
     "its other side": (lambda _, beyond: beyond.update(own=OTHER[beyond["own"]]), "another side"),
     "another verdict": (lambda _, beyond: judged(beyond, "unstable"), "it is stable"),
     "verdicts swapped": (lambda _, beyond: swapped(beyond), "other verdicts"),
-    "another field": (
-        lambda _, beyond: beyond["branch"]["declaration"]["configurations"]["slip-slip"]["field"][
-            2
-        ].__setitem__(0, "-1.0000001"),
-        None,
-    ),
     "another parameter": (
         lambda _, beyond: beyond["branch"].update(parameter="W"), "another system's branch"
     ),
@@ -325,3 +329,111 @@ def test_orbits_beside_the_event_are_not_its_motion():
         assert not same(shorter={"window": later})
         # a border that is met elsewhere
         assert not same(more=[Border("tangent", 2, "second-reaches-belt", "end")])
+
+
+STATED = {
+    "parameters": [],
+    "states": ["c", "s"],
+    "forcing": [[0, 1]],
+    "configurations": {
+        name: {
+            "field": [["0", "-1", "0"], ["1", "0", "0"]],
+            "boundaries": {"low": ["1", "0", "1"], "high": ["1", "0", "-1"]},
+            "held": [["0", "1", "0"]],
+        }
+        for name in ("on", "off")
+    },
+    "transitions": [
+        {
+            "source": "on", "boundaries": ["high"], "target": target, "order": order,
+            "conditions": [[["0", "1", "0"], "on", True]],
+            "reset": [["1", "0", "0"], ["0", "1", "0"]],
+        }
+        for order, target in ((1, "on"), (2, "off"))
+    ],
+}  # fmt: skip
+ON, SECOND = ("configurations", "on"), ("transitions", 1)
+
+
+def test_both_declarations_of_a_file_are_compared():
+    """Also of a configuration in which neither orbit ever is."""
+
+    def idle(content):
+        event = next(tile["event"] for tile in content["tiles"] if tile["event"])
+        for speed, own in zip("01", (content, event["beyond"][0]["branch"]), strict=True):
+            field = [[speed, "0", "0"], ["0"] * 3]
+            told = {"field": field, "boundaries": {}, "held": []}
+            own["declaration"]["configurations"]["idle"] = told
+
+    refused(edited(relay(), idle), "another field")
+
+
+@pytest.mark.parametrize(
+    ("path", "other"),
+    [
+        (("states",), ["s", "c"]),
+        (("forcing",), [[1, 0]]),
+        (("forcing",), []),
+        ((*ON, "field", 1, 0), "2"),
+        ((*ON, "boundaries", "high", 2), "-2"),
+        ((*ON, "boundaries", "more"), ["1", "0", "-3"]),
+        ((*ON, "held", 0, 0), "1"),
+        ((*ON, "held"), []),
+        ((*SECOND, "target"), "on"),
+        ((*SECOND, "order"), 0),
+        ((*SECOND, "reset", 1, 1), "-1"),
+        ((*SECOND, "conditions", 0, 0, 2), "1"),
+        ((*SECOND, "conditions", 0, 1), "off"),
+        ((*SECOND, "conditions", 0, 2), False),
+        ((*SECOND, "conditions"), []),
+        (("transitions",), STATED["transitions"][:1]),
+        (("constants",), ["1.7"]),
+        (None, None),
+    ],
+)
+def test_what_both_declare_is_the_same(path, other):
+    """Also what neither branch passes; what one of them alone declares may be anything."""
+    changed = copy.deepcopy({**STATED, "constants": ["1.4"]})
+    if path is not None:
+        *upper, last = path
+        place = changed
+        for step in upper:
+            place = place[step]
+        place[last] = other
+    else:
+        changed["configurations"]["more"] = copy.deepcopy(STATED["configurations"]["on"])
+
+    def tile(stated):
+        declared = StatedTables(stated, {})
+        return SimpleNamespace(
+            curve=SimpleNamespace(declared=declared, constants=stated["constants"])
+        )
+
+    pair = tile({**STATED, "constants": ["1.4"]}), tile(changed)
+    for one, two in (pair, pair[::-1]):
+        if path is None:
+            _one_system(one, two)
+            continue
+        with pytest.raises(Failure, match="other"):
+            _one_system(one, two)
+
+
+@pytest.mark.parametrize("along", ["the parameter", "an unknown", "an unknown that turns it"])
+@pytest.mark.parametrize(
+    ("forwards", "moving", "grows"), [*product((True, False), (1, -1), (1, -1))]
+)
+def test_orbits_are_where_the_parameter_is_along_them(along, forwards, moving, grows):
+    """Motions are at s > 0 or s < 0, and the parameter is s, or +-s, or +-s^2."""
+    last, turns = along == "the parameter", along.endswith("it")
+    here = moving if last else grows if turns else moving * grows
+    parts = tuple(map(arb, (0, 0, grows) if turns else (0, grows, -grows)))
+    verdicts = (
+        ("not admissible", "stable") if (moving > 0) == forwards else ("stable", "not admissible")
+    )
+    tile = SimpleNamespace(
+        tile=dict(zip(("before", "after"), verdicts, strict=True)),
+        forwards=forwards, turns=turns, place=int(last),
+        curve=SimpleNamespace(last=1, jets=lambda place, point, order: [Jet(None, parts)]),
+        rises=lambda rate, otherwise: rate(()) > 0,
+    )  # fmt: skip
+    assert _side(tile) == ("above" if here > 0 else "below")

@@ -205,12 +205,6 @@ def earlier(beyond):
     own.update({end: str(sp.Rational(own[end]) - sp.Rational(1, 10**12)) for end in BOUNDS})
 
 
-def squared(beyond):
-    """The square of the restitution."""
-    reset = beyond["branch"]["declaration"]["transitions"][0]["reset"]
-    reset[1][1]["above"][0][1][-1] = 2
-
-
 BOUNDS = "lower", "upper"
 FORGERIES = {
     "the verdict": (lambda beyond: judged(beyond, "stable"), "it is unstable"),
@@ -218,7 +212,6 @@ FORGERIES = {
     "the restitution": (
         lambda beyond: beyond["branch"]["parameters"].update(r="7/10"), "other parameters"
     ),
-    "the law of impact": (squared, None),
     "the departure": (lambda beyond: fewer(beyond, "tangent", "start"), "but for the event"),
     "the condition": (lambda beyond: fewer(beyond, "condition", "end"), "but for the event"),
 }  # fmt: skip

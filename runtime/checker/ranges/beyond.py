@@ -116,13 +116,13 @@ def _one_system(tile: CheckedTile, other: CheckedTile) -> None:
     one, two = tile.curve.declared, other.curve.declared
     constants = [str(x) for x in tile.curve.constants], [str(x) for x in other.curve.constants]
     demand(constants[0] == constants[1], "other irrational numbers")
-    demand(one.size == two.size and one.forcing == two.forcing, "states of another system")
+    demand(one.states == two.states and one.forcing == two.forcing, "states of another system")
     for name in one.configurations.keys() & two.configurations.keys():
         demand(_same(one.fields[name], two.fields[name]), "another field")
         (bounds, held), (others, holds) = one.configurations[name], two.configurations[name]
         demand(bounds.keys() == others.keys(), "other boundaries")
         same = all(_same([row], [others[boundary]]) for boundary, row in bounds.items())
-        demand(same and len(held) == len(holds) and _same(held, holds), "other boundaries")
+        demand(same and _same(held, holds), "other boundaries")
     for begins in {t.begins for t in one.transitions} & {t.begins for t in two.transitions}:
         own, told = ([t for t in d.transitions if t.begins == begins] for d in (one, two))
         demand(len(own) == len(told), "other transitions")
