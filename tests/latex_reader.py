@@ -16,6 +16,7 @@ from nonsmooth.derive.systems import SYSTEMS, declaration
 from tests.declared import itinerary_of
 from tests.formulas.responses import response_functions
 from tests.formulas.values import Reading, name_of
+from tests.shared import shared_value
 
 Numbers = dict[sp.Basic, Any]
 ORBITS = [f"{name}/{orbit.name}" for name in SYSTEMS for orbit in declaration(name).orbits]
@@ -137,4 +138,4 @@ def text_of(line):
 @cache
 def written_of(name):
     """The document of ``system/orbit``."""
-    return Written(derive_equations(itinerary_of(name)))
+    return shared_value(f"written {name}", lambda: Written(derive_equations(itinerary_of(name))))
