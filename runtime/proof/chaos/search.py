@@ -125,9 +125,9 @@ def candidates(
             covers, uneven = _covers(scaled, centres, frames, iterates, _LINE, _ACROSS)
             for kept in map(np.array, _walks(covers, centres, frames)):
                 found.append((float(uneven[kept].sum()), centres[kept], frames[kept]))
-        for _, *some in sorted(found, key=lambda walk: walk[0]):
-            covers, _ = _covers(scaled, *some, iterates, *_FINE)
-            candidate = _candidate(scaled, *some, covers, iterates)
+        for _, centres, frames in sorted(found, key=lambda walk: walk[0]):
+            covers, _ = _covers(scaled, centres, frames, iterates, *_FINE)
+            candidate = _candidate(scaled, centres, frames, covers, iterates)
             if candidate is not None:
                 yield candidate
 
