@@ -97,7 +97,7 @@ def backend(request, monkeypatch):
 def committed_derivation(monkeypatch):
     """The committed files by name, in place of a derivation of many seconds.
 
-    That they are what the derivation gives is a test of its own.
+    That they are what the derivation gives, `scripts/regenerate.py --check` says.
     """
     from nonsmooth.derive.codegen import regenerate
     from nonsmooth.derive.systems import SYSTEMS

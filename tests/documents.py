@@ -57,20 +57,22 @@ def document_of(name):
     if "/" not in name:
         return shared_value(f"document of {name}", lambda: describe_orbit(declared))
     written = written_of(name) if name in ORBITS else derived(name)
-    return written.document if written else describe_orbit(declared)
+    if written:
+        return written.document
+    return shared_value(f"document of {name}", lambda: describe_orbit(declared))
 
 
 @cache
 def derived(name):
     """A declared itinerary whose equations have a closed form."""
 
-    def derive():
+    def make():
         try:
             return Written(derive_equations(declarations()[name]))
         except DerivationError:
             return None
 
-    return shared_value(f"equations of {name}", derive)
+    return shared_value(f"derived {name}", make)
 
 
 def names(kind):

@@ -49,7 +49,7 @@ def folded_section(system):
 def folded_horseshoe(*, exponents=False):
     """Two sets on a section of one coordinate: A covers B, which covers both."""
 
-    guess = Horseshoe(2, _FOLDED_SETS, ((0, 1), (1, 0), (1, 1)), 0.0)
+    guess = Horseshoe(2, _FOLDED_SETS, ((0, 1), (1, 0), (1, 1)))
     kernels = load_system(str(FOLDED))
     return proved(kernels, FOLDED_DATA, folded_section, guess, exponents=exponents)
 
@@ -60,7 +60,7 @@ def inverted_horseshoe(*, exponents):
     def section(system):
         return forcing_section(system, 0, (fmpq(-1), fmpq(0)))
 
-    guess = Horseshoe(1, _INVERTED_SETS, ((0, 0), (0, 1), (1, 0)), 0.0)
+    guess = Horseshoe(1, _INVERTED_SETS, ((0, 0), (0, 1), (1, 0)))
     return proved(load_system(str(INVERTED)), INVERTED_DATA, section, guess, exponents=exponents)
 
 

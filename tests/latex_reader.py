@@ -138,6 +138,4 @@ def text_of(line):
 @cache
 def written_of(name):
     """The document of ``system/orbit``."""
-    return shared_value(
-        f"equations of {name}", lambda: Written(derive_equations(itinerary_of(name)))
-    )
+    return shared_value(f"written {name}", lambda: Written(derive_equations(itinerary_of(name))))

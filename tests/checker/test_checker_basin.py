@@ -168,7 +168,8 @@ def test_a_core_that_is_mapped_elsewhere_is_refused(belt, tmp_path):
     # all of it is mapped to one point, which is beside it
     core = belt["core"]
     (centre,), ((side,),) = core["centre"], core["sides"]
-    beside = {**core, "centre": [str(float(centre) + 1.5 * abs(float(side)))]}
+    far, less = float(centre) + 0.5 * abs(float(side)), float(side) / 4
+    beside = {**core, "centre": [str(far)], "sides": [[str(less)]]}
     refused_file({**belt, "core": beside}, tmp_path, "contracted")
 
 

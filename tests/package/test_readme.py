@@ -12,7 +12,7 @@ from tests.places import CHECKOUT
 
 README = (CHECKOUT / "README.md").read_text(encoding="utf-8")
 COMMANDS_PAGE = (CHECKOUT / "docs" / "how_to" / "commands.md").read_text(encoding="utf-8")
-HELP = "\n".join(c.epilog or "" for c in typer.main.get_command(app).commands.values()).splitlines()
+HELP = "\n".join(command.epilog for command in all_commands().values()).splitlines()
 OF_OTHER_PROGRAMS = {"--build", "--index-url", "--nthreads", "--port"}
 
 

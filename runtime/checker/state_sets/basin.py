@@ -8,7 +8,9 @@ steps; those of attracted tiles come to boxes of the section that have a rank.
 
 from collections.abc import Callable, Mapping
 from contextlib import closing
+from heapq import heappop, heappush
 from itertools import count as numbers_from
+from math import inf
 from typing import Any
 
 import numpy as np
@@ -138,19 +140,20 @@ def contraction(question: Mapping[str, Any], limit: Any = 1, most: int = _MOST) 
 
     `question` has the entries of a file that state system, section, core and `itinerary`.
     `Failure` is raised where the factor is not shown to be less than the `limit` in `most` parts.
+    Parts of what was farthest from being shown come first: what fails does so soon.
     """
     mapped = SectionMap(question)
     own, way = Parallelepiped(question["core"], len(mapped.free)), question["itinerary"]
     mapped.check_way(way)
-    largest, looked, boxes = arb(0), 0, [own.whole]
+    largest, looked, boxes = arb(0), 0, [(-inf, 0, 0, own.whole)]
     while boxes:
-        box = boxes.pop()
+        *_, box = heappop(boxes)
         looked += 1
         demand(looked <= most, "the core is not shown to be contracted")
         try:
             seen = mapped.image(own, box, way, sloped=True).through(own.inward)
         except TooWide:
-            shortened = False
+            shortened, far = False, inf
         else:
             columns = [tangent.hull.entries() for tangent in seen.tangents]
             sums = [sum((abs(x) for x in row), arb(0)) for row in zip(*columns, strict=True)]
@@ -158,13 +161,15 @@ def contraction(question: Mapping[str, Any], limit: Any = 1, most: int = _MOST) 
             shortened = inside and all(total < arb(limit) for total in sums)
             never = any(total > arb(limit) for total in sums)
             demand(not never, "the core is not contracted")
+            far = max(float(total.upper()) for total in sums)
         if shortened:
             largest = max([largest, *(total.upper() for total in sums)])
             continue
         k = max(range(len(box)), key=lambda place: box[place][1] - box[place][0])
         wide = box[k][1] - box[k][0] > _FINEST
         demand(wide, "the core is not shown to be contracted")
-        boxes += divided(box, k)
+        for place, part in enumerate(reversed(divided(box, k))):
+            heappush(boxes, (-far, -looked, place, part))
     return largest
 
 

@@ -56,7 +56,6 @@ class Horseshoe(NamedTuple):
     iterates: int
     h_sets: tuple[HSet, ...]
     edges: tuple[tuple[int, int], ...]
-    unevenness: float  # of how the sets are stretched, all together
 
     @property
     def entropy(self) -> float:
@@ -123,14 +122,14 @@ def candidates(
         found = []
         for radius, width in product(_RADII, _WIDTHS if size > 1 else _WIDTHS[:1]):
             frames = radius * np.concatenate([along[:, :, None], width * across[sound]], axis=2)
-            covers, _ = _covers(scaled, centres, frames, iterates, _LINE, _ACROSS)
-            for walk in _walks(covers, centres, frames):
-                kept = np.array(walk)
-                fine = _covers(scaled, centres[kept], frames[kept], iterates, *_FINE)
-                candidate = _candidate(scaled, centres[kept], frames[kept], *fine, iterates)
-                if candidate is not None:
-                    found.append(candidate)
-        yield from sorted(found, key=lambda c: c.unevenness)
+            covers, uneven = _covers(scaled, centres, frames, iterates, _LINE, _ACROSS)
+            for kept in map(np.array, _walks(covers, centres, frames)):
+                found.append((float(uneven[kept].sum()), centres[kept], frames[kept]))
+        for _, centres, frames in sorted(found, key=lambda walk: walk[0]):
+            covers, _ = _covers(scaled, centres, frames, iterates, *_FINE)
+            candidate = _candidate(scaled, centres, frames, covers, iterates)
+            if candidate is not None:
+                yield candidate
 
 
 def _candidate(
@@ -138,7 +137,6 @@ def _candidate(
     centres: np.ndarray,
     frames: np.ndarray,
     covers: np.ndarray,
-    uneven: np.ndarray,
     iterates: int,
 ) -> Horseshoe | None:
     """The sets of a graph with a spectral radius above 1, in the section's own units; else None."""
@@ -156,7 +154,7 @@ def _candidate(
     )
     number = {k: place for place, k in enumerate(kept)}
     inner = tuple((number[i], number[j]) for i, j in edges if i in number and j in number)
-    return Horseshoe(iterates, sets, inner, float(uneven[list(kept)].sum()))
+    return Horseshoe(iterates, sets, inner)
 
 
 class _ScaledMap:
@@ -198,13 +196,12 @@ def _covers(
     """Which sets seem to cover which (n, n) by samples, and how unevenly each stretches (n,)."""
     count, size = centres.shape
     grid = grid_in_cube(size, line, across)
-    now = (centres[:, None] + grid @ frames.transpose(0, 2, 1)).reshape(-1, size)
+    images, inverses = centres[:, None] + grid @ frames.transpose(0, 2, 1), np.linalg.inv(frames)
     whole = np.ones(count, dtype=bool)
-    for _ in range(iterates):
-        now, ways = scaled.map(now)
-        ways = ways.reshape(count, -1)
-        whole &= (ways == ways[:, :1]).all(axis=1) & (ways[:, 0] >= 0)
-    images, inverses = now.reshape(count, -1, size), np.linalg.inv(frames)
+    for _ in range(iterates):  # of sets that have gone one way so far
+        now, ways = scaled.map(images[whole].reshape(-1, size))
+        images[whole], ways = now.reshape(-1, len(grid), size), ways.reshape(-1, len(grid))
+        whole[whole] = (ways == ways[:, :1]).all(axis=1) & (ways[:, 0] >= 0)
     # next to where the map is not smooth the image of a set is stretched unevenly
     steps = np.linalg.norm(np.diff(images.reshape(count, line, -1, size), axis=1), axis=-1)
     with np.errstate(invalid="ignore", divide="ignore"):
@@ -232,16 +229,17 @@ def _walks(covers: np.ndarray, centres: np.ndarray, frames: np.ndarray) -> list[
     taken is decided on the way.
     """
     meets = _meets(centres, frames)
-    found: set[tuple[int, ...]] = set()
+    best: list[tuple[int, tuple[int, ...]]] = []
     for start in _recurrent(covers).tolist():
-        closed = _way(covers, meets, [start], set())
+        most = best[-1][0] if len(best) == _KEPT else 2 * _LONGEST  # longer ones are not kept
+        closed = _way(covers, meets, [start], set(), most)
         if closed:
             edges = set(zip(closed, [*closed[1:], start], strict=True))
-            second = _way(covers, meets, closed, edges)
+            second = _way(covers, meets, closed, edges, most + 1 - len(closed))
             if second:
-                found.add(tuple(sorted({*closed, *second})))
-    best = sorted(found, key=lambda members: (len(members), members))[:_KEPT]
-    return [list(members) for members in best]
+                members = tuple(sorted({*closed, *second}))
+                best = sorted({*best, (len(members), members)})[:_KEPT]
+    return [list(members) for _, members in best]
 
 
 def _recurrent(covers: np.ndarray) -> np.ndarray:
@@ -255,9 +253,9 @@ def _recurrent(covers: np.ndarray) -> np.ndarray:
 
 
 def _way(
-    covers: np.ndarray, meets: np.ndarray, ends: list[int], gone: set[tuple[int, int]]
+    covers: np.ndarray, meets: np.ndarray, ends: list[int], gone: set[tuple[int, int]], most: int
 ) -> list[int]:
-    """Vertices of a short way from one of `ends` to one of them, without the edges in `gone`.
+    """At most `most` vertices of a short way from one of `ends` to one, without edges in `gone`.
 
     None of the sets on it meets another one or one of the ends. Empty where there is none.
     """
@@ -270,7 +268,7 @@ def _way(
         for other in np.flatnonzero(covers[last] & goal).tolist():
             if (last, other) not in gone:
                 return way
-        if len(way) == _LONGEST:
+        if len(way) >= min(most, _LONGEST):
             continue
         free = covers[last] & ~taken & ~meets[way].any(axis=0)
         taken |= free
