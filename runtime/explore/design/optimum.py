@@ -25,7 +25,6 @@ from nonsmooth.runtime.orbits.orbit_file import KeptOrbit
 
 AIMS = ("minimise", "maximise", "solve")
 CONVERGED, NOT_REACHED = 0, 1
-_ASKED = ("aim", "quantity", "parameters", "bounds", "conditions", "worst_over")
 _FORM = re.compile(r"\s*([^<>=\s]+)\s*(<=|>=|=)\s*([^<>=]+)")
 
 
@@ -167,7 +166,6 @@ def condition_in(text: str) -> DesignCondition:
 class DesignQuestion:
     """What a design is asked for."""
 
-    orbit: Orbit
     aim: Any
     quantity: str  # to minimise or maximise, empty for wanted values
     parameters: tuple[str, ...]  # those that vary
@@ -182,7 +180,7 @@ class DesignQuestion:
         return -1 if self.aim == "maximise" else 1
 
     @property
-    def quantities(self) -> tuple[str, ...]:
+    def asked(self) -> tuple[str, ...]:
         """All quantities that are asked for, each once."""
         conditions = [condition.quantity for condition in self.conditions]
         return tuple(dict.fromkeys(([self.quantity] if self.quantity else []) + conditions))
@@ -190,7 +188,7 @@ class DesignQuestion:
     @property
     def measured(self) -> list[str]:
         """All quantities that are asked for except a multiplier."""
-        return [name for name in self.quantities if name != MULTIPLIER]
+        return [name for name in self.asked if name != MULTIPLIER]
 
     @property
     def rough(self) -> tuple[str, ...]:
@@ -203,20 +201,15 @@ class DesignQuestion:
             rough.append(RADIUS)
         return tuple(rough)
 
-    def check_resumed(self, known: Design) -> None:
-        """Refuse to resume the design of another question; the message names what differs."""
-        check_same_question("design", _asked(self), _asked(known))
-        check_same_system("design", self.orbit.system, known.orbit.system)
 
-
-def _asked(design: DesignQuestion | Design) -> dict[str, Any]:
-    """Entries that have to be equal to resume a design."""
-    orbit, varied = design.orbit, {*design.parameters, *design.worst_over}
-    return {
-        "orbit": orbit.name.removeprefix(orbit.system.name),
-        **{name: getattr(design, name) for name in _ASKED},
-        **{name: value for name, value in orbit.given.items() if name not in varied},
-    }
+def check_resumed(question: DesignQuestion, orbit: Orbit, known: Design) -> None:
+    """Refuse to resume the design of another question; the message names what differs."""
+    varied = {*question.parameters, *question.worst_over}
+    asked = {name: value for name, value in orbit.given.items() if name not in varied}
+    own, other = (x.name.removeprefix(x.system.name) for x in (orbit, known.orbit))
+    there = {**vars(known), **known.orbit.given, "orbit": other}
+    check_same_question("design", {"orbit": own, **vars(question), **asked}, there)
+    check_same_system("design", orbit.system, known.orbit.system)
 
 
 def design_question(
@@ -240,7 +233,7 @@ def design_question(
             raise InputError(f"{each.text}: an equation cannot hold all along worst_over")
     if quantity == MULTIPLIER:
         raise InputError(f"{MULTIPLIER} is no quantity to {aim}: ask for {RADIUS}")
-    return DesignQuestion(orbit, aim, quantity, names, bounds, conditions, branch)
+    return DesignQuestion(aim, quantity, names, bounds, conditions, branch)
 
 
 def _aim_of(
