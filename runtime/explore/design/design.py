@@ -27,10 +27,10 @@ from nonsmooth.runtime.explore.design.optimum import (
 )
 from nonsmooth.runtime.explore.design.quantities import (
     MULTIPLIER,
+    PURE,
     extreme_keys,
     is_extreme,
     is_largest_of_several,
-    is_pure,
     unit_of,
 )
 from nonsmooth.runtime.explore.design.worst_over import BranchPoints, optimise_worst, spread
@@ -171,7 +171,7 @@ def design(
         question.conditions,
         units[quantity] if quantity else 1.0,
         lengths,
-        {name: unit for name, unit in units.items() if not is_pure(name)},
+        {name: unit for name, unit in units.items() if name not in PURE},
         watched,
         extreme_keys([first.quantities.derivatives], quantity) if several else (),
     )

@@ -77,7 +77,7 @@ class DesignPoints:
         self._quantities, self._admissible = tuple(quantities), admissible
         self._curve = equations_of(orbit, *names, lengths=self.lengths)
         z = self._curve.first
-        if admissible and not self._is_motion(z):
+        if not self._allowed(z):
             raise InputError(
                 f"{orbit.name} is no motion of the real system where the design begins"
             )
@@ -134,8 +134,7 @@ class DesignPoints:
 
     def _measured(self, z: np.ndarray) -> tuple[Orbit, QuantityValues]:
         """The orbit at a point (n + q,) and its quantities; `InputError` says what it lacks."""
-        judged = self._admissible and not self.watching  # else margins are conditions
-        if judged and not self._is_motion(z):
+        if not self.watching and not self._allowed(z):  # else margins are conditions
             raise InputError(_REFUSED)
         orbit = self._curve.at(z)
         if orbit.status != CONVERGED:
@@ -148,10 +147,10 @@ class DesignPoints:
 
     def is_motion(self, member: DesignPoint) -> bool:
         """Whether an orbit that was visited is a motion, or need not be one."""
-        return not self._admissible or self._is_motion(member.z)
+        return self._allowed(member.z)
 
-    def _is_motion(self, z: np.ndarray) -> bool:
-        return bool(self._curve.admissible(z[None])[0])
+    def _allowed(self, z: np.ndarray) -> bool:
+        return not self._admissible or bool(self._curve.admissible(z[None])[0])
 
 
 def _stepped(curve: OrbitEquations, here: np.ndarray, way: np.ndarray) -> np.ndarray | str:

@@ -41,7 +41,6 @@ _SETTLED = 1e-9  # of the aim: what is gained by beginning again at an optimum
 _MISSED = 1e-6  # of a condition: then it is approached first
 _PENALTY = 1e3  # of what misses a condition, beside the aim
 _PRECISION = 1e-15  # of the aim
-_LAST, _TINY = 5, 1e-15  # Newton's steps behind the least squares
 
 
 class MarginKey(NamedTuple):
@@ -128,11 +127,6 @@ class Aim:
         """Whether the level is one of the variables."""
         several = is_largest_of_several(self.quantity, self.sign)
         return bool(self.quantity) and (self.spread or several)
-
-    @property
-    def least_level(self) -> float:
-        """Lower bound of the level."""
-        return 0.0 if self.quantity == RADIUS and self.sign > 0 else -np.inf
 
     def variables(self, point: Trial) -> np.ndarray:
         """The variables (n,) at a trial."""
@@ -382,7 +376,7 @@ def _searched(
     points: Trials, aim: Aim, most: int, history: list[Trial], merit: Callable[[Trial], float]
 ) -> Ended:
     best, box, reason = points.visited[0], 1.0, ""
-    run, finish = (_minimised, _snapped) if aim.quantity else (_solved, _sharpened)
+    run = _minimised if aim.quantity else _solved
     history.append(best)
     for _ in range(_ROUNDS):
         lower, upper = np.maximum(best.place - box, 0.0), np.minimum(best.place + box, 1.0)
@@ -413,7 +407,7 @@ def _searched(
             if merit(best) - merit(tried) <= _SETTLED:
                 break
             best = tried
-    best = finish(points, aim, best)
+    best = _snapped(points, best)
     if history[-1] is not best:
         history.append(best)
     return Ended(best, reason)
@@ -441,25 +435,7 @@ def _solved(
     return history[-1]
 
 
-def _sharpened(points: Trials, aim: Aim, begin: Trial) -> Trial:
-    """The orbit after a few of Newton's steps, as long as these reduce the residual."""
-    best, (values, slopes) = begin, aim.rows(begin, 0.0, equal=True)
-    for _ in range(_LAST):
-        step = np.linalg.lstsq(slopes, -values, rcond=None)[0]
-        if np.abs(step).max() <= _TINY:
-            break
-        try:
-            found = points.at(np.clip(best.place + step, 0.0, 1.0))
-        except Beyond:
-            break
-        then = aim.rows(found, 0.0, equal=True)
-        if not np.linalg.norm(then.values) < np.linalg.norm(values):
-            break
-        best, (values, slopes) = found, then
-    return best
-
-
-def _snapped(points: Trials, aim: Aim, best: Trial) -> Trial:
+def _snapped(points: Trials, best: Trial) -> Trial:
     """The orbit on the bounds that a trial almost touches, or the trial itself."""
     place = np.where(best.place < _SIDE, 0.0, np.where(best.place > 1 - _SIDE, 1.0, best.place))
     try:
@@ -475,7 +451,8 @@ def _minimised(
     count = len(aim.lengths)
     lower, upper = box
     if aim.levelled:
-        lower, upper = np.append(lower, aim.least_level), np.append(upper, np.inf)
+        least = 0.0 if aim.quantity == RADIUS and aim.sign > 0 else -np.inf
+        lower, upper = np.append(lower, least), np.append(upper, np.inf)
 
     def at(x: np.ndarray) -> Trial:
         return points.at(np.clip(x[:count], *box))
