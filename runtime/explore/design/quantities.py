@@ -168,16 +168,13 @@ def _split(
     pairs = [np.array([z, z.conjugate()]) for z in wanted if z.imag > _REAL * largest]
     alone = None
     if len(real) % 2:
-        alone = min(range(0, len(real), 2), key=lambda k: _gaps(np.delete(real, k)))
+        pairs_without = [np.delete(real, k).reshape(-1, 2) for k in range(0, len(real), 2)]
+        alone = 2 * int(np.argmin([np.diff(each).sum() for each in pairs_without]))
         real, alone = np.delete(real, alone), real[alone]
     pairs += [real[k : k + 2].astype(complex) for k in range(0, len(real), 2)]
     pairs.sort(key=lambda pair: -float(np.abs(pair).max()))
     groups = pairs + ([] if alone is None else [np.array([alone], dtype=complex)])
     return tuple(_group(matrix, rates, values) for values in groups)
-
-
-def _gaps(real: np.ndarray) -> float:
-    return float((real[1::2] - real[::2]).sum())
 
 
 def _group(matrix: np.ndarray, rates: np.ndarray, values: np.ndarray) -> _MultiplierGroup:

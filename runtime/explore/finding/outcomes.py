@@ -267,22 +267,15 @@ def stretching(
         growths[block:, going[~together]] = np.nan
         back = np.where(distance > _LOST, _APART / np.maximum(distance, _LOST), 1.0)
         nearer = ends.states[0] + apart * back[:, None] * scales[going]
-        _as_strong(nearer, ends.states[0], motions.structure.forcing)
+        # a rounding error of a forcing would neither grow nor decay, and outlast what decays
+        for pair in map(list, motions.structure.forcing):
+            strengths = (np.hypot(*each[:, pair].T) for each in (ends.states[0], nearer))
+            nearer[:, pair] *= np.divide(*strengths)[:, None]
         now = np.stack([ends.states[0], nearer])[:, together]
         going, where = going[together], ends.configurations[:, together]
         if not going.size:
             break
     return _measured(growths[_TURNING:], lengths[_TURNING:], (highest - lowest) / scales)
-
-
-def _as_strong(states: np.ndarray, others: np.ndarray, forcing: Sequence[tuple[int, int]]) -> None:
-    """Give each forcing in states (n, N) the amplitude that it has in `others`.
-
-    A rounding error of it would neither grow nor decay, and outlast what decays.
-    """
-    for pair in map(list, forcing):
-        sizes = np.hypot(*others[:, pair].T) / np.hypot(*states[:, pair].T)
-        states[:, pair] *= sizes[:, None]
 
 
 def _measured(growths: np.ndarray, lengths: np.ndarray, ranges: np.ndarray) -> Stretching:

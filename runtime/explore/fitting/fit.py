@@ -24,7 +24,7 @@ from nonsmooth.runtime.explore.fitting.measurements import (
     measured,
 )
 from nonsmooth.runtime.explore.fitting.minimise import FitProblem, Minimum, minimise
-from nonsmooth.runtime.explore.fitting.prediction import Prediction, points_under, times_of_events
+from nonsmooth.runtime.explore.fitting.prediction import points_under, times_of_events
 from nonsmooth.runtime.explore.fitting.statistics import (
     NearestGrazing,
     check_loss,
@@ -33,7 +33,7 @@ from nonsmooth.runtime.explore.fitting.statistics import (
     nearest_grazing,
     statistics,
 )
-from nonsmooth.runtime.explore.fitting.unknowns import Bounds, Setting, unknowns_of
+from nonsmooth.runtime.explore.fitting.unknowns import Bounds, unknowns_of
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of, known_system
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.saved_system import KeptSystemName
@@ -493,27 +493,22 @@ def _check_count(problem: FitProblem) -> None:
         )
 
 
-def _check_columns(problem: FitProblem, found: Minimum) -> None:
-    """Refuse an unknown on which no measurement depends."""
-    size = problem.unknowns.sizes(found.point)
-    moved = abs(found.residuals.jacobian[: problem.data] * size).max(axis=0)
-    for name, value, change in zip(problem.unknowns.names, found.point, moved, strict=True):
+def _fit(problem: FitProblem, found: Minimum, loss: str) -> Fit:
+    """The result of a fit, from a minimum."""
+    unknowns, point, residuals = problem.unknowns, found.point, found.residuals
+    names, sizes = unknowns.names, unknowns.sizes(point)
+    moved = abs(residuals.jacobian[: problem.data] * sizes).max(axis=0)
+    for name, value, change in zip(names, point, moved, strict=True):
         if change <= _NOTHING:
             raise InputError(
                 f"nothing that was measured depends on {name} (at {name} = {value:.6g}):"
                 " leave it out of what is free"
             )
-
-
-def _fit(problem: FitProblem, found: Minimum, loss: str) -> Fit:
-    """The result of a fit, from a minimum."""
-    _check_columns(problem, found)
-    unknowns, point, residuals = problem.unknowns, found.point, found.residuals
     width = unknowns.upper - unknowns.lower
     near = _AT_BOUND * np.where(np.isinf(width), np.maximum(abs(point), 1), width)
     held = (point - unknowns.lower <= near) | (unknowns.upper - point <= near)
     told = statistics(
-        unknowns.sizes(point),
+        sizes,
         residuals.values,
         residuals.jacobian,
         problem.data,
@@ -521,7 +516,6 @@ def _fit(problem: FitProblem, found: Minimum, loss: str) -> Fit:
         given=not found.noise,
         held=held,
     )
-    names = unknowns.names
     return Fit(
         system=problem.kernels.name,
         names=names,
@@ -566,7 +560,24 @@ def _experiment(
     )
     parameters = {name: as_value(value) for name, value in setting.parameters.items()}
     if experiment.steady:
-        responses = _responses(experiment, setting, prediction, covariance)
+        responses = tuple(
+            FittedResponse(
+                parameters={name: as_value(value) for name, value in point.items()},
+                itinerary=each.orbit.itinerary,
+                dwell_times=each.orbit.dwell_times.astype(float),
+                start=each.orbit.states[0].astype(float),
+                stability=each.orbit.stability.verdict,
+                grazing=nearest_grazing(
+                    each.orbit.trajectory(),
+                    partial(attrgetter("along.moved"), each),
+                    columns,
+                    covariance,
+                ),
+            )
+            for point, each in zip(
+                points_under(experiment, setting), prediction.orbits, strict=True
+            )
+        )
         return FittedExperiment(
             name=experiment.name,
             parameters=parameters,
@@ -602,28 +613,6 @@ def _experiment(
             columns,
             covariance,
         ),
-    )
-
-
-def _responses(
-    experiment: Measured, setting: Setting, prediction: Prediction, covariance: np.ndarray
-) -> tuple[FittedResponse, ...]:
-    """The steady response of each row."""
-    return tuple(
-        FittedResponse(
-            parameters={name: as_value(value) for name, value in point.items()},
-            itinerary=each.orbit.itinerary,
-            dwell_times=each.orbit.dwell_times.astype(float),
-            start=each.orbit.states[0].astype(float),
-            stability=each.orbit.stability.verdict,
-            grazing=nearest_grazing(
-                each.orbit.trajectory(),
-                partial(attrgetter("along.moved"), each),
-                [*setting.columns.values()],
-                covariance,
-            ),
-        )
-        for point, each in zip(points_under(experiment, setting), prediction.orbits, strict=True)
     )
 
 

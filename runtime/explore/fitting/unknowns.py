@@ -164,7 +164,13 @@ def unknowns_of(
         own_offset = {OFFSET: float(as_value(clock))}
         fixed.append({"parameter": numbers, "start": begin, "offset": own_offset})
     ends = [_bounds(entry, bounds, tables, experiments) for entry in entries]
-    known = {name: _prior(name, given) for name, given in priors.items()}
+    known = {
+        name: (float(as_value(mean)), float(as_value(deviation)))
+        for name, (mean, deviation) in priors.items()
+    }
+    for name, (_, deviation) in known.items():
+        if not deviation > 0:
+            raise InputError(f"the prior of {name} has no positive standard deviation")
     beliefs = tuple(
         (place, *known[entry.base]) for place, entry in enumerate(entries) if entry.base in known
     )
@@ -205,13 +211,6 @@ def _end(given: object, infinite: float) -> float:
     if given is None or (isinstance(given, float) and math.isinf(given)):
         return infinite
     return float(as_value(given))
-
-
-def _prior(name: str, given: tuple[object, object]) -> tuple[float, float]:
-    mean, deviation = float(as_value(given[0])), float(as_value(given[1]))
-    if not deviation > 0:
-        raise InputError(f"the prior of {name} has no positive standard deviation")
-    return mean, deviation
 
 
 def _guess(
