@@ -84,7 +84,7 @@ def chart(
         work_on,
     )
     from nonsmooth.runtime.explore.charting.classes import counts_of
-    from nonsmooth.runtime.explore.charting.motions import is_found
+    from nonsmooth.runtime.explore.charting.problem import is_found
     from nonsmooth.runtime.explore.charting.store import check_zarr
     from nonsmooth.runtime.model.kernels import system_names
 

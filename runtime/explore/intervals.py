@@ -119,26 +119,15 @@ def _failure(
     """Text of what fails beyond an end: at the next number, or where it is more than rounding."""
     for apart in (0.0, *_APART):
         value = beyond + np.sign(beyond - inside) * apart * max(abs(beyond), abs(inside))
+        point = {**others, parameter: float(value)}
         try:
-            reason = _failure_at(kernels, others, parameter, float(value))
+            orbit = solve_kernels(kernels, point, throw=False)
         except InputError:  # beyond the domain
             break
-        if reason:
-            return reason
+        if orbit.status == SINGULAR:
+            return "the equations are singular"
+        if orbit.status != CONVERGED:
+            return STATUS[orbit.status].partition(":")[0]
+        for first in orbit.admissibility.violations[:1]:
+            return f"{first.boundary} is crossed in {first.configuration} at t = {first.time:.6g}"
     return "the margin is within the rounding"
-
-
-def _failure_at(
-    kernels: OrbitKernels, others: Mapping[str, Any], parameter: str, value: float
-) -> str:
-    """Text of what fails at a point; empty where that is within the rounding."""
-    orbit = solve_kernels(kernels, {**others, parameter: value}, throw=False)
-    if orbit.status == SINGULAR:
-        return "the equations are singular"
-    if orbit.status != CONVERGED:
-        return STATUS[orbit.status].partition(":")[0]
-    violations = orbit.admissibility.violations
-    if not violations:
-        return ""
-    first = violations[0]
-    return f"{first.boundary} is crossed in {first.configuration} at t = {first.time:.6g}"

@@ -57,6 +57,12 @@ class PiecewiseLinear:
         return np.array([self.fields[0, sine, cosine] for cosine, sine in pairs], dtype=float)
 
     @property
+    def kernels(self) -> SystemKernels:
+        """Tables and kernels that it was made from."""
+        assert self.structure.kernels is not None
+        return self.structure.kernels
+
+    @property
     def numbers(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Fields, rows and resets."""
         return self.fields, self.rows, self.resets

@@ -12,7 +12,7 @@ from time import perf_counter
 import numpy as np
 
 import nonsmooth as ns
-from nonsmooth.runtime.explore.finding.unsettled import stretching
+from nonsmooth.runtime.explore.finding.outcomes import stretching
 from nonsmooth.runtime.model.kernels import kernels_of
 
 SYSTEM, STATES = "dry-friction", ("x1", "x2", "v1", "v2")

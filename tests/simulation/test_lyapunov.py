@@ -10,7 +10,7 @@ from numpy.testing import assert_allclose
 import nonsmooth as ns
 from nonsmooth import InputError, lyapunov, simulate
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
-from nonsmooth.runtime.explore.finding.unsettled import stretching
+from nonsmooth.runtime.explore.finding.outcomes import stretching
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.model.piecewise import piecewise

@@ -14,6 +14,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product
+from math import prod
 
 import numpy as np
 
@@ -155,17 +156,11 @@ def _told(field: _Field, solver: Solver, tell: np.ndarray, steps: int) -> np.nda
     return improved
 
 
-def _next_ones(shape: tuple[int, ...]) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """Flat places of points and of their upper neighbours, for one axis after the other."""
+def _pairs(shape: tuple[int, ...]) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """Flat places of all pairs of neighbours, in both orders, for one axis after the other."""
     places = np.arange(int(np.prod(shape))).reshape(shape)
     for axis in range(len(shape)):
-        lower = np.delete(places, -1, axis=axis).ravel()
-        yield lower, np.delete(places, 0, axis=axis).ravel()
-
-
-def _pairs(shape: tuple[int, ...]) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """Flat places of all pairs of neighbours, in both orders."""
-    for lower, upper in _next_ones(shape):
+        lower, upper = (np.delete(places, end, axis=axis).ravel() for end in (-1, 0))
         yield upper, lower
         yield lower, upper
 
@@ -182,14 +177,14 @@ def _reconsider(field: _Field, solver: Solver, among: np.ndarray) -> None:
     beside, there, near = (np.zeros(count, int) for _ in range(3))
     better = np.zeros(count, dtype=bool)
     sizes = np.abs(field.starts)
-    for lower, upper in _next_ones(field.shape):
-        size = _sizes(np.maximum(sizes[lower], sizes[upper]), solver.usual)
-        close = (np.abs(field.starts[upper] - field.starts[lower]) <= _NEAR * size).all(axis=-1)
-        for here, other in ((upper, lower), (lower, upper)):
-            beside[here] += 1
-            there[here] += field.ranks[other] > 0
-            near[here] += close
-            better[here] |= field.ranks[other] > field.ranks[here]
+    for here, other in _pairs(field.shape):
+        size = _sizes(np.maximum(sizes[here], sizes[other]), solver.usual)
+        beside[here] += 1
+        there[here] += field.ranks[other] > 0
+        near[here] += (np.abs(field.starts[other] - field.starts[here]) <= _NEAR * size).all(
+            axis=-1
+        )
+        better[here] |= field.ranks[other] > field.ranks[here]
     lost = (field.ranks == 0) & (2 * there > beside)
     better &= field.ranks > 0
     wanted = lost | better | ((field.ranks > 0) & (2 * near < there))
@@ -235,21 +230,21 @@ def _starts_between(
     between the corners, or is that of the nearest corner in a mixed cell. The other starts are
     those of the remaining corners. NaN stands for a start that does not exist.
     """
-    corners = _corners(block, anchors)
-    shape = corners.shape[1:-1]
+    sides = [
+        (cell, np.minimum(cell + 1, count - 1))
+        for cell, count in zip(block.cells, anchors.shape[:-1], strict=True)
+    ]
+    corners = np.stack([anchors[np.ix_(*corner)] for corner in product(*sides)])
     lower, upper = corners.min(axis=0), corners.max(axis=0)
     size = _sizes(np.maximum(np.abs(lower), np.abs(upper)), usual)
     branch = (upper - lower <= _BRANCH * size).all(axis=-1)
-    fractions = np.ix_(*block.fractions)
     between, distances = np.zeros(corners.shape[1:]), np.full(corners.shape[:-1], np.inf)
-    for number, sides in enumerate(product((0, 1), repeat=len(shape))):
-        weight, distance = np.ones(shape), np.zeros(shape)
-        for side, fraction in zip(sides, fractions, strict=True):
-            weight = weight * (fraction if side else 1 - fraction)
-            distance = distance + (1 - fraction if side else fraction) ** 2
-        between = between + weight[..., None] * corners[number]
+    shares = product(*((1 - fraction, fraction) for fraction in block.fractions))
+    for number, share in enumerate(shares):
+        weights = np.ix_(*share)
+        between = between + np.asarray(prod(weights))[..., None] * corners[number]
         there = np.isfinite(corners[number]).all(axis=-1)
-        distances[number][there] = distance[there]
+        distances[number][there] = np.asarray(sum((1 - weight) ** 2 for weight in weights))[there]
     if branch.all():
         return [between.reshape(-1, corners.shape[-1])], ~branch.ravel()
     order = np.argsort(distances, axis=0, kind="stable")[..., None]
@@ -257,12 +252,3 @@ def _starts_between(
     first = np.where(branch[..., None], between, nearest[0])
     rest = np.where(branch[..., None], np.nan, nearest[1:])
     return [start.reshape(-1, start.shape[-1]) for start in (first, *rest)], ~branch.ravel()
-
-
-def _corners(block: Block, anchors: np.ndarray) -> np.ndarray:
-    """Starts at the corners of each point's cell (2^d, ..., m), lower sides first."""
-    sides = [
-        (cell, np.minimum(cell + 1, count - 1))
-        for cell, count in zip(block.cells, anchors.shape[:-1], strict=True)
-    ]
-    return np.stack([anchors[np.ix_(*corner)] for corner in product(*sides)])

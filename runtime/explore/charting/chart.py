@@ -15,15 +15,16 @@ from nonsmooth.runtime.core.errors import InputError, NonsmoothError
 from nonsmooth.runtime.core.files import check_folder, folder_made
 from nonsmooth.runtime.core.workload import BYTES, check_memory
 from nonsmooth.runtime.explore.charting.grid import Axes, Grid, axis_of, chunk_shape
-from nonsmooth.runtime.explore.charting.motions import (
+from nonsmooth.runtime.explore.charting.problem import (
+    ChartProblem,
     attractor_problem,
     basin_problem,
     held_attractor_problem,
     held_basin_problem,
+    held_orbit_chart,
     is_found,
+    orbit_chart,
 )
-from nonsmooth.runtime.explore.charting.orbits import held_orbit_chart, orbit_chart
-from nonsmooth.runtime.explore.charting.problem import ChartProblem
 from nonsmooth.runtime.explore.charting.store import (
     ATTRIBUTE,
     FORMAT,
@@ -154,7 +155,7 @@ def chart(
         return load_chart(store)
     if scheduler is not None:
         raise InputError("a chart on a cluster needs a store")
-    return _in_memory(problem, Grid(axes, _usual(problem, axes, chunk)), threads, progress)
+    return _in_memory(problem, axes, chunk, threads, progress)
 
 
 def load_chart(path: str | Path) -> Dataset:
@@ -268,12 +269,6 @@ def is_begun(name: str) -> bool:
     return Path(name, "zarr.json").is_file()
 
 
-def _check_corner(problem: ChartProblem, axes: Axes) -> None:
-    """Compute one corner of the grid, so that an error that is the same everywhere shows first."""
-    corner = Grid(axes, (1,) * len(axes)).corner()
-    problem.compute(corner.block(0), problem.prepare(corner))
-
-
 def work_on(
     path: Path,
     problem: ChartProblem,
@@ -291,9 +286,7 @@ def work_on(
     of all. Raises `InputError` as `chart` does, and `MissingExtra` if Dask is needed and not
     installed.
     """
-    _check_corner(problem, axes)
-    usual = _usual(problem, axes, chunk)
-    _check_threads(threads)
+    usual = _checked(problem, axes, chunk, threads)
     check_folder(path)
     folder = path.absolute()
     with connected(scheduler) as client, folder_made(folder.parent), locked(folder):
@@ -308,7 +301,6 @@ def work_on(
             progress(before + done, grid.chunks)
 
         arrays = open_arrays(folder, problem)
-
         prepared = problem.prepare(grid) if missing else np.empty(0)
 
         def work(number: int) -> None:
@@ -326,14 +318,14 @@ def work_on(
 
 
 def _in_memory(
-    problem: ChartProblem, grid: Grid, threads: int | None, progress: Progress
+    problem: ChartProblem, axes: Axes, chunk: int | None, threads: int | None, progress: Progress
 ) -> Dataset:
     from xarray import Dataset
 
-    _check_threads(threads)
-    if grid.points > LARGEST_IN_MEMORY:
-        raise InputError(f"{grid.points} points are for a store, not for memory")
-    _check_corner(problem, grid.axes)
+    points = math.prod(map(len, axes.values()))
+    if points > LARGEST_IN_MEMORY:
+        raise InputError(f"{points} points are for a store, not for memory")
+    grid = Grid(axes, _checked(problem, axes, chunk, threads))
     arrays = {v.name: np.full(grid.shape, v.fill, v.dtype) for v in problem.variables()}
 
     prepared = problem.prepare(grid)
@@ -351,14 +343,17 @@ def _in_memory(
     )
 
 
-def _usual(problem: ChartProblem, axes: Axes, chunk: int | None) -> tuple[int, ...]:
+def _checked(
+    problem: ChartProblem, axes: Axes, chunk: int | None, threads: int | None
+) -> tuple[int, ...]:
+    """The usual shape of a chunk, after a check of all that can be wrong with a chart."""
+    if threads is not None:
+        checked_count("threads", threads, 1, MOST_THREADS)
     points = problem.points if chunk is None else checked_count("chunk", chunk, 1)
     found = chunk_shape([len(row) for row in axes.values()], points)
     chunks = Grid(axes, found).chunks
     check_memory(f"the numbers of {chunks} chunks", 5 * BYTES * chunks)
+    # an error that is the same everywhere shows at one corner already
+    corner = Grid({name: row[:1] for name, row in axes.items()}, (1,) * len(axes))
+    problem.compute(corner.block(0), problem.prepare(corner))
     return found
-
-
-def _check_threads(threads: int | None) -> None:
-    if threads is not None:
-        checked_count("threads", threads, 1, MOST_THREADS)

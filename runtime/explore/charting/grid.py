@@ -47,7 +47,7 @@ class Block:
     names: tuple[str, ...]  # of the axes
     # values along each axis, with one more point on either side where the grid goes on
     points: tuple[np.ndarray, ...]
-    margins: tuple[tuple[bool, bool], ...]  # whether there is one more point before and behind
+    inner: tuple[slice, ...]  # of the points that belong to the chunk itself
     cells: tuple[np.ndarray, ...]  # number of the anchor at or before each point, along each axis
     # position of each point between that anchor (0) and the next one (1)
     fractions: tuple[np.ndarray, ...]
@@ -62,14 +62,6 @@ class Block:
     def wide_values(self) -> dict[str, np.ndarray]:
         """Values of the axes in the chunk and next to it: arrays that broadcast to one shape."""
         return dict(zip(self.names, np.ix_(*self.points), strict=True))
-
-    @property
-    def inner(self) -> tuple[slice, ...]:
-        """Slices of the points that belong to the chunk itself."""
-        return tuple(
-            slice(int(before), len(row) - int(behind))
-            for row, (before, behind) in zip(self.points, self.margins, strict=True)
-        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,11 +80,6 @@ class Grid:
     def shape(self) -> tuple[int, ...]:
         """Points along each axis."""
         return tuple(map(len, self.axes.values()))
-
-    @property
-    def points(self) -> int:
-        """Number of points."""
-        return prod(self.shape)
 
     @property
     def chunk_counts(self) -> tuple[int, ...]:
@@ -133,7 +120,7 @@ class Grid:
 
     def block(self, number: int) -> Block:
         """A chunk, from its number, with the points next to it."""
-        points, margins, cells, fractions = [], [], [], []
+        points, inner, cells, fractions = [], [], [], []
         region = self.region(number)
         for axis, here, anchors in zip(self.axes.values(), region, self.anchors, strict=True):
             start, stop = max(here.start - 1, 0), min(here.stop + 1, len(axis))
@@ -144,14 +131,10 @@ class Grid:
             row = axis[start:stop]
             width = np.where(upper > lower, upper - lower, 1.0)
             points.append(row)
-            margins.append((start < here.start, stop > here.stop))
+            inner.append(slice(here.start - start, here.stop - start))
             cells.append(cell)
             fractions.append((row - lower) / width)
-        return Block(self.names, tuple(points), tuple(margins), tuple(cells), tuple(fractions))
-
-    def corner(self) -> Grid:
-        """A grid of one point: the first value of each axis."""
-        return Grid({name: row[:1] for name, row in self.axes.items()}, (1,) * len(self.axes))
+        return Block(self.names, tuple(points), tuple(inner), tuple(cells), tuple(fractions))
 
 
 def chunk_shape(counts: Sequence[int], points: int) -> tuple[int, ...]:

@@ -160,7 +160,16 @@ def read_identity(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
         raise InputError(f"{path}: {_METADATA} is damaged or edited: its checksum differs")
     arrays = found.pop("arrays")
     for name in {*arrays, *(file.parent.name for file in path.glob(f"*/{_METADATA}"))}:
-        _check_array(path, name, arrays.get(name))
+        if name not in arrays:
+            raise InputError(f"{path}: {name} is no array of this chart")
+        try:
+            content = _metadata(path / name)
+        except InputError as problem:
+            raise InputError(f"{path}: {name}/{_METADATA} {problem}") from None
+        if sha256(content).hexdigest() != arrays[name]:
+            raise InputError(
+                f"{path}: {name}/{_METADATA} is damaged or edited: its checksum differs"
+            )
     found.pop("version")
     return found, dict(found.pop("held"))
 
@@ -205,18 +214,6 @@ def read_axes(path: Path) -> Axes:
 def _metadata(folder: Path) -> bytes:
     """Content of the metadata file of a group or an array."""
     return read_file(folder / _METADATA, _LARGEST, "chart")
-
-
-def _check_array(path: Path, name: str, expected: str | None) -> None:
-    """Refuse an array whose metadata is not what the chart was begun with."""
-    if expected is None:
-        raise InputError(f"{path}: {name} is no array of this chart")
-    try:
-        content = _metadata(path / name)
-    except InputError as problem:
-        raise InputError(f"{path}: {name}/{_METADATA} {problem}") from None
-    if sha256(content).hexdigest() != expected:
-        raise InputError(f"{path}: {name}/{_METADATA} is damaged or edited: its checksum differs")
 
 
 def _checksum(document: Mapping[str, Any]) -> str:
@@ -275,19 +272,15 @@ def _difference(found: Mapping[str, Any], wanted: Mapping[str, Any]) -> str:
         other = found.get(name)
         if other == value:
             continue
+        if not isinstance(value, Mapping):
+            return f"{name} {_words(other)} there, {_words(value)} here"
+        known = other if isinstance(other, Mapping) else {}
+        which = next((n for n in (*value, *known) if known.get(n) != value.get(n)), "")
         if name == "grid":
-            return f"its grid has other values of {_first_other(other, value)}"
-        if name == "parameters" and isinstance(other, Mapping):
-            which = _first_other(other, value)
-            there, here = (known.get(which, "not fixed") for known in (other, value))
-            return f"{which} = {there} there, {here} here"
-        return f"{name} {_words(other)} there, {_words(value)} here"
+            return f"its grid has other values of {which}"
+        there, here = (each.get(which, "not fixed") for each in (known, value))
+        return f"{which} = {there} there, {here} here"
     return "it has further entries"
-
-
-def _first_other(found: Any, wanted: Mapping[str, Any]) -> str:
-    known = found if isinstance(found, Mapping) else {}
-    return next((n for n in (*wanted, *known) if known.get(n) != wanted.get(n)), "")
 
 
 def _words(value: Any) -> str:

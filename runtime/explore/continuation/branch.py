@@ -185,28 +185,19 @@ class Branch(Kept):
         InputError
             For another name, or the energy where none is kept.
         """
-        known = ("period", "frequency", "energy", "trace", self.parameter, *self.unknown_names)
-        if name == self.parameter:
-            return self.parameter_values
-        if name == "frequency":
-            return np.asarray(2 * np.pi / self.period)
-        if isinstance(name, str) and name.startswith("amplitude_"):
-            state, family = (
-                name.removeprefix("amplitude_"),
-                equations_of(self.orbit, self.parameter),
-            )
-            points = np.column_stack([self.unknowns, self.parameter_values])
-            # at a point a phase may take no time
-            return np.array([_amplitude_of(family.motion(z), state) for z in points])
+        points = np.column_stack([self.unknowns, self.parameter_values])
+        known = {"period": self.period, "trace": self.trace, "frequency": 2 * np.pi / self.period}
+        known |= dict(zip((*self.unknown_names, self.parameter), points.T, strict=True))
+        if name in known:
+            return np.asarray(known[name])
         if name == "energy":
             places = range(len(self))
             return np.array([energy_of(composed_family(self, place)[0]) for place in places])
-        if name in ("period", "trace"):
-            found: np.ndarray = getattr(self, name)
-            return found
-        if name not in self.unknown_names:
-            raise unknown_name("quantity", name, known)
-        return np.asarray(self.unknowns[:, self.unknown_names.index(name)])
+        if not name.startswith("amplitude_"):
+            raise unknown_name("quantity", name, [*known, "energy"])
+        state, family = name.removeprefix("amplitude_"), equations_of(self.orbit, self.parameter)
+        # at a point a phase may take no time
+        return np.array([_amplitude_of(family.motion(z), state) for z in points])
 
     def to_xarray(self) -> Any:
         """Give the branch as an xarray Dataset over its points.

@@ -251,15 +251,16 @@ def _branch(curve: OrbitEquations, path: Path) -> Branch:
     found = _with_meetings(curve, locate_all(track), path)
     allowed = curve.admissible(points)
     vanished = _vanished(curve, points, ends)
-    found = [
-        each
-        for each in found
-        if not (
-            (each.border_collision or each.kind == "fold")
-            and any(_vanishes(curve, each, end) for end in vanished)
-        )
-    ]
-    found += vanished
+    short = [end.phase for end in vanished]
+
+    def restates(event: Event) -> bool:
+        """Whether a phase of an end is so short that an event only restates its vanishing."""
+        if not short or not (event.border_collision or event.kind == "fold"):
+            return False
+        dwell = curve.dwell(point_of(event)[None])[0]
+        return bool((dwell[short] < SHORTEST * dwell.sum()).any())
+
+    found = [each for each in found if not restates(each)] + vanished
     found += locate_limits(track, allowed, found)
     found.sort(key=attrgetter("place"))
     multipliers = curve.multipliers(points)
@@ -305,12 +306,6 @@ def _vanished(curve: OrbitEquations, points: np.ndarray, ends: tuple[str, str]) 
             monitor = Monitor("vanishing-phase", phase, curve.phases[phase][1])
             found.append(describe(curve, monitor, points[place], float(place)))
     return found
-
-
-def _vanishes(curve: OrbitEquations, event: Event, end: Event) -> bool:
-    """Whether the phase of an end is so short that an event only restates its vanishing."""
-    dwell = curve.dwell(point_of(event)[None])[0]
-    return bool(dwell[end.phase] < SHORTEST * dwell.sum())
 
 
 def _verdict(multipliers: np.ndarray, conservative: bool) -> StabilityOfPoint:

@@ -87,8 +87,12 @@ def _energies(
 def _forms(cycle: ItineraryShape, numbers: Numbers, size: int) -> dict[int, np.ndarray] | None:
     """Symmetric matrices H of the energies (y, 1) H (y, 1) / 2, by configuration."""
     visited, count = sorted(set(cycle.configurations)), size // 2
-    if size % 2 or not all(_undamped(numbers.fields[c], count) for c in visited):
+    if size % 2:
         return None
+    for field in numbers.fields[visited]:  # x' = v, v' = b - A x, without damping
+        kinematics = np.array_equal(field[:count], np.eye(count, 2 * count + 1, count))
+        if not kinematics or field[count:, count:-1].any():
+            return None
     lower = np.tril_indices(count)
     pairs = len(lower[0])
 
@@ -112,12 +116,6 @@ def _forms(cycle: ItineraryShape, numbers: Numbers, size: int) -> dict[int, np.n
     if np.linalg.eigvalsh(mass)[0] <= _ZERO:
         return None
     return forms(found / mass[0, 0])
-
-
-def _undamped(field: np.ndarray, count: int) -> bool:
-    """Whether a field is x' = v, v' = b - A x."""
-    kinematics = np.eye(count, 2 * count + 1, count)
-    return bool(np.array_equal(field[:count], kinematics) and not field[count:, count:-1].any())
 
 
 def _form(field: np.ndarray, mass: np.ndarray, constant: float) -> np.ndarray:

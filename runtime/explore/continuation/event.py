@@ -53,10 +53,6 @@ class EventKind:
     border_collision: bool = False  # whether the itinerary changes there
 
 
-def _turning(multipliers: np.ndarray, slopes: np.ndarray, here: OrbitKind) -> np.ndarray:
-    return slopes
-
-
 def _at_minus_one(multipliers: np.ndarray, slopes: np.ndarray, here: OrbitKind) -> np.ndarray:
     found: np.ndarray = (1 + multipliers).prod(axis=-1).real
     return found
@@ -86,7 +82,7 @@ def _on_unit_circle(multipliers: np.ndarray) -> bool:
 
 
 KINDS = {
-    "fold": EventKind("the branch turns", _turning, lambda here: True),
+    "fold": EventKind("the branch turns", lambda _, slopes, __: slopes, lambda here: True),
     "flip": EventKind(
         "a multiplier is -1: an orbit of twice the period branches off",
         _at_minus_one,

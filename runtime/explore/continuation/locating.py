@@ -17,7 +17,7 @@ from operator import attrgetter
 from typing import NamedTuple
 
 import numpy as np
-from numpy.polynomial import Polynomial
+from numpy.polynomial import Chebyshev
 
 from nonsmooth.runtime.explore.continuation.event import KINDS, Event, Monitor, Monitors
 from nonsmooth.runtime.explore.continuation.stepping import correct, tangent_at
@@ -26,7 +26,8 @@ from nonsmooth.runtime.orbits.equations import OrbitEquations
 _SAME = 1e-9  # of a chord: two names of one event
 _TOUCHING = 1e-6  # of a chord: two crossings of one number that are one touch
 _TOUCHED = 1e-11, 1e-13  # of an extremum's surroundings, of a usual value: zero but for rounding
-_NODES, _FIT = 8, 0.05  # of a polynomial; of the values around a zero: how far they may miss it
+# of a polynomial; of the values around a zero: what its terms of high degree may be
+_NODES, _FIT = 8, 0.05
 _APART, _JUMP = 1e-3, 0.5  # so near to a zero no value is as large as those around it
 _MEETING = 1e-3  # of a chord: a branch that turns where it meets another one
 _NOTHING = 1e-9  # of a number made of multipliers
@@ -254,7 +255,10 @@ def _crossings(watch: _Watch, first: float, last: float) -> Iterator[Event]:
         largest = max(abs(before), abs(after))
         noise = min(_NOISE * watch.usual, _MOST_NOISE * largest)
         part = _root(value, low, high, before, after, max(noise, _ROUNDING * largest))
-        if part is None or not _smooth_at(value, part, low, high, largest):
+        apart = _APART * (high - low)
+        beside = () if part is None else (max(part - apart, low), min(part + apart, high))
+        # values beside a zero are small, as they are at no pole and at no jump
+        if part is None or not max(abs(value(side)) for side in beside) <= _JUMP * largest:
             if watch.monitor.kind not in ("fold", "branch-point"):
                 continue  # a pole, or another maximum has become the highest
             part = _fitted(value, low, high, largest)
@@ -305,15 +309,6 @@ def _signs(values: np.ndarray) -> np.ndarray:
     return np.asarray(signs)
 
 
-def _smooth_at(
-    value: Callable[[float], float], part: float, low: float, high: float, largest: float
-) -> bool:
-    """Whether values beside a zero are small, as they are at no pole and at no jump."""
-    apart = _APART * (high - low)
-    sides = [max(part - apart, low), min(part + apart, high)]
-    return bool(max(abs(value(side)) for side in sides) <= _JUMP * largest)
-
-
 def _fitted(
     value: Callable[[float], float], low: float, high: float, largest: float
 ) -> float | None:
@@ -321,14 +316,9 @@ def _fitted(
 
     Where branches meet the equations do not determine the tangent.
     """
-    nodes = low + (high - low) * (1 - np.cos(np.pi * (np.arange(_NODES) + 0.5) / _NODES)) / 2
-    values = np.array([value(float(node)) for node in nodes])
-    if not np.isfinite(values).all():
-        return None
-    even = Polynomial.fit(nodes[::2], values[::2], _NODES // 2 - 1, domain=[low, high])
-    if np.abs(even(nodes) - values).max() > _FIT * largest:
+    fit = Chebyshev.interpolate(np.vectorize(value), _NODES - 1, domain=[low, high])
+    if not np.abs(fit.coef[_NODES // 2 :]).sum() <= _FIT * largest:
         return None  # a pole, or a value that is not determined
-    fit = Polynomial.fit(nodes, values, _NODES - 1, domain=[low, high])
     roots = [
         root.real
         for root in np.asarray(fit.roots(), dtype=complex).tolist()

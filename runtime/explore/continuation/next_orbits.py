@@ -23,7 +23,11 @@ from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.core.values import Value, as_value, parse
 from nonsmooth.runtime.explore.continuation.event import Event, point_of
 from nonsmooth.runtime.explore.continuation.stepping import correct, scaled_rows
-from nonsmooth.runtime.explore.finding.primitive import repeated_part, settled_orbit
+from nonsmooth.runtime.explore.finding.solved import (
+    canonical_itinerary,
+    repeated_part,
+    settled_orbit,
+)
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import FORCING_PHASE, Structure
@@ -36,6 +40,7 @@ from nonsmooth.runtime.shooting.newton import CONVERGED, SINGULAR
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, itinerary_shape
 from nonsmooth.runtime.shooting.symmetry import whole_shape
 from nonsmooth.runtime.shooting.table_newton import solve_shape
+from nonsmooth.runtime.simulation.recurrence import Itinerary
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.explore.continuation.branch import Branch
@@ -53,7 +58,6 @@ _CORRECTED = 10.0  # of a step to another branch: how far the corrector may go
 _APART = 0.5  # of such a step: how far from the meeting point an orbit has to be
 _OPEN = 1e-3  # largest singular value, relative, of a direction that is open
 
-_Phases = tuple[tuple[str, str], ...]
 # physical parameters, and the period if it is given, at a value of the branch's parameter
 _SystemAt = Callable[[float], tuple[dict[str, Value], Value | None]]
 
@@ -71,7 +75,7 @@ def next_itineraries(
     if not event.border_collision:
         raise InputError(f"{event.kind} is no border collision: the itinerary goes on")
     ways_off = [[side * distance for distance in _DISTANCES] for side in (1, -1)]
-    found: dict[_Phases, Orbit] = {}
+    found: dict[Itinerary, Orbit] = {}
     for orbit in _others(branch, event, parameters, ways_off, _SHORT, settling=True):
         found.setdefault(canonical_itinerary(orbit.itinerary), orbit)
     return tuple(found.values())
@@ -144,7 +148,7 @@ class _Way(NamedTuple):
     It replaces the phases `begin` to `end` of the old one by `phases` new ones.
     """
 
-    itinerary: _Phases
+    itinerary: Itinerary
     begin: int
     end: int
     phases: int
@@ -252,9 +256,9 @@ def _solved(
     return []
 
 
-def _paths(structure: Structure, source: str, target: str, most: int) -> Iterator[_Phases]:
+def _paths(structure: Structure, source: str, target: str, most: int) -> Iterator[Itinerary]:
     """Sequences of at most `most` phases (never more than three) between two configurations."""
-    waiting: list[tuple[str, _Phases]] = [(source, ())]
+    waiting: list[tuple[str, Itinerary]] = [(source, ())]
     while waiting:
         configuration, way = waiting.pop(0)
         if way and configuration == target:
@@ -320,16 +324,6 @@ def _is_motion(orbit: Orbit) -> bool:
 def _near(period: Any, base: Orbit) -> bool:
     """Whether an orbit of such a period may coincide with the known one at the collision."""
     return abs(float(period) / float(base.period) - 1) < _NEAR
-
-
-def canonical_itinerary(itinerary: Sequence[tuple[str, str]]) -> _Phases:
-    """The rotation of an itinerary that comes first by names: the same for all rotations.
-
-    An itinerary and its repetition stay different: a mass that strikes once in a period and
-    one that strikes twice have two itineraries.
-    """
-    phases = tuple(itinerary)
-    return min(phases[k:] + phases[:k] for k in range(len(phases)))
 
 
 def other_branch(

@@ -12,7 +12,6 @@ from nonsmooth.runtime.explore.design.optimising import (
     INTERRUPTED,
     Aim,
     Ended,
-    MarginKey,
     Optimality,
     Trial,
     optimality,
@@ -23,14 +22,15 @@ from nonsmooth.runtime.explore.design.optimum import (
     CONVERGED,
     NOT_REACHED,
     Design,
+    check_resumed,
     design_question,
 )
 from nonsmooth.runtime.explore.design.quantities import (
     MULTIPLIER,
+    PURE,
     extreme_keys,
     is_extreme,
     is_largest_of_several,
-    is_pure,
     unit_of,
 )
 from nonsmooth.runtime.explore.design.worst_over import BranchPoints, optimise_worst, spread
@@ -131,9 +131,9 @@ def design(
     checked_count("iterations", iterations, 1)
     question = design_question(orbit, minimise, maximise, solve, over, worst_over, subject_to)
     if resume is not None:
-        question.check_resumed(resume)
+        check_resumed(question, orbit, resume)
     quantity, names, bounds = question.quantity, question.parameters, question.bounds
-    branch, asked, measured = question.worst_over, question.quantities, question.measured
+    branch, asked, measured = question.worst_over, question.asked, question.measured
     history: list[Trial] = []
 
     def told(visited: int) -> None:
@@ -155,7 +155,10 @@ def design(
     )
     first = points.visited[0]
     lengths = np.asarray(bounds[:, 1] - bounds[:, 0])
-    watched = _watched(first, lengths) if admissible and question.aim != "solve" else {}
+    # boundaries that must not be crossed; none if parameters that are left open decide on them
+    watching = admissible and question.aim != "solve"
+    watching = watching and not first.orbit.problem.left_open(first.orbit)
+    watched = watched_margins(first.quantities, lengths) if watching else {}
     points.watching = bool(watched)
     units = {
         name: unit_of(value, first.quantities.slopes[name][: len(names)] * lengths)
@@ -168,7 +171,7 @@ def design(
         question.conditions,
         units[quantity] if quantity else 1.0,
         lengths,
-        {name: unit for name, unit in units.items() if not is_pure(name)},
+        {name: unit for name, unit in units.items() if name not in PURE},
         watched,
         extreme_keys([first.quantities.derivatives], quantity) if several else (),
     )
@@ -192,18 +195,17 @@ def design(
     rows = (_values_of(names, aim, point, asked) for point in history)
     iterates = [[row[name] for name in (*names, *asked)] for row in rows]
     found = Design(
-        aim=question.aim,
-        quantity=quantity,
-        parameters=names,
-        bounds=bounds,
-        worst_over=branch,
-        conditions=question.conditions,
+        **vars(question),
         method="least-squares" if question.aim == "solve" else "SLSQP",
         quantities=asked,
         before=_values_of(names, aim, begin, asked) if resume is None else resume.before,
         after=_values_of(names, aim, ended.point, asked),
         worst_at=tuple(float(w.orbit.given[name]) for name in branch for w in left.worst_at),
-        gradient=_gradient_of(names, aim, ended.point, measured),
+        gradient={
+            name: dict(zip(names, slopes[: len(names)].tolist(), strict=True))
+            for name in measured
+            for slopes in [_worst(aim, ended.point, name)[0].quantities.slopes[name]]
+        },
         active=left.active,
         corner=left.corner,
         residual=left.residual,
@@ -218,13 +220,6 @@ def design(
     return found
 
 
-def _watched(first: DesignPoint, lengths: np.ndarray) -> dict[MarginKey, float]:
-    """Boundaries that must not be crossed; none if parameters that are left open decide on them."""
-    if first.orbit.problem.left_open(first.orbit):
-        return {}
-    return watched_margins(first.quantities, lengths)
-
-
 def _check_dependence(names: Sequence[str], first: Trial, aim: Aim) -> None:
     """Refuse a parameter on which nothing that is asked for depends."""
     slopes = [aim.rows(first, 1.0, equal=equal).slopes for equal in (True, False)]
@@ -236,6 +231,16 @@ def _check_dependence(names: Sequence[str], first: Trial, aim: Aim) -> None:
             raise InputError(f"nothing that is asked for depends on {name}")
 
 
+def _worst(aim: Aim, point: Trial, name: str) -> tuple[DesignPoint, float]:
+    """The orbit of a trial at which a quantity has its worst value, and that value."""
+    wanted = {c.quantity: float(c.value) for c in aim.conditions}
+    below = [c.quantity for c in aim.conditions if c.relation == "<="]
+    sign = aim.sign if name == aim.quantity else 1 if name in below else -1
+    found = [each.quantities.quantity(name, wanted.get(name)) for each in point.members]
+    worst = int(np.argmax(sign * np.array(found)))
+    return point.members[worst], found[worst]
+
+
 def _values_of(
     names: Sequence[str], aim: Aim, point: Trial, asked: Iterable[str]
 ) -> dict[str, float]:
@@ -244,33 +249,8 @@ def _values_of(
     Along a branch each quantity has its worst value.
     """
     given = point.members[0].orbit.given
-    found = {name: float(given[name]) for name in names}
-    wanted = {c.quantity: float(c.value) for c in aim.conditions}
-    for name in asked:
-        values = [each.quantities.quantity(name, wanted.get(name)) for each in point.members]
-        found[name] = max(values) if _upwards(aim, name) else min(values)
-    return found
-
-
-def _upwards(aim: Aim, name: str) -> bool:
-    """Whether a larger value of a quantity is a worse one."""
-    if name == aim.quantity:
-        return aim.sign > 0
-    return any(c.relation == "<=" for c in aim.conditions if c.quantity == name)
-
-
-def _gradient_of(
-    names: Sequence[str], aim: Aim, point: Trial, measured: Iterable[str]
-) -> dict[str, dict[str, float]]:
-    """Derivatives of each quantity by each parameter, at the orbit where the quantity is worst."""
-    found = {}
-    for name in measured:
-        order = 1.0 if _upwards(aim, name) else -1.0
-        values = [order * each.quantities.values[name] for each in point.members]
-        worst = point.members[int(np.argmax(values))]
-        slopes = worst.quantities.slopes[name][: len(names)].tolist()
-        found[name] = dict(zip(names, slopes, strict=True))
-    return found
+    own = {name: float(given[name]) for name in names}
+    return own | {name: _worst(aim, point, name)[1] for name in asked}
 
 
 def _message_of(aim: Aim, ended: Ended, left: Optimality, *, converged: bool) -> str:
@@ -283,16 +263,9 @@ def _message_of(aim: Aim, ended: Ended, left: Optimality, *, converged: bool) ->
             return "the wanted values are met"
         parts = [f"an optimum within {acting}" if acting else "an optimum"]
         return "; ".join([*parts, *([left.corner] if left.corner else [])])
-    missed = [
-        c
-        for c in aim.conditions
-        if any(
-            np.abs(np.minimum(aim.condition_rows(member, c).values, 0.0)).max() > _MET
-            for member in ended.point.members
-        )
-        or (c.relation == "=" and aim.missed(ended.point) > _MET)
-    ]
-    told = f"{', '.join(c.text for c in missed)} not reached" if missed else "no optimum"
+    missed = {each.text for each in aim.limits(ended.point) if each.missed > _MET}
+    wanted = [each.text for each in aim.conditions if each.text in missed]
+    told = f"{', '.join(wanted)} not reached" if wanted else "no optimum"
     why = ended.reason or (f"within {acting}" if acting else "the optimiser found no better one")
     return f"{told}: {why}"
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
 
@@ -56,10 +55,9 @@ class DesignPoints:
 
     The design begins at `orbit`; `names` with `bounds` (q, 2) are the parameters, `quantities`
     is what is measured, and `rough` are those that need no derivative. With `admissible` each
-    orbit has to be a motion of the real system. The attribute `visited` lists the orbits in the
-    order in which they were reached, the first one being `orbit`. `watching` is True where the
-    optimiser has margins as conditions: it may then try orbits that are no motions. Raises
-    `InputError` if the orbit cannot be followed, or is no motion where it has to be.
+    orbit has to be a motion of the real system. `watching` is True where the optimiser has margins
+    as conditions: it may then try orbits that are no motions. Raises `InputError` if the orbit
+    cannot be followed, or is no motion where it has to be.
     """
 
     def __init__(
@@ -79,53 +77,64 @@ class DesignPoints:
         self._quantities, self._admissible = tuple(quantities), admissible
         self._curve = equations_of(orbit, *names, lengths=self.lengths)
         z = self._curve.first
-        self.visited: list[DesignPoint] = []
-        if admissible and not self._is_motion(z):
+        if not self._allowed(z):
             raise InputError(
                 f"{orbit.name} is no motion of the real system where the design begins"
             )
         measured = measure(orbit, self.names, self._quantities)
         place = (z[len(self._curve.unknowns) :] - bounds[:, 0]) / self.lengths
-        self._known: dict[bytes, DesignPoint] = {}
-        self._places = np.empty((64, len(place)))
-        self._keep(DesignPoint(place + 0.0, z, orbit, measured))
+        begin = DesignPoint(place + 0.0, z, orbit, measured)
+        self._known = {begin.place.tobytes(): begin}
 
     @property
     def lengths(self) -> np.ndarray:
         """Lengths (q,) of the intervals of the parameters."""
         return np.asarray(self.bounds[:, 1] - self.bounds[:, 0])
 
+    @property
+    def visited(self) -> list[DesignPoint]:
+        """The orbits in the order in which they were reached."""
+        return [*self._known.values()]
+
     def at(self, place: np.ndarray) -> DesignPoint:
         """The orbit at a place (q,) in units of the bounds.
 
-        Raises `Beyond` if the branch does not lead there.
+        It is continued along a straight line; steps are shortened where they fail. Raises `Beyond`
+        if the branch does not lead there.
         """
         place = place + 0.0  # one zero
         known = self._known.get(place.tobytes())
         if known is not None:
             return known
-        gaps = np.abs(self._places[: len(self.visited)] - place).max(axis=1)
-        near = self.visited[int(np.argmin(gaps))]
+        places = np.frombuffer(b"".join(self._known)).reshape(-1, len(place))
+        gaps = np.abs(places - place).max(axis=1)
+        near, gap = self.visited[int(np.argmin(gaps))], float(gaps.min())
         inside = self.bounds[:, 0] + place * self.lengths
         target = np.where(place == 1, self.bounds[:, 1], inside)
-        gap = float(gaps.min())
-        reached = _reached(self._curve, near.z, target)
-        if reached.reason:
-            raise Beyond(near.place, place, reached.part * gap, reached.reason)
+        z, count = near.z, len(self._curve.unknowns)
+        way, part, step = target - z[count:], 0.0, 1.0
+        while part < 1:
+            length = min(step, 1 - part)
+            found = _stepped(self._curve, z, length * way)
+            if not isinstance(found, str):
+                z, part, step = found, part + length, 2 * step
+                continue
+            step /= 2
+            if step < _LEAST:
+                raise Beyond(near.place, place, part * gap, found)
+        z[count:] = target
         try:
-            orbit, measured = self._measured(reached.z)
+            reached = DesignPoint(place.copy(), z, *self._measured(z))
         except InputError as problem:
             raise Beyond(near.place, place, gap / 2, str(problem)) from None
-        found = DesignPoint(place.copy(), reached.z, orbit, measured)
-        self._keep(found)
+        self._known[place.tobytes()] = reached
         if self._progress is not None:
-            self._progress(len(self.visited))
-        return found
+            self._progress(len(self._known))
+        return reached
 
     def _measured(self, z: np.ndarray) -> tuple[Orbit, QuantityValues]:
         """The orbit at a point (n + q,) and its quantities; `InputError` says what it lacks."""
-        judged = self._admissible and not self.watching  # else margins are conditions
-        if judged and not self._is_motion(z):
+        if not self.watching and not self._allowed(z):  # else margins are conditions
             raise InputError(_REFUSED)
         orbit = self._curve.at(z)
         if orbit.status != CONVERGED:
@@ -136,49 +145,12 @@ class DesignPoints:
                 raise InputError(f"{name} has no derivative at a corner")
         return orbit, measured
 
-    def _keep(self, found: DesignPoint) -> None:
-        count = len(self.visited)
-        if count == len(self._places):
-            self._places = np.concatenate([self._places, np.empty_like(self._places)])
-        self._places[count] = found.place
-        self._known[found.place.tobytes()] = found
-        self.visited.append(found)
-
     def is_motion(self, member: DesignPoint) -> bool:
         """Whether an orbit that was visited is a motion, or need not be one."""
-        return not self._admissible or self._is_motion(member.z)
+        return self._allowed(member.z)
 
-    def _is_motion(self, z: np.ndarray) -> bool:
-        return bool(self._curve.admissible(z[None])[0])
-
-
-class _Reached(NamedTuple):
-    """How far a straight line in the parameters was followed."""
-
-    z: np.ndarray  # (n + q,), the last orbit
-    part: float  # of the line, 1 at its end
-    reason: str  # why it ended early, empty at its end
-
-
-def _reached(curve: OrbitEquations, begin: np.ndarray, target: np.ndarray) -> _Reached:
-    """The orbit continued from `begin` (n + q,) along a line to the parameters `target` (q,).
-
-    Steps are shortened where they fail.
-    """
-    count = len(curve.unknowns)
-    way = target - begin[count:]
-    here, part, step = begin.copy(), 0.0, 1.0
-    while part < 1:
-        length = min(step, 1 - part)
-        found = _stepped(curve, here, length * way)
-        if isinstance(found, str):
-            step /= 2
-            if step < _LEAST:
-                return _Reached(here, part, found)
-            continue
-        here, part, step = found, part + length, 2 * step
-    here[count:] = target
-    return _Reached(here, 1.0, "")
+    def _allowed(self, z: np.ndarray) -> bool:
+        return not self._admissible or bool(self._curve.admissible(z[None])[0])
 
 
 def _stepped(curve: OrbitEquations, here: np.ndarray, way: np.ndarray) -> np.ndarray | str:

@@ -12,7 +12,6 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache, partial
-from itertools import product
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
@@ -42,7 +41,6 @@ _SETTLED = 1e-9  # of the aim: what is gained by beginning again at an optimum
 _MISSED = 1e-6  # of a condition: then it is approached first
 _PENALTY = 1e3  # of what misses a condition, beside the aim
 _PRECISION = 1e-15  # of the aim
-_LAST, _TINY = 5, 1e-15  # Newton's steps behind the least squares
 
 
 class MarginKey(NamedTuple):
@@ -69,6 +67,24 @@ class Rows(NamedTuple):
 
     values: np.ndarray
     slopes: np.ndarray
+
+
+class Limit(NamedTuple):
+    """A condition at one orbit: functions (m,) that are not negative, of an equation zero."""
+
+    text: str
+    member: DesignPoint
+    values: np.ndarray  # (m,)
+    slopes: np.ndarray  # derivatives (m, n) by the variables of the optimiser
+    # (m,), growth per unit by which the limit is relaxed; of an equation minus that of its value
+    relaxed: np.ndarray
+    equation: bool = False
+
+    @property
+    def missed(self) -> float:
+        """Largest violation."""
+        short = np.abs(self.values) if self.equation else -self.values
+        return float(short.max(initial=0.0))
 
 
 class Trial(Hashable, Protocol):
@@ -112,11 +128,6 @@ class Aim:
         several = is_largest_of_several(self.quantity, self.sign)
         return bool(self.quantity) and (self.spread or several)
 
-    @property
-    def least_level(self) -> float:
-        """Lower bound of the level."""
-        return 0.0 if self.quantity == RADIUS and self.sign > 0 else -np.inf
-
     def variables(self, point: Trial) -> np.ndarray:
         """The variables (n,) at a trial."""
         return np.append(point.place, self.value(point)) if self.levelled else point.place
@@ -137,12 +148,12 @@ class Aim:
         if self.levelled:
             return np.asarray(np.eye(len(self.lengths) + 1)[-1])
         slope = self.worst(point).quantities.slopes[self.quantity]
-        return np.asarray(self.sign * self._by_places(slope) / self.scale)
+        return np.asarray(self.sign * self._by_variables(slope[None])[0] / self.scale)
 
-    def _by_places(self, slopes: np.ndarray) -> np.ndarray:
-        """Derivatives by the places of the parameters, without those along a branch."""
-        count = len(self.lengths)
-        return np.asarray(slopes[..., :count] * self.lengths)
+    def _by_variables(self, slopes: np.ndarray) -> np.ndarray:
+        """Derivatives (m, n) by the variables from those (m, q) by parameters; 0 by the level."""
+        found = slopes[:, : len(self.lengths)] * self.lengths
+        return np.hstack([found, np.zeros((len(found), 1))]) if self.levelled else found
 
     def level_rows(self, member: DesignPoint, level: float) -> Rows:
         """The conditions that the quantity of an orbit does not exceed the level.
@@ -158,8 +169,8 @@ class Aim:
             relation = "<=" if self.sign > 0 else ">="
             found = self._limit(member, self.quantity, relation, self.sign * wanted)
             found = found._replace(by_level=self.sign * found.by_level)
-        by_level = found.by_level[:, None] * self.scale
-        slopes = np.hstack([self._by_places(found.by_parameters), by_level])
+        slopes = self._by_variables(found.by_parameters)
+        slopes[:, -1] = found.by_level * self.scale
         sizes = self.scale**found.powers
         return Rows(found.values / sizes, slopes / sizes[:, None])
 
@@ -177,12 +188,6 @@ class Aim:
         """Unit in which the violation of a condition is measured."""
         return max(self.units.get(condition.quantity, 1.0), abs(float(condition.value)))
 
-    def condition_rows(self, member: DesignPoint, condition: DesignCondition) -> Rows:
-        """One condition at one orbit: rows that are not negative, or zero for an equation."""
-        found, size = self._limit(member, *condition.asked), self.size(condition)
-        slopes = self._by_places(found.by_parameters) / size
-        return Rows(found.values / size, self._with_level(slopes))
-
     def distance(
         self, member: DesignPoint, quantity: str, relation: str, wanted: float
     ) -> tuple[float, np.ndarray]:
@@ -190,25 +195,14 @@ class Aim:
         measured, sign = member.quantities, -1.0 if relation == "<=" else 1.0
         return sign * (measured.values[quantity] - wanted), sign * measured.slopes[quantity]
 
-    def _with_level(self, slopes: np.ndarray) -> np.ndarray:
-        """Derivatives extended by that by the level, which is zero."""
-        return np.hstack([slopes, np.zeros((len(slopes), 1))]) if self.levelled else slopes
-
-    def relaxing(self, member: DesignPoint, condition: DesignCondition) -> np.ndarray:
-        """Growth (m,) of each row of a condition per unit of its value.
-
-        It is positive where the condition is relaxed, and minus that for an equation.
-        """
-        sign = 1.0 if condition.relation == "<=" else -1.0
-        return sign * self._limit(member, *condition.asked).by_level / self.size(condition)
-
     def distances(self, member: DesignPoint) -> tuple[np.ndarray, np.ndarray]:
         """Scaled distances (m,) from the boundaries, and their derivatives by all parameters.
 
         A distance is 1 where there is no maximum inside the phase.
         """
         derivatives = member.quantities.derivatives
-        there = {MarginKey(m.phase, m.boundary): m for m in derivatives.margins}
+        known = derivatives.margins if self.margins else ()
+        there = {MarginKey(m.phase, m.boundary): m for m in known}
         values = np.ones(len(self.margins))
         slopes = np.zeros((len(self.margins), len(derivatives.by)))
         for place, (key, unit) in enumerate(self.margins.items()):
@@ -217,34 +211,38 @@ class Aim:
                 slopes[place] = np.asarray(there[key].rates, dtype=float) / unit
         return values, slopes
 
-    def margin_rows(self, member: DesignPoint) -> Rows:
-        """The conditions that an orbit crosses none of the boundaries."""
-        values, slopes = self.distances(member)
-        return Rows(values - _INSIDE, self._with_level(self._by_places(slopes)))
+    def limits(self, point: Trial) -> Iterator[Limit]:
+        """All conditions at the orbits of a trial, those that no boundary is crossed among them."""
+        for member in point.members:
+            for each in self.conditions:
+                found, size = self._limit(member, *each.asked), self.size(each)
+                slopes = self._by_variables(found.by_parameters / size)
+                relaxed = found.by_level / size * (1.0 if each.relation == "<=" else -1.0)
+                equation = each.relation == "="
+                yield Limit(each.text, member, found.values / size, slopes, relaxed, equation)
+            values, slopes = self.distances(member)
+            inside, slopes = (values - _INSIDE)[:, None], self._by_variables(slopes)[:, None]
+            for place, (key, unit) in enumerate(self.margins.items()):
+                text = f"{key.boundary} stays away in phase {key.phase + 1}"
+                yield Limit(text, member, inside[place], slopes[place], np.array([1 / unit]))
 
     def rows(self, point: Trial, level: float | None, *, equal: bool) -> Rows:
         """The rows of all equations (`equal`), or of all other conditions, of a trial.
 
         `level` is the value of the level; None leaves out the conditions that nothing exceeds it.
         """
-        found = [
-            self.condition_rows(member, each)
-            for member in point.members
-            for each in self.conditions
-            if (each.relation == "=") == equal
+        count = len(self.lengths) + self.levelled
+        found = [Rows(np.zeros(0), np.zeros((0, count)))]
+        found += [
+            Rows(each.values, each.slopes) for each in self.limits(point) if each.equation == equal
         ]
-        if self.margins and not equal:
-            found.extend(self.margin_rows(member) for member in point.members)
         if self.levelled and not equal and level is not None:
-            found.extend(self.level_rows(member, level) for member in point.members)
-        if not found:
-            return Rows(np.zeros(0), np.zeros((0, len(self.lengths) + self.levelled)))
+            found += [self.level_rows(member, level) for member in point.members]
         return Rows(np.concatenate([f.values for f in found]), np.vstack([f.slopes for f in found]))
 
     def missed(self, point: Trial) -> float:
         """Largest violation of all conditions at a trial, in their units."""
-        equal, short = (self.rows(point, None, equal=each).values for each in (True, False))
-        return float(max(np.abs(equal).max(initial=0.0), (-short).max(initial=0.0)))
+        return max((each.missed for each in self.limits(point)), default=0.0)
 
 
 class Optimality(NamedTuple):
@@ -277,8 +275,19 @@ def optimality(
         met = [ActiveLimit(text=text, multiplier=0.0) for *_, text in _sides(point, names, bounds)]
         return Optimality(tuple(met), aim.missed(point), "")
     level, corner = aim.variables(point)[-1], ""
-    acting = [*_acting(aim, point, names, bounds, where)]
-    slopes = [each.slope for each in acting]
+    # conditions and bounds that hold with equality, each with its growth per unit of its limit
+    acting = [
+        (each.text + where(each.member), slope, unit, each.equation)
+        for each in aim.limits(point)
+        for value, slope, unit in zip(each.values, each.slopes, each.relaxed.tolist(), strict=True)
+        if each.equation or abs(value) <= _ACTIVE
+    ]
+    units = np.eye(len(names) + aim.levelled)
+    acting += [
+        (text, sign * units[place], 1 / float(aim.lengths[place]), False)
+        for place, sign, text in _sides(point, names, bounds)
+    ]
+    slopes = [slope for _, slope, *_ in acting]
     worst_at: list[DesignPoint] = []
     for member in point.members if aim.levelled else ():
         levels = aim.level_rows(member, level)
@@ -302,7 +311,7 @@ def optimality(
     if not slopes:
         return Optimality((), float(np.abs(gradient).max()), corner, tuple(worst_at))
     lower = np.zeros(len(slopes))
-    lower[: len(acting)][[each.equation for each in acting]] = -np.inf
+    lower[: len(acting)][[equation for *_, equation in acting]] = -np.inf
     found = lsq_linear(np.array(slopes).T, gradient, (lower, np.full(len(slopes), np.inf)))
     left = float(np.abs(found.fun).max())
     factors: dict[str, float] = {}  # a conjugate pair meets one condition twice
@@ -310,39 +319,6 @@ def optimality(
         factors[text] = factors.get(text, 0.0) + factor * aim.scale * unit
     limits = tuple(ActiveLimit(text=text, multiplier=each) for text, each in factors.items())
     return Optimality(limits, left, corner, tuple(worst_at))
-
-
-class _Acting(NamedTuple):
-    """A condition or a bound that holds with equality."""
-
-    text: str
-    slope: np.ndarray  # (n,)
-    unit: float  # by how much it grows per unit of its limit
-    equation: bool = False
-
-
-def _acting(
-    aim: Aim,
-    point: Trial,
-    names: Sequence[str],
-    bounds: np.ndarray,
-    where: Callable[[DesignPoint], str],
-) -> Iterator[_Acting]:
-    for member, condition in product(point.members, aim.conditions):
-        equation = condition.relation == "="
-        rows, grown = aim.condition_rows(member, condition), aim.relaxing(member, condition)
-        for value, slope, unit in zip(*rows, grown.tolist(), strict=True):
-            if equation or abs(value) <= _ACTIVE:
-                yield _Acting(condition.text + where(member), slope, unit, equation)
-    for member in point.members if aim.margins else ():
-        margins = aim.margin_rows(member)
-        for (key, unit), value, slope in zip(aim.margins.items(), *margins, strict=True):
-            if abs(value) <= _ACTIVE:
-                away = f"{key.boundary} stays away in phase {key.phase + 1}"
-                yield _Acting(away + where(member), slope, 1 / unit)
-    units = np.eye(len(names) + aim.levelled)
-    for place, sign, text in _sides(point, names, bounds):
-        yield _Acting(text, sign * units[place], 1 / float(aim.lengths[place]))
 
 
 def _sides(
@@ -400,7 +376,7 @@ def _searched(
     points: Trials, aim: Aim, most: int, history: list[Trial], merit: Callable[[Trial], float]
 ) -> Ended:
     best, box, reason = points.visited[0], 1.0, ""
-    run, finish = (_minimised, _snapped) if aim.quantity else (_solved, _sharpened)
+    run = _minimised if aim.quantity else _solved
     history.append(best)
     for _ in range(_ROUNDS):
         lower, upper = np.maximum(best.place - box, 0.0), np.minimum(best.place + box, 1.0)
@@ -431,7 +407,7 @@ def _searched(
             if merit(best) - merit(tried) <= _SETTLED:
                 break
             best = tried
-    best = finish(points, aim, best)
+    best = _snapped(points, best)
     if history[-1] is not best:
         history.append(best)
     return Ended(best, reason)
@@ -459,25 +435,7 @@ def _solved(
     return history[-1]
 
 
-def _sharpened(points: Trials, aim: Aim, begin: Trial) -> Trial:
-    """The orbit after a few of Newton's steps, as long as these reduce the residual."""
-    best, (values, slopes) = begin, aim.rows(begin, 0.0, equal=True)
-    for _ in range(_LAST):
-        step = np.linalg.lstsq(slopes, -values, rcond=None)[0]
-        if np.abs(step).max() <= _TINY:
-            break
-        try:
-            found = points.at(np.clip(best.place + step, 0.0, 1.0))
-        except Beyond:
-            break
-        then = aim.rows(found, 0.0, equal=True)
-        if not np.linalg.norm(then.values) < np.linalg.norm(values):
-            break
-        best, (values, slopes) = found, then
-    return best
-
-
-def _snapped(points: Trials, aim: Aim, best: Trial) -> Trial:
+def _snapped(points: Trials, best: Trial) -> Trial:
     """The orbit on the bounds that a trial almost touches, or the trial itself."""
     place = np.where(best.place < _SIDE, 0.0, np.where(best.place > 1 - _SIDE, 1.0, best.place))
     try:
@@ -493,7 +451,8 @@ def _minimised(
     count = len(aim.lengths)
     lower, upper = box
     if aim.levelled:
-        lower, upper = np.append(lower, aim.least_level), np.append(upper, np.inf)
+        least = 0.0 if aim.quantity == RADIUS and aim.sign > 0 else -np.inf
+        lower, upper = np.append(lower, least), np.append(upper, np.inf)
 
     def at(x: np.ndarray) -> Trial:
         return points.at(np.clip(x[:count], *box))

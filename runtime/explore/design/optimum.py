@@ -23,9 +23,7 @@ from nonsmooth.runtime.model.saved_system import check_same_system
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
 from nonsmooth.runtime.orbits.orbit_file import KeptOrbit
 
-AIMS = ("minimise", "maximise", "solve")
 CONVERGED, NOT_REACHED = 0, 1
-_ASKED = ("aim", "quantity", "parameters", "bounds", "conditions", "worst_over")
 _FORM = re.compile(r"\s*([^<>=\s]+)\s*(<=|>=|=)\s*([^<>=]+)")
 
 
@@ -167,7 +165,6 @@ def condition_in(text: str) -> DesignCondition:
 class DesignQuestion:
     """What a design is asked for."""
 
-    orbit: Orbit
     aim: Any
     quantity: str  # to minimise or maximise, empty for wanted values
     parameters: tuple[str, ...]  # those that vary
@@ -182,7 +179,7 @@ class DesignQuestion:
         return -1 if self.aim == "maximise" else 1
 
     @property
-    def quantities(self) -> tuple[str, ...]:
+    def asked(self) -> tuple[str, ...]:
         """All quantities that are asked for, each once."""
         conditions = [condition.quantity for condition in self.conditions]
         return tuple(dict.fromkeys(([self.quantity] if self.quantity else []) + conditions))
@@ -190,7 +187,7 @@ class DesignQuestion:
     @property
     def measured(self) -> list[str]:
         """All quantities that are asked for except a multiplier."""
-        return [name for name in self.quantities if name != MULTIPLIER]
+        return [name for name in self.asked if name != MULTIPLIER]
 
     @property
     def rough(self) -> tuple[str, ...]:
@@ -203,20 +200,15 @@ class DesignQuestion:
             rough.append(RADIUS)
         return tuple(rough)
 
-    def check_resumed(self, known: Design) -> None:
-        """Refuse to resume the design of another question; the message names what differs."""
-        check_same_question("design", _asked(self), _asked(known))
-        check_same_system("design", self.orbit.system, known.orbit.system)
 
-
-def _asked(design: DesignQuestion | Design) -> dict[str, Any]:
-    """Entries that have to be equal to resume a design."""
-    orbit, varied = design.orbit, {*design.parameters, *design.worst_over}
-    return {
-        "orbit": orbit.name.removeprefix(orbit.system.name),
-        **{name: getattr(design, name) for name in _ASKED},
-        **{name: value for name, value in orbit.given.items() if name not in varied},
-    }
+def check_resumed(question: DesignQuestion, orbit: Orbit, known: Design) -> None:
+    """Refuse to resume the design of another question; the message names what differs."""
+    varied = {*question.parameters, *question.worst_over}
+    asked = {name: value for name, value in orbit.given.items() if name not in varied}
+    own, other = (x.name.removeprefix(x.system.name) for x in (orbit, known.orbit))
+    there = {**vars(known), **known.orbit.given, "orbit": other}
+    check_same_question("design", {"orbit": own, **vars(question), **asked}, there)
+    check_same_system("design", orbit.system, known.orbit.system)
 
 
 def design_question(
@@ -229,31 +221,11 @@ def design_question(
     subject_to: Iterable[str],
 ) -> DesignQuestion:
     """The question of a design from the arguments of `design`, checked."""
-    aim, quantity = _aim_of(minimise, maximise, solve)
-    names, bounds = _bounds_of(orbit, over)
-    conditions = _conditions_of(solve, subject_to, len(names))
-    branch = _branch_interval(orbit, worst_over, names)
-    if branch and aim == "solve":
-        raise InputError("values that are solved for are of one orbit: leave out worst_over")
-    for each in conditions if branch else ():
-        if each.relation == "=":
-            raise InputError(f"{each.text}: an equation cannot hold all along worst_over")
-    if quantity == MULTIPLIER:
-        raise InputError(f"{MULTIPLIER} is no quantity to {aim}: ask for {RADIUS}")
-    return DesignQuestion(orbit, aim, quantity, names, bounds, conditions, branch)
-
-
-def _aim_of(
-    minimise: str | None, maximise: str | None, solve: Mapping[str, object] | None
-) -> tuple[Any, str]:
-    given = {"minimise": minimise, "maximise": maximise, "solve": solve}
-    chosen = [name for name, value in given.items() if value]
-    if len(chosen) != 1:
-        raise InputError(f"one of minimise, maximise and solve is given, not {len(chosen)}")
-    return chosen[0], minimise or maximise or ""
-
-
-def _bounds_of(orbit: Any, over: Any) -> tuple[tuple[str, ...], np.ndarray]:
+    aims = {"minimise": minimise, "maximise": maximise, "solve": solve}
+    aim, *others = [name for name, value in aims.items() if value] or [""]
+    if others or not aim:
+        count = len(others) + bool(aim)
+        raise InputError(f"one of minimise, maximise and solve is given, not {count}")
     check_converged(orbit, "designed")
     if not over:
         raise InputError('over gives the bounds of parameters, such as {"V": (0.6, 1.3)}')
@@ -264,7 +236,27 @@ def _bounds_of(orbit: Any, over: Any) -> tuple[tuple[str, ...], np.ndarray]:
                 f"no equation of {orbit.name} depends on {name}: it is at most a limit of its"
                 " admissibility"
             )
-    return tuple(over), np.array([check_interval(orbit, *each) for each in over.items()])
+    bounds = np.array([check_interval(orbit, *each) for each in over.items()])
+    conditions = _conditions_of(solve, subject_to, len(over))
+    branch: dict[str, tuple[float, float]] = {}
+    if worst_over is not None:
+        if not isinstance(worst_over, Mapping) or len(worst_over) != 1:
+            raise InputError(
+                'worst_over gives the interval of one parameter, such as {"w": (0.9, 1.1)}'
+            )
+        ((name, interval),) = worst_over.items()
+        if name in over:
+            raise InputError(f"{name} varies: it cannot be the parameter of the branch too")
+        branch[name] = check_interval(orbit, name, interval)
+    if branch and aim == "solve":
+        raise InputError("values that are solved for are of one orbit: leave out worst_over")
+    for each in conditions if branch else ():
+        if each.relation == "=":
+            raise InputError(f"{each.text}: an equation cannot hold all along worst_over")
+    quantity = minimise or maximise or ""
+    if quantity == MULTIPLIER:
+        raise InputError(f"{MULTIPLIER} is no quantity to {aim}: ask for {RADIUS}")
+    return DesignQuestion(aim, quantity, tuple(over), bounds, conditions, branch)
 
 
 def _conditions_of(
@@ -291,23 +283,3 @@ def _conditions_of(
             f"{len(wanted)} wanted values for {count} parameters: as many of one as of the other"
         )
     return wanted
-
-
-def _branch_interval(
-    orbit: Orbit, worst_over: Mapping[str, tuple[float, float]] | None, varied: tuple[str, ...]
-) -> dict[str, tuple[float, float]]:
-    """The parameter of the branch along which the worst value counts, and its interval, if any.
-
-    Refused are several parameters, one that varies, and an interval that is empty or does not
-    hold the orbit.
-    """
-    if worst_over is None:
-        return {}
-    if not isinstance(worst_over, Mapping) or len(worst_over) != 1:
-        raise InputError(
-            'worst_over gives the interval of one parameter, such as {"w": (0.9, 1.1)}'
-        )
-    ((name, interval),) = worst_over.items()
-    if name in varied:
-        raise InputError(f"{name} varies: it cannot be the parameter of the branch too")
-    return {name: check_interval(orbit, name, interval)}

@@ -16,6 +16,7 @@ long as the two are apart from all other multipliers, however near they are to e
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from operator import attrgetter
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.shooting.multipliers import MultiplierDerivatives
 
 RADIUS, MULTIPLIER = "spectral_radius", "multiplier"
-_PURE = (RADIUS, MULTIPLIER, "trace", "determinant")
+PURE = (RADIUS, MULTIPLIER, "trace", "determinant")  # quantities without a dimension
 _LEAST_UNIT = 1e-3  # of what the bounds change: the unit of a quantity that begins near zero
 _REAL = 1e-12  # of the largest: imaginary part of a real eigenvalue
 _ZERO = "the multiplier passes through zero"
@@ -68,7 +69,7 @@ def measure(orbit: Orbit, by: Sequence[str], of: Sequence[str]) -> QuantityValue
     values, slopes = {}, {}
     for name in of:
         if is_extreme(name):  # also where several extremes tie
-            largest = max(found.local_extremes(name), key=lambda extreme: extreme.value)
+            largest = max(found.local_extremes(name), key=attrgetter("value"))
             sign = -1.0 if name.startswith("minimum") else 1.0
             values[name] = sign * largest.value
             slopes[name] = sign * np.asarray(largest.rates, dtype=float)
@@ -82,11 +83,6 @@ def is_extreme(quantity: str) -> bool:
     """Whether a quantity is the largest of several local extremes of the motion."""
     kind, _, of = quantity.partition(":")
     return kind in KINDS and bool(of)
-
-
-def is_pure(quantity: str) -> bool:
-    """Whether a quantity is dimensionless."""
-    return quantity in _PURE
 
 
 def unit_of(value: float, changes: np.ndarray) -> float:
@@ -172,7 +168,8 @@ def _split(
     pairs = [np.array([z, z.conjugate()]) for z in wanted if z.imag > _REAL * largest]
     alone = None
     if len(real) % 2:
-        alone = min(range(0, len(real), 2), key=lambda k: _gaps(np.delete(real, k)))
+        pairs_without = [np.delete(real, k).reshape(-1, 2) for k in range(0, len(real), 2)]
+        alone = 2 * int(np.argmin([np.diff(each).sum() for each in pairs_without]))
         real, alone = np.delete(real, alone), real[alone]
     pairs += [real[k : k + 2].astype(complex) for k in range(0, len(real), 2)]
     pairs.sort(key=lambda pair: -float(np.abs(pair).max()))
@@ -180,21 +177,17 @@ def _split(
     return tuple(_group(matrix, rates, values) for values in groups)
 
 
-def _gaps(real: np.ndarray) -> float:
-    return float((real[1::2] - real[::2]).sum())
-
-
 def _group(matrix: np.ndarray, rates: np.ndarray, values: np.ndarray) -> _MultiplierGroup:
     right, left = _plane(matrix, values), _plane(matrix.T, values)
     onto = np.linalg.solve(left.T @ right, left.T)
     own, moved = onto @ matrix @ right, onto @ rates @ right
-    trace, determinant = float(np.trace(own)), float(np.linalg.det(own))
-    trace_rates = np.trace(moved, axis1=-2, axis2=-1)
-    if len(own) == 1:
-        return _MultiplierGroup(1, trace, trace_rates, determinant, trace_rates)
-    cofactors = np.array([[own[1, 1], -own[0, 1]], [-own[1, 0], own[0, 0]]])
-    determinant_rates = np.trace(cofactors @ moved, axis1=-2, axis2=-1)
-    return _MultiplierGroup(2, trace, trace_rates, determinant, determinant_rates)
+    return _MultiplierGroup(
+        len(own),
+        float(np.trace(own)),
+        np.trace(moved, axis1=-2, axis2=-1),
+        float(np.linalg.det(own)),
+        imaginary_parts(np.linalg.det(stepped(own, moved, None)), None),
+    )
 
 
 def _plane(matrix: np.ndarray, values: np.ndarray) -> np.ndarray:
@@ -241,28 +234,21 @@ def radius_rows(derivatives: OrbitDerivatives, level: float) -> LevelRows:
 
     There are two for a multiplier alone and three for a pair.
     """
-    values, by_parameters, by_level, powers = [], [], [], []
+    rows: list[tuple[float, np.ndarray, float, int]] = []
     for group in _multiplier_groups(derivatives):
-        trace, product = group.trace, group.determinant
-        trace_rates, rates = group.trace_rates, group.determinant_rates
-        if group.size == 1:
-            values += [level - trace, level + trace]
-            by_parameters += [-trace_rates, trace_rates]
-            by_level += [1.0, 1.0]
-            powers += [1, 1]
-            continue
-        square = level**2
-        values += [
-            square + product - trace * level,
-            square + product + trace * level,
-            square - product,
-        ]
-        by_parameters += [rates - level * trace_rates, rates + level * trace_rates, -rates]
-        by_level += [2 * level - trace, 2 * level + trace, 2 * level]
-        powers += [2, 2, 2]
-    return LevelRows(
-        np.array(values), np.array(by_parameters), np.array(by_level), np.array(powers)
-    )
+        trace, rates = group.trace, group.trace_rates
+        product, by_product = group.determinant, group.determinant_rates
+        for sign in (1, -1):
+            if group.size == 1:
+                rows.append((level - sign * trace, -sign * rates, 1.0, 1))
+                continue
+            value = level**2 + product - sign * trace * level
+            rows.append((value, by_product - sign * level * rates, 2 * level - sign * trace, 2))
+        if group.size == 2:
+            rows.append((level**2 - product, -by_product, 2 * level, 2))
+    if not rows:  # all of them are zero
+        return LevelRows(np.zeros(0), np.zeros((0, len(derivatives.by))), np.zeros(0), np.zeros(0))
+    return LevelRows(*map(np.array, zip(*rows, strict=True)))
 
 
 def extreme_keys(every: Iterable[OrbitDerivatives], quantity: str) -> tuple[ExtremeKey, ...]:
@@ -296,7 +282,7 @@ def extreme_rows(
     rows: list[LocalExtreme | None] = []
     for phase, sign, count in keys:
         own = [each for each in found if (each.phase, each.sign) == (phase, sign)]
-        largest = sorted(sorted(own, key=_value)[-count:], key=_time)
+        largest = sorted(sorted(own, key=attrgetter("value"))[-count:], key=attrgetter("time"))
         rows += [*largest]
         rows += [None] * (count - len(largest))
     far, nothing = max(unit, abs(level)), np.zeros(len(derivatives.by))
@@ -306,14 +292,6 @@ def extreme_rows(
         np.array([each is not None for each in rows], dtype=float),
         np.ones(len(rows)),
     )
-
-
-def _value(extreme: LocalExtreme) -> float:
-    return extreme.value
-
-
-def _time(extreme: LocalExtreme) -> float:
-    return extreme.time
 
 
 def corner_of(
@@ -333,7 +311,9 @@ def corner_of(
     if len(acting) < 2 or float(np.ptp(acting, axis=0).max()) <= _SAME_SLOPE * size:
         return ""
     if quantity != RADIUS:
-        ties = _largest(derivatives, quantity)
+        found = derivatives.local_extremes(quantity)
+        top = max(each.value for each in found)
+        ties = [each for each in found if each.value >= top - _SAME_SLOPE * abs(top)]
         for sign in {each.sign for each in ties}:
             rates = np.array([each.rates for each in ties if each.sign == sign], dtype=float)
             rates /= units
@@ -350,9 +330,3 @@ def corner_of(
         return _ZERO
     first = int(ends[place]) - 3
     return _OPPOSITE if active[first : first + 2].all() else _MEET
-
-
-def _largest(derivatives: OrbitDerivatives, quantity: str) -> list[LocalExtreme]:
-    found = derivatives.local_extremes(quantity)
-    top = max(each.value for each in found)
-    return [each for each in found if each.value >= top - _SAME_SLOPE * abs(top)]

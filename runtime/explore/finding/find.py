@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import permutations, product
+from itertools import chain, islice, permutations, product
 from typing import Any, TypeVar
 
 import numpy as np
@@ -21,15 +21,17 @@ from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.core.values import Value, by_name, random_generator
 from nonsmooth.runtime.core.workload import check_memory
 from nonsmooth.runtime.explore.finding.outcomes import Attractors, Outcome, attractors_of
-from nonsmooth.runtime.explore.finding.primitive import (
+from nonsmooth.runtime.explore.finding.solved import (
+    Equilibrium,
     add_orbit,
+    canonical_itinerary,
     converging,
     image_of,
     in_a_family,
     primitive_orbit,
     same_orbit,
+    same_state,
 )
-from nonsmooth.runtime.explore.finding.steady import Equilibrium, same_state
 from nonsmooth.runtime.model.kernels import SystemKernels, grown, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
@@ -41,7 +43,6 @@ from nonsmooth.runtime.simulation.recurrence import (
     Candidate,
     Itinerary,
     candidate_at,
-    canonical,
     near_returns,
     phase_name,
     recurrent_lengths,
@@ -51,6 +52,7 @@ from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
 from nonsmooth.runtime.simulation.starting import on_circles
 
 Solved = TypeVar("Solved", Orbit, Equilibrium)
+Phase = tuple[str, str]
 _TOLERANCES = (1e-10, 1e-7, 1e-4, 1e-2)  # of a return: the tightest that finds one decides
 _EXACT = 1e-7  # of a return: of a motion that has settled
 _KEPT = 129  # entries: cycles of at most 64 phases
@@ -347,82 +349,75 @@ def find_orbits(
     if motions.structure is not point.structure:
         kernels = grown(kernels)
         point = piecewise(kernels, parameters)
-    attractors = attractors_of(kernels, point, ())
+    attractors = attractors_of(point, ())
     labels = np.full(len(starts), int(Outcome.UNCLASSIFIED))
     orbits: list[Orbit] = []
     symmetries: Sequence[Symmetry] = ()
 
     def found(*, complete: bool) -> Found:
-        return _found(
-            point, attractors, orbits, symmetries, starts, labels, limits, length, complete=complete
+        entries, steady, told = _in_order(attractors, orbits, symmetries, labels)
+        names, values = point.structure.states, point.parameters
+        return Found(
+            kernels.name, values, names, entries, steady, starts, told, limits, length, complete
         )
 
     try:
-        scales = scales_of(point, motions)
         symmetries = _mirrors(point)
         progress("solving the motions that recur")
-        recurrent = _recurrent(motions, scales)
+        recurrent = _recurrent(motions, scales_of(point, motions))
         attracting: list[Orbit] = []
-        _solve(kernels, point, [c for c, _ in recurrent.values()], symmetries, attracting)
+        _solve(point, [c for c, _ in recurrent.values()], symmetries, attracting)
         attracting = [
             o
             for o in attracting
             if len(o.itinerary) <= _LONGEST or o.stability.verdict != "unstable"
         ]
-        attractors = attractors_of(kernels, point, attracting)
+        attractors = attractors_of(point, attracting)
         orbits = list(attractors.orbits)
         labels = attractors.labels(motions)
         for place, (candidate, miss) in recurrent.items():
             exact = labels[place] == Outcome.UNCLASSIFIED and miss <= _EXACT
-            if exact and in_a_family(kernels, point, candidate):
+            if exact and in_a_family(point, candidate):
                 labels[place] = Outcome.FAMILY
         labels = attractors.measured(motions, labels, threads)
 
         progress("looking for unstable orbits")
         early = follow(starts[: min(count, 200)], _KEPT, _KEPT)
-        tried = _tried(kernels, motions, scales, early, scales_of(point, early))
-        _solve(kernels, point, tried, symmetries, orbits)
+        _solve(point, _tried(point, motions, early), symmetries, orbits)
     except KeyboardInterrupt:
         raise Interrupted(found(complete=False)) from None
     return found(complete=True)
 
 
 def _solve(
-    kernels: SystemKernels,
     point: PiecewiseLinear,
     candidates: Iterable[Candidate],
     symmetries: Sequence[Symmetry],
     orbits: list[Orbit],
 ) -> None:
     """Add the orbits near candidates, and their images under the system's symmetries."""
-    for candidate in converging(kernels, point, candidates):
+    for candidate in converging(point, candidates):
         if any(same_orbit(known, candidate) for known in orbits):
             continue
-        orbit = primitive_orbit(kernels, point, candidate)
+        orbit = primitive_orbit(point, candidate)
         if orbit is None:
             continue
         add_orbit(orbits, orbit)
         for symmetry in symmetries:
-            image = primitive_orbit(kernels, point, image_of(orbit, symmetry))
+            image = primitive_orbit(point, image_of(orbit, symmetry))
             if image is not None:
                 add_orbit(orbits, image)
 
 
-def _found(
-    point: PiecewiseLinear,
+def _in_order(
     attractors: Attractors,
     orbits: Sequence[Orbit],
     symmetries: Sequence[Symmetry],
-    starts: np.ndarray,
     labels: np.ndarray,
-    limits: np.ndarray,
-    transitions: int,
-    *,
-    complete: bool,
-) -> Found:
-    """The result of a search in order: by the number of starts, then by the period.
+) -> tuple[tuple[FoundOrbit, ...], tuple[FoundEquilibrium, ...], np.ndarray]:
+    """Orbits and equilibria by the number of starts, then by the period, and labels (n,) of these.
 
-    Labels count the orbits that attract, which come first, then the equilibria.
+    Given labels count the orbits that attract, which come first, then the equilibria.
     """
     attracting, steady = len(attractors.orbits), attractors.equilibria
     totals = [int((labels == i).sum()) for i in range(attracting + len(steady))]
@@ -433,24 +428,32 @@ def _found(
     places = {old: new for new, old in enumerate(order) if old < attracting}
     places |= {attracting + old: len(order) + new for new, old in enumerate(steady_order)}
 
-    def entries(kind: Any, solved: Sequence[Any], counts: list[int], order: list[int]) -> Any:
-        mirrors = _mirror_places([solved[i] for i in order], symmetries)
-        return tuple(
-            kind(solved[i], counts[i], counts[i] / len(starts), mirror)
-            for i, mirror in zip(order, mirrors, strict=True)
-        )
+    def is_orbit(entry: Orbit, other: Orbit, symmetry: Symmetry) -> bool:
+        return same_orbit(entry, image_of(other, symmetry))
 
-    return Found(
-        attractors.kernels.name,
-        point.parameters,
-        point.structure.states,
-        entries(FoundOrbit, orbits, of_orbits, order),
-        entries(FoundEquilibrium, steady, of_steady, steady_order),
-        starts,
-        np.array([places.get(label, label) for label in labels.tolist()], dtype=int),
-        limits,
-        transitions,
-        complete,
+    def is_steady(entry: Equilibrium, other: Equilibrium, symmetry: Symmetry) -> bool:
+        return same_state(entry.state, symmetry.matrix @ other.state)
+
+    def entries(
+        kind: Any, solved: Sequence[Any], counts: list[int], order: list[int], is_image: Any
+    ) -> Any:
+        found: list[Any] = []
+        for i in order:
+            # the first one whose mirror image it is, perhaps itself
+            mirrors = (
+                place
+                for place, other in enumerate([*(each.solved for each in found), solved[i]])
+                if any(is_image(solved[i], other, symmetry) for symmetry in symmetries)
+            )
+            share = counts[i] / len(labels)
+            found.append(kind(solved[i], counts[i], share, next(mirrors, None)))
+        return tuple(found)
+
+    told = np.array([places.get(label, label) for label in labels.tolist()], dtype=int)
+    return (
+        entries(FoundOrbit, orbits, of_orbits, order, is_orbit),
+        entries(FoundEquilibrium, steady, of_steady, steady_order, is_steady),
+        told,
     )
 
 
@@ -497,16 +500,12 @@ def _recurrent(motions: Trajectories, scales: np.ndarray) -> dict[int, tuple[Can
 
 
 def _tried(
-    kernels: SystemKernels,
-    motions: Trajectories,
-    scales: np.ndarray,
-    early: Trajectories,
-    early_scales: np.ndarray,
+    point: PiecewiseLinear, motions: Trajectories, early: Trajectories
 ) -> Iterator[Candidate]:
     """Guesses of orbits on which no transient ends."""
-    yield from near_returns(early, early_scales, _LONGEST, _NEAR)
-    yield from near_returns(motions, scales, _LONGEST, _NEAR)
-    yield from _short_cycles(kernels, early)
+    for each in (early, motions):
+        yield from near_returns(each, scales_of(point, each), _LONGEST, _NEAR)
+    yield from _short_cycles(point, early)
 
 
 def _mirrors(system: PiecewiseLinear) -> list[Symmetry]:
@@ -526,33 +525,6 @@ def _mirrors(system: PiecewiseLinear) -> list[Symmetry]:
     return found
 
 
-def _mirror_places(
-    entries: Sequence[Orbit | Equilibrium], symmetries: Sequence[Symmetry]
-) -> list[int | None]:
-    """For each entry the place of the first one whose mirror image it is, or None.
-
-    The place may be that of the entry itself.
-    """
-    return [
-        next(
-            (
-                place
-                for place, other in enumerate(entries[: own + 1])
-                if any(_is_image(entry, other, symmetry) for symmetry in symmetries)
-            ),
-            None,
-        )
-        for own, entry in enumerate(entries)
-    ]
-
-
-def _is_image(entry: Orbit | Equilibrium, other: Orbit | Equilibrium, symmetry: Symmetry) -> bool:
-    if isinstance(entry, Orbit):
-        return isinstance(other, Orbit) and same_orbit(entry, image_of(other, symmetry))
-    image = None if isinstance(other, Orbit) else symmetry.matrix @ other.state
-    return image is not None and same_state(entry.state, image)
-
-
 def _candidates(system: PiecewiseLinear) -> Iterator[np.ndarray]:
     structure = system.structure
     size, coordinates = len(structure.states), structure.coordinates
@@ -563,19 +535,16 @@ def _candidates(system: PiecewiseLinear) -> Iterator[np.ndarray]:
         orders, signs = list(permutations(range(count))), list(product((1, -1), repeat=count))
     else:
         orders, signs = [tuple(range(count))], [(1,) * count, (-1,) * count]
-    for order in orders:
-        for sign in signs:
-            for forcing in product((1, -1), repeat=len(structure.forcing)):
-                for rest in (1, -1) if others else (1,):
-                    matrix = np.zeros((size, size), dtype=int)
-                    for image, source, s in zip(coordinates, order, sign, strict=True):
-                        for to, of in zip(image, coordinates[source], strict=True):
-                            matrix[to, of] = s
-                    for pair, s in zip(structure.forcing, forcing, strict=True):
-                        matrix[pair, pair] = s
-                    matrix[others, others] = rest
-                    if (matrix != np.eye(size, dtype=int)).any():
-                        yield matrix
+    forcings, rests = product((1, -1), repeat=len(structure.forcing)), (1, -1)[: 1 + bool(others)]
+    for order, sign, forcing, rest in product(orders, signs, forcings, rests):
+        matrix = np.zeros((size, size), dtype=int)
+        for image, source, s in zip(coordinates, order, sign, strict=True):
+            matrix[list(image), list(coordinates[source])] = s
+        for pair, s in zip(structure.forcing, forcing, strict=True):
+            matrix[pair, pair] = s
+        matrix[others, others] = rest
+        if (matrix != np.eye(size, dtype=int)).any():
+            yield matrix
 
 
 def _follows(system: PiecewiseLinear, matrix: np.ndarray) -> bool:
@@ -586,64 +555,42 @@ def _follows(system: PiecewiseLinear, matrix: np.ndarray) -> bool:
     return bool((np.abs(system.fields - image).max(axis=(1, 2)) <= 1e-9 * size).any())
 
 
-def _short_cycles(kernels: SystemKernels, motions: Trajectories) -> Iterator[Candidate]:
+def _short_cycles(point: PiecewiseLinear, motions: Trajectories) -> Iterator[Candidate]:
     """Guesses from cycles of phases that follow each other, and from the system's known orbits.
 
     Dwell times are medians of those that were seen; the start is the mean of the states at
     which the first phase was entered. Shorter cycles come first.
     """
-    follows, durations, starts = _seen(motions)
+    follows: dict[Phase, set[Phase]] = defaultdict(set)
+    durations, starts = defaultdict(list), defaultdict(list)
+    for motion in range(len(motions.times)):
+        entered = motions.last_configurations[motion, :-1].tolist()
+        left = motions.last_sets[motion, 1:].tolist()
+        names = [phase_name(motions.structure, *each) for each in zip(entered, left, strict=True)]
+        waits, previous = np.diff(motions.last_times[motion]).tolist(), None
+        for place, name in enumerate(names):
+            if name is not None:
+                durations[name].append(waits[place])
+                starts[name].append(motions.last_states[motion, place])
+                if previous is not None:
+                    follows[previous].add(name)
+            previous = name
     tried: set[Itinerary] = set()
 
     def guess(itinerary: Itinerary) -> Candidate | None:
-        turn = canonical(itinerary)
-        itinerary = itinerary[turn:] + itinerary[:turn]
+        itinerary = canonical_itinerary(itinerary)
         if itinerary in tried or not all(phase in durations for phase in itinerary):
             return None
         tried.add(itinerary)
         dwell = np.array([np.median(durations[phase]) for phase in itinerary])
         return Candidate(itinerary, dwell, np.mean(starts[itinerary[0]], axis=0), np.inf)
 
-    for table in kernels.module.ORBITS.values():
-        found = guess(tuple((configuration, name) for configuration, name, _ in table["phases"]))
-        if found is not None:
-            yield found
-    for count, itinerary in enumerate(_cycles(follows)):
-        if count == _MOST:
-            return
-        found = guess(itinerary)
-        if found is not None:
-            yield found
+    declared = (table["phases"] for table in point.kernels.module.ORBITS.values())
+    known = (tuple((configuration, name) for configuration, name, _ in each) for each in declared)
+    yield from filter(None, map(guess, chain(known, islice(_cycles(follows), _MOST))))
 
 
-def _seen(
-    motions: Trajectories,
-) -> tuple[
-    dict[tuple[str, str], set[tuple[str, str]]],
-    dict[tuple[str, str], list[float]],
-    dict[tuple[str, str], list[np.ndarray]],
-]:
-    """The successors of each phase, how long each lasted, and where it began."""
-    follows = defaultdict(set)
-    durations, starts = defaultdict(list), defaultdict(list)
-    for motion in range(len(motions.times)):
-        previous = None
-        configurations = motions.last_configurations[motion]
-        sets, times = motions.last_sets[motion], motions.last_times[motion]
-        for i in range(len(times) - 1):
-            name = None
-            if configurations[i] >= 0:
-                name = phase_name(motions.structure, int(configurations[i]), int(sets[i + 1]))
-            if name is not None:
-                durations[name].append(float(times[i + 1] - times[i]))
-                starts[name].append(motions.last_states[motion, i])
-                if previous is not None:
-                    follows[previous].add(name)
-            previous = name
-    return follows, durations, starts
-
-
-def _cycles(follows: dict[tuple[str, str], set[tuple[str, str]]]) -> Iterator[Itinerary]:
+def _cycles(follows: Mapping[Phase, set[Phase]]) -> Iterator[Itinerary]:
     """Cycles without a repeated phase, the shorter ones first."""
     for length in range(2, _LONGEST_CYCLE + 1):
         for first in sorted(follows):

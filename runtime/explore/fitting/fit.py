@@ -24,7 +24,7 @@ from nonsmooth.runtime.explore.fitting.measurements import (
     measured,
 )
 from nonsmooth.runtime.explore.fitting.minimise import FitProblem, Minimum, minimise
-from nonsmooth.runtime.explore.fitting.prediction import Prediction, times_of_events
+from nonsmooth.runtime.explore.fitting.prediction import points_under, times_of_events
 from nonsmooth.runtime.explore.fitting.statistics import (
     NearestGrazing,
     check_loss,
@@ -33,8 +33,7 @@ from nonsmooth.runtime.explore.fitting.statistics import (
     nearest_grazing,
     statistics,
 )
-from nonsmooth.runtime.explore.fitting.steady_responses import points_under
-from nonsmooth.runtime.explore.fitting.unknowns import Bounds, Unknowns, unknowns_of
+from nonsmooth.runtime.explore.fitting.unknowns import Bounds, unknowns_of
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of, known_system
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.saved_system import KeptSystemName
@@ -494,27 +493,22 @@ def _check_count(problem: FitProblem) -> None:
         )
 
 
-def _check_columns(problem: FitProblem, found: Minimum) -> None:
-    """Refuse an unknown on which no measurement depends."""
-    size = problem.unknowns.sizes(found.point)
-    moved = abs(found.residuals.jacobian[: problem.data] * size).max(axis=0)
-    for name, value, change in zip(problem.unknowns.names, found.point, moved, strict=True):
+def _fit(problem: FitProblem, found: Minimum, loss: str) -> Fit:
+    """The result of a fit, from a minimum."""
+    unknowns, point, residuals = problem.unknowns, found.point, found.residuals
+    names, sizes = unknowns.names, unknowns.sizes(point)
+    moved = abs(residuals.jacobian[: problem.data] * sizes).max(axis=0)
+    for name, value, change in zip(names, point, moved, strict=True):
         if change <= _NOTHING:
             raise InputError(
                 f"nothing that was measured depends on {name} (at {name} = {value:.6g}):"
                 " leave it out of what is free"
             )
-
-
-def _fit(problem: FitProblem, found: Minimum, loss: str) -> Fit:
-    """The result of a fit, from a minimum."""
-    _check_columns(problem, found)
-    unknowns, point, residuals = problem.unknowns, found.point, found.residuals
     width = unknowns.upper - unknowns.lower
     near = _AT_BOUND * np.where(np.isinf(width), np.maximum(abs(point), 1), width)
     held = (point - unknowns.lower <= near) | (unknowns.upper - point <= near)
     told = statistics(
-        unknowns.sizes(point),
+        sizes,
         residuals.values,
         residuals.jacobian,
         problem.data,
@@ -522,7 +516,6 @@ def _fit(problem: FitProblem, found: Minimum, loss: str) -> Fit:
         given=not found.noise,
         held=held,
     )
-    names = unknowns.names
     return Fit(
         system=problem.kernels.name,
         names=names,
@@ -558,16 +551,33 @@ def _fit(problem: FitProblem, found: Minimum, loss: str) -> Fit:
 def _experiment(
     problem: FitProblem, number: int, found: Minimum, covariance: np.ndarray
 ) -> FittedExperiment:
-    experiment, unknowns = problem.experiments[number], problem.unknowns
-    prediction = found.residuals.predictions[number]
-    condition = unknowns.condition(found.point, number)
+    experiment, prediction = problem.experiments[number], found.residuals.predictions[number]
+    setting = problem.unknowns.at(found.point, number)
+    columns = [*setting.columns.values()]
     series = tuple(
         FittedSeries(**{**vars(each), "sigma": problem.sigma(each, found.noise)}, fitted=values)
         for each, values in zip(experiment.series, prediction.values, strict=True)
     )
-    parameters = {name: as_value(value) for name, value in condition.parameters.items()}
+    parameters = {name: as_value(value) for name, value in setting.parameters.items()}
     if experiment.steady:
-        responses = _responses(unknowns, experiment, number, found, prediction, covariance)
+        responses = tuple(
+            FittedResponse(
+                parameters={name: as_value(value) for name, value in point.items()},
+                itinerary=each.orbit.itinerary,
+                dwell_times=each.orbit.dwell_times.astype(float),
+                start=each.orbit.states[0].astype(float),
+                stability=each.orbit.stability.verdict,
+                grazing=nearest_grazing(
+                    each.orbit.trajectory(),
+                    partial(attrgetter("along.moved"), each),
+                    columns,
+                    covariance,
+                ),
+            )
+            for point, each in zip(
+                points_under(experiment, setting), prediction.orbits, strict=True
+            )
+        )
         return FittedExperiment(
             name=experiment.name,
             parameters=parameters,
@@ -583,56 +593,26 @@ def _experiment(
             along=_along(experiment),
         )
     assert prediction.motion is not None
-    columns = unknowns.columns(number)
     # no farther than the record: what the motion does later concerns no datum
-    last = [float(values.max()) - condition.offset for values in prediction.values]
-    length = max([experiment.last - condition.offset, *last]) * (1 + _PAST)
-    motion = simulate_one(problem.kernels, condition.parameters, condition.start, until=length)
+    last = [float(values.max()) - setting.offset for values in prediction.values]
+    length = max([experiment.last - setting.offset, *last]) * (1 + _PAST)
+    motion = simulate_one(problem.kernels, setting.parameters, setting.start, until=length)
     return FittedExperiment(
         name=experiment.name,
         parameters=parameters,
         start=motion.states[0],
-        offset=condition.offset,
+        offset=setting.offset,
         until=motion.end,
         series=series,
         configurations=motion.configurations,
         boundaries=tuple("+".join(names) for names in motion.boundaries[1:]),
-        same_sequence=_same_sequence(experiment, prediction.motion, condition.offset),
+        same_sequence=_same_sequence(experiment, prediction.motion, setting.offset),
         grazing=nearest_grazing(
             motion,
-            lambda: motion.derivatives(columns).moved_phases(),
-            [*columns.values()],
+            lambda: motion.derivatives([*setting.columns]).moved_phases(),
+            columns,
             covariance,
         ),
-    )
-
-
-def _responses(
-    unknowns: Unknowns,
-    experiment: Measured,
-    number: int,
-    found: Minimum,
-    prediction: Prediction,
-    covariance: np.ndarray,
-) -> tuple[FittedResponse, ...]:
-    """The steady response of each row."""
-    columns = list(unknowns.columns(number).values())
-    points = points_under(experiment, unknowns, number, found.point)
-    return tuple(
-        FittedResponse(
-            parameters={name: as_value(value) for name, value in point.items()},
-            itinerary=each.orbit.itinerary,
-            dwell_times=each.orbit.dwell_times.astype(float),
-            start=each.orbit.states[0].astype(float),
-            stability=each.orbit.stability.verdict,
-            grazing=nearest_grazing(
-                each.orbit.trajectory(),
-                partial(attrgetter("along.moved"), each),
-                columns,
-                covariance,
-            ),
-        )
-        for point, each in zip(points, prediction.orbits, strict=True)
     )
 
 

@@ -206,8 +206,9 @@ def measured(
     deviations of columns without ``sigma_NAME``. Raises `InputError` with one line that names
     the experiment and the column.
     """
-    try:
-        table = read_table(experiment.data)
+    data = experiment.data
+    with naming(data if isinstance(data, str | os.PathLike) else name):
+        table = read_table(data)
         steady = {
             column: responses.get(column, column)
             for column in table
@@ -239,23 +240,16 @@ def measured(
         if not series:
             told = "responses" if steady else "outputs or of event times"
             raise InputError(f"nothing is measured: no column of {told} has a number")
-    except InputError as problem:
-        if isinstance(experiment.data, str) or hasattr(experiment.data, "__fspath__"):
-            told = str(experiment.data)
-            if str(problem).startswith(told):
-                raise
-            name = told
-        raise InputError(f"{name}: {problem}") from None
-    itinerary = experiment.itinerary
-    return Measured(
-        name=name,
-        parameters={**known, **experiment.parameters},
-        start=experiment.start,
-        offset=experiment.offset,
-        series=tuple(series),
-        points=points,
-        itinerary=None if itinerary is None else tuple((c, b) for c, b in itinerary),
-    )
+        itinerary = experiment.itinerary
+        return Measured(
+            name=name,
+            parameters={**known, **experiment.parameters},
+            start=experiment.start,
+            offset=experiment.offset,
+            series=tuple(series),
+            points=points,
+            itinerary=None if itinerary is None else tuple((c, b) for c, b in itinerary),
+        )
 
 
 def _motion(
@@ -388,8 +382,7 @@ def read_table(data: Any) -> Table:
     or a column is no row of real numbers, and `MissingExtra` for .nc and .zarr without xarray.
     """
     if isinstance(data, str | os.PathLike):
-        with naming(data) as path:
-            return _from_file(path)
+        return _from_file(Path(data))
     if isinstance(data, Mapping) and not hasattr(data, "data_vars"):
         return {str(name): _column(str(name), values) for name, values in data.items()}
     if hasattr(data, "data_vars"):

@@ -13,22 +13,24 @@ measured, others than those that were followed are looked for at the end, and th
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections import defaultdict
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted, NoConvergence, NonsmoothError
 from nonsmooth.runtime.explore.fitting.measurements import Measured, MeasuredSeries, usual_size
-from nonsmooth.runtime.explore.fitting.prediction import Prediction, predict
-from nonsmooth.runtime.explore.fitting.statistics import loss_of
-from nonsmooth.runtime.explore.fitting.steady_responses import (
+from nonsmooth.runtime.explore.fitting.prediction import (
     KnownResponses,
+    Prediction,
     look,
-    points_under,
+    predict,
     predict_steady,
 )
+from nonsmooth.runtime.explore.fitting.statistics import loss_of
 from nonsmooth.runtime.explore.fitting.unknowns import Unknowns
 from nonsmooth.runtime.model.kernels import SystemKernels
 
@@ -71,8 +73,8 @@ class FitProblem:
     kernels: SystemKernels
     experiments: tuple[Measured, ...]
     unknowns: Unknowns
-    # steady responses that are known so far, from which others are followed
-    responses: KnownResponses = field(default_factory=dict)
+    # steady responses of each experiment that are known so far, from which others are followed
+    responses: dict[int, KnownResponses] = field(default_factory=lambda: defaultdict(dict))
 
     @property
     def series(self) -> tuple[MeasuredSeries, ...]:
@@ -111,9 +113,7 @@ class FitProblem:
         """Search for steady responses other than the known ones; False if none are measured."""
         for number, each in enumerate(self.experiments):
             if each.steady:
-                points = points_under(each, self.unknowns, number, point)
-                by = list(self.unknowns.columns(number))
-                look(self.kernels, each, number, points, by, self.responses)
+                look(self.kernels, each, self.unknowns.at(point, number), self.responses[number])
         return any(each.steady for each in self.experiments)
 
     def predictions(self, point: np.ndarray) -> tuple[Prediction, ...]:
@@ -121,17 +121,22 @@ class FitProblem:
 
         Raises `NonsmoothError` if one of them does not exist.
         """
+        settings = [self.unknowns.at(point, number) for number in range(len(self.experiments))]
         return tuple(
-            predict_steady(self.kernels, experiment, self.unknowns, number, point, self.responses)
+            predict_steady(self.kernels, experiment, settings[number], self.responses[number])
             if experiment.steady
-            else predict(self.kernels, experiment, self.unknowns, number, point)
+            else predict(self.kernels, experiment, settings[number])
             for number, experiment in enumerate(self.experiments)
         )
 
-    def weighted(
-        self, point: np.ndarray, predictions: Sequence[Prediction], noise: Noise
-    ) -> Residuals:
-        """Residuals and Jacobian at a point (q,), from known predictions."""
+    def residuals(self, point: np.ndarray, noise: Noise) -> Residuals:
+        """Residuals and Jacobian at a point (q,); NaN without a motion or derivative."""
+        priors = self.unknowns.priors
+        try:
+            predictions = self.predictions(point)
+        except (NonsmoothError, ArithmeticError, np.linalg.LinAlgError):
+            count = self.data + len(priors)
+            return Residuals(np.full(count, np.nan), np.full((count, len(point)), np.nan), ())
         values, jacobians = [], []
         for experiment, found in zip(self.experiments, predictions, strict=True):
             for series, value, jacobian in zip(
@@ -140,18 +145,10 @@ class FitProblem:
                 sigma = self.sigma(series, noise)
                 values.append((value - series.values) / sigma)
                 jacobians.append(jacobian / sigma[:, None])
-        for place, mean, deviation in self.unknowns.priors:
+        for place, mean, deviation in priors:
             values.append(np.array([(point[place] - mean) / deviation]))
             jacobians.append(np.eye(1, len(point), place) / deviation)
-        return Residuals(np.concatenate(values), np.concatenate(jacobians), tuple(predictions))
-
-    def residuals(self, point: np.ndarray, noise: Noise) -> Residuals:
-        """Residuals and Jacobian at a point (q,); NaN without a motion or derivative."""
-        try:
-            return self.weighted(point, self.predictions(point), noise)
-        except (NonsmoothError, ArithmeticError, np.linalg.LinAlgError):
-            count = self.data + len(self.unknowns.priors)
-            return Residuals(np.full(count, np.nan), np.full((count, len(point)), np.nan), ())
+        return Residuals(np.concatenate(values), np.concatenate(jacobians), predictions)
 
 
 @dataclass(frozen=True, eq=False)
@@ -252,22 +249,15 @@ def _search(
 ) -> Any:
     from scipy.optimize import least_squares
 
-    known: dict[bytes, Residuals] = {}
-
-    def at(x: np.ndarray) -> Residuals:
-        key = x.tobytes()
-        if key not in known:
-            found = problem.residuals(x, noise)
-            for old in [*known][:-_KEPT]:
-                del known[old]
-            known[key] = found
-        return known[key]
+    @lru_cache(maxsize=_KEPT)
+    def at(x: bytes) -> Residuals:
+        return problem.residuals(np.frombuffer(x), noise)
 
     unknowns = problem.unknowns
     return least_squares(
-        lambda x: at(x).values,
+        lambda x: at(x.tobytes()).values,
         point,
-        jac=lambda x: at(x).jacobian,
+        jac=lambda x: at(x.tobytes()).jacobian,
         bounds=(unknowns.lower, unknowns.upper),
         method="trf",
         x_scale="jac",

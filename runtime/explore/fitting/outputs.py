@@ -97,7 +97,7 @@ def output_of(text: str, structure: Structure) -> Output:
 
     plain = _DERIVED.sub(named, text)
     places = [f"{_PLACEHOLDER}{place}" for place in range(len(terms))]
-    return Output(_affine_row(plain, [*structure.states, *places], told=text), tuple(terms))
+    return Output(_affine_row(plain, [*structure.states, *places], text), tuple(terms))
 
 
 def _named(name: str, known: Sequence[str]) -> str:
@@ -109,7 +109,7 @@ def _named(name: str, known: Sequence[str]) -> str:
     return found[0] if len(found) == 1 and name else ""
 
 
-def _affine_row(text: str, names: Sequence[str], told: str | None = None) -> np.ndarray:
+def _affine_row(text: str, names: Sequence[str], told: str) -> np.ndarray:
     """Coefficients of an affine function of N named variables, then its constant, (N + 1,).
 
     Texts are such as ``x1 - x2`` or ``9.81*v1 + 1/2``; messages call the text `told`. Refused
@@ -117,10 +117,10 @@ def _affine_row(text: str, names: Sequence[str], told: str | None = None) -> np.
 
     Examples
     --------
-    >>> _affine_row("2*(x1 - x2) + 0.5", ["x1", "x2"]).tolist()
+    >>> _affine_row("2*(x1 - x2) + 0.5", ["x1", "x2"], "gap").tolist()
     [2.0, -2.0, 0.5]
     """
-    size, told = len(names), text if told is None else told
+    size = len(names)
     function = Function(
         takes=(" ".join(names),),
         inputs=((size,),),

@@ -36,36 +36,19 @@ _LEVEL = 0.95
 _KEPT = 50  # approaches whose derivatives are asked for
 
 
-def _linear(z: np.ndarray) -> np.ndarray:
-    return np.array([z, np.ones_like(z), np.zeros_like(z)])
-
-
-def _soft_l1(z: np.ndarray) -> np.ndarray:
-    root = np.sqrt(1 + z)
-    return np.array([2 * (root - 1), 1 / root, -0.5 / root**3])
-
-
 def _huber(z: np.ndarray) -> np.ndarray:
     far = np.maximum(z, 1.0)
-    inside, root = z <= 1, np.sqrt(far)
-    return np.array(
-        [
-            np.where(inside, z, 2 * root - 1),
-            np.where(inside, 1.0, 1 / root),
-            np.where(inside, 0.0, -0.5 / far**1.5),
-        ]
-    )
-
-
-def _cauchy(z: np.ndarray) -> np.ndarray:
-    return np.array([np.log1p(z), 1 / (1 + z), -1 / (1 + z) ** 2])
+    outside = np.array([2 * np.sqrt(far) - 1, far**-0.5, -0.5 * far**-1.5])
+    return np.where(z <= 1, LOSSES["linear"](z), outside)
 
 
 LOSSES: Mapping[str, Loss] = {
-    "linear": _linear,
-    "soft_l1": _soft_l1,
+    "linear": lambda z: np.array([z, np.ones_like(z), np.zeros_like(z)]),
+    "soft_l1": lambda z: np.array(
+        [2 * (np.sqrt(1 + z) - 1), (1 + z) ** -0.5, -0.5 * (1 + z) ** -1.5]
+    ),
     "huber": _huber,
-    "cauchy": _cauchy,
+    "cauchy": lambda z: np.array([np.log1p(z), 1 / (1 + z), -1 / (1 + z) ** 2]),
 }
 
 
@@ -83,7 +66,7 @@ def loss_of(name: str, count: int) -> Loss:
     own = LOSSES[name]
 
     def loss(z: np.ndarray) -> np.ndarray:
-        return np.concatenate([own(z[:count]), _linear(z[count:])], axis=1)
+        return np.concatenate([own(z[:count]), LOSSES["linear"](z[count:])], axis=1)
 
     return loss
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -37,23 +37,16 @@ class FreeNumber:
         """The name without its experiment, under which bounds and priors are given."""
         return self.name.partition("@")[0]
 
-    def concerns(self, experiment: int) -> bool:
-        """Whether an experiment depends on it."""
-        return self.experiment in (None, experiment)
 
+class Setting(NamedTuple):
+    """What one experiment takes from the unknowns at one point of them."""
 
-@dataclass(frozen=True)
-class MotionSettings:
-    """Parameters, start and clock of one experiment at one point of the unknowns."""
-
-    parameters: dict[str, object]
-    start: dict[str, object]
+    point: np.ndarray  # (q,), the unknowns
+    parameters: dict[str, Any]
+    start: dict[str, Any]
     offset: float
-
-    def by_kind(self) -> dict[str, dict[str, Any]]:
-        """Copies of the numbers by the kind of a free number, then by its target."""
-        own = {OFFSET: self.offset}
-        return {"parameter": {**self.parameters}, "start": {**self.start}, "offset": own}
+    columns: dict[str, int]  # its free parameters and starts, with their places among the unknowns
+    clock: int | None  # place of its offset, None where that is fixed
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,27 +59,13 @@ class Unknowns:
     upper: np.ndarray  # (q,)
     # number of an unknown, its mean and its standard deviation
     priors: tuple[tuple[int, float, float], ...]
-    fixed: tuple[MotionSettings, ...]  # of each experiment, without what is fitted
+    # of each experiment what is not fitted: numbers by the kind of a free number, then by target
+    fixed: tuple[Mapping[str, Mapping[str, Any]], ...]
 
     @property
     def names(self) -> tuple[str, ...]:
         """Names of the unknowns."""
         return tuple(entry.name for entry in self.entries)
-
-    def columns(self, experiment: int) -> dict[str, int]:
-        """Free parameters and starts of an experiment, with their places among the unknowns."""
-        return {
-            entry.base: column
-            for column, entry in enumerate(self.entries)
-            if entry.concerns(experiment) and entry.kind != "offset"
-        }
-
-    def clock(self, experiment: int) -> int | None:
-        """Place of an experiment's offset among the unknowns; None where it is fixed."""
-        for column, entry in enumerate(self.entries):
-            if entry.concerns(experiment) and entry.kind == "offset":
-                return column
-        return None
 
     def sizes(self, point: np.ndarray) -> np.ndarray:
         """A large change (q,) of each unknown at a point (q,): its own size, or that of its guess.
@@ -96,13 +75,21 @@ class Unknowns:
         usual = np.where(self.guess != 0, abs(self.guess), 1.0)
         return np.where(abs(point) > _VANISHING * usual, abs(point), usual)
 
-    def condition(self, point: np.ndarray, experiment: int) -> MotionSettings:
-        """Parameters, start and clock of an experiment at a point (q,) of the unknowns."""
-        known = self.fixed[experiment].by_kind()
-        for entry, value in zip(self.entries, point.tolist(), strict=True):
-            if entry.concerns(experiment):
-                known[entry.kind][entry.target] = value
-        return MotionSettings(known["parameter"], known["start"], known["offset"][OFFSET])
+    def at(self, point: np.ndarray, experiment: int) -> Setting:
+        """What an experiment, by its number from 0, takes from a point (q,) of the unknowns."""
+        known = {kind: dict(numbers) for kind, numbers in self.fixed[experiment].items()}
+        columns: dict[str, int] = {}
+        clock = None
+        for place, (entry, value) in enumerate(zip(self.entries, point.tolist(), strict=True)):
+            if entry.experiment not in (None, experiment):
+                continue
+            known[entry.kind][entry.target] = value
+            if entry.kind == "offset":
+                clock = place
+            else:
+                columns[entry.base] = place
+        offset = known["offset"][OFFSET]
+        return Setting(point, known["parameter"], known["start"], offset, columns, clock)
 
 
 def unknowns_of(
@@ -172,22 +159,24 @@ def unknowns_of(
             if name not in tables:
                 raise unknown_name("parameter", name, tables)
         begin = each.start if each.start is not None else start
-        fixed.append(
-            MotionSettings(
-                {name: as_value(own[name]) for name in tables if name in own},
-                dict(begin),
-                float(as_value(each.offset if each.offset is not None else offset)),
-            )
-        )
+        clock = each.offset if each.offset is not None else offset
+        numbers = {name: as_value(own[name]) for name in tables if name in own}
+        own_offset = {OFFSET: float(as_value(clock))}
+        fixed.append({"parameter": numbers, "start": begin, "offset": own_offset})
     ends = [_bounds(entry, bounds, tables, experiments) for entry in entries]
+    known = {
+        name: (float(as_value(mean)), float(as_value(deviation)))
+        for name, (mean, deviation) in priors.items()
+    }
+    for name, (_, deviation) in known.items():
+        if not deviation > 0:
+            raise InputError(f"the prior of {name} has no positive standard deviation")
     beliefs = tuple(
-        (place, *_prior(entry.base, priors[entry.base]))
-        for place, entry in enumerate(entries)
-        if entry.base in priors
+        (place, *known[entry.base]) for place, entry in enumerate(entries) if entry.base in known
     )
     guesses = [
-        _guess(entry, fixed, *ends[place], {p: m for p, m, _ in beliefs}.get(place))
-        for place, entry in enumerate(entries)
+        _guess(entry, fixed, *sides, known.get(entry.base, (None,))[0])
+        for entry, sides in zip(entries, ends, strict=True)
     ]
     lower, upper = (np.array(side, dtype=float) for side in zip(*ends, strict=True))
     return Unknowns(tuple(entries), np.array(guesses), lower, upper, beliefs, tuple(fixed))
@@ -224,22 +213,15 @@ def _end(given: object, infinite: float) -> float:
     return float(as_value(given))
 
 
-def _prior(name: str, given: tuple[object, object]) -> tuple[float, float]:
-    mean, deviation = float(as_value(given[0])), float(as_value(given[1]))
-    if not deviation > 0:
-        raise InputError(f"the prior of {name} has no positive standard deviation")
-    return mean, deviation
-
-
 def _guess(
     entry: FreeNumber,
-    fixed: Sequence[MotionSettings],
+    fixed: Sequence[Mapping[str, Mapping[str, Any]]],
     lower: float,
     upper: float,
     mean: float | None,
 ) -> float:
     """Start of the search for a free number: given value, prior, or middle of the bounds."""
-    given = fixed[entry.experiment or 0].by_kind()[entry.kind].get(entry.target, mean)
+    given = fixed[entry.experiment or 0][entry.kind].get(entry.target, mean)
     if given is not None:
         value = float(as_value(given))
         if entry.kind == "offset":

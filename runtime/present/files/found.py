@@ -17,7 +17,7 @@ from nonsmooth.runtime.core.result_files import FileFormat, naming
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.explore.finding.find import Found, FoundEquilibrium, FoundOrbit
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
-from nonsmooth.runtime.explore.finding.steady import Equilibrium, equilibria, same_state
+from nonsmooth.runtime.explore.finding.solved import Equilibrium, equilibria, same_state
 from nonsmooth.runtime.model.kernels import SystemKernels, known_system
 from nonsmooth.runtime.model.parameters import system_parameters
 from nonsmooth.runtime.model.piecewise import piecewise

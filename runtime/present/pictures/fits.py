@@ -9,7 +9,7 @@ import numpy as np
 
 from nonsmooth.runtime.explore.fitting.fit import Fit, FittedSeries
 from nonsmooth.runtime.explore.fitting.outputs import output_of
-from nonsmooth.runtime.explore.fitting.steady_responses import response_curves
+from nonsmooth.runtime.explore.fitting.prediction import response_curves
 from nonsmooth.runtime.model.kernels import known_system
 from nonsmooth.runtime.model.naming import shown_name, units_of
 from nonsmooth.runtime.present.pictures.drawing import (

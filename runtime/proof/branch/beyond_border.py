@@ -26,10 +26,8 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.event import Event
-from nonsmooth.runtime.explore.continuation.next_orbits import (
-    canonical_itinerary,
-    orbits_beside,
-)
+from nonsmooth.runtime.explore.continuation.next_orbits import orbits_beside
+from nonsmooth.runtime.explore.finding.solved import canonical_itinerary
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, region_of
 from nonsmooth.runtime.proof.branch.certified_branch import BranchTile, OrbitBeyond
