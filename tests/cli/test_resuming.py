@@ -1,7 +1,5 @@
 """`COMMAND --resume FILE`: the file holds the question, and the answer is that of the whole."""
 
-from __future__ import annotations
-
 import json
 import shlex
 import shutil

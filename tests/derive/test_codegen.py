@@ -8,7 +8,6 @@ import subprocess
 import sys
 from fractions import Fraction
 from importlib import import_module
-from typing import Any
 
 import flint
 import numpy as np
@@ -68,7 +67,7 @@ def test_tables_are_read_as_they_were_told():
     system = oscillator(
         "told", ["x"], [[1]], [[stiffness.symbol]], parameters=[stiffness], description=words
     )
-    text, found = emit_library(system, [], "tests")["told.py"], dict[str, Any]()
+    text, found = emit_library(system, [], "tests")["told.py"], {}
     exec(text, found)
     table = found["SYSTEM"]
     assert table["parameters"][0]["description"] == table["description"] == words

@@ -1,7 +1,5 @@
 """Flows: matrix exponentials in three arithmetics, with eigenvalues of every kind."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
@@ -40,7 +38,7 @@ class Case:
     """A system, whose first configuration is looked at, and the numbers of its parameters."""
 
     system: System
-    values: tuple[Fraction, ...] = ()
+    values: tuple = ()
 
 
 def moving(dynamics, states, *parameters):

@@ -4,7 +4,6 @@ import ctypes
 import pickle
 from itertools import permutations
 from random import Random
-from typing import Any
 
 import numpy as np
 import pytest
@@ -129,7 +128,7 @@ def test_kernels_are_right_whatever_the_user_calls_things(names, tmp_path):
     system = equations.itinerary.system
     for name, text in emit_library(system, [equations.itinerary], "tests").items():
         (tmp_path / name).write_text(text, encoding="utf-8")
-    library, python = library_of(tmp_path / "ball.c", include=tmp_path), dict[str, Any]()
+    library, python = library_of(tmp_path / "ball.c", include=tmp_path), {}
     exec((tmp_path / "ball.py").read_text(encoding="utf-8"), python)
     random = Random("".join(names))
     for kernel in kernels:

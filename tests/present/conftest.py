@@ -1,13 +1,10 @@
 """The reproduced paper, made once for all tests that look at it."""
 
-from __future__ import annotations
-
 import io
 import json
 import os
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -24,9 +21,9 @@ class Paper:
     """What is written of the paper, with proofs."""
 
     folder: Path
-    figures: dict[str, Any]  # by their stems
-    again: dict[str, bytes]  # files of the pictures that are not empty, made a second time
-    steps: tuple[str, ...]
+    figures: dict  # by their stems
+    again: dict  # files of the pictures that are not empty, made a second time
+    steps: tuple
 
     @property
     def results(self):

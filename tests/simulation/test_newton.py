@@ -1,9 +1,6 @@
 """Motions of all elements, alone and beside others, obey Newton's law and the laws of contact."""
 
-from __future__ import annotations
-
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
@@ -126,7 +123,6 @@ def test_motions_obey_newtons_law_and_the_laws_of_contact(name):
 @pytest.mark.parametrize(("name", "data"), [("dry-friction", STICKING), *SYSTEMS.items()])
 def test_built_in_systems_obey_the_laws_of_their_elements(name, data, backend):
     p = {key: float(sp.sympify(value)) for key, value in data.items()}
-    elements: list[Any]
     if name == "dry-friction":
         mass, chi = np.diag([1, 1 / p["eta"]]), p["chi"]
         stiffness = [[1, -chi], [-chi, chi]]

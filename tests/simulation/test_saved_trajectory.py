@@ -7,10 +7,8 @@ import json
 import os
 import re
 import zipfile
-from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
@@ -21,8 +19,6 @@ from nonsmooth.runtime.present.files import motions as saved_trajectory
 from tests.present.test_saved import refusal
 from tests.two_masses import CHAIN, RUBBING
 from tests.unpacking import unpacked_pieces
-
-Change = Callable[[dict[str, Any], dict[str, np.ndarray]], None]
 
 FRICTION = RUBBING | {"chi": "2/5", "V": 0.6773, "ur2": "sqrt(2)"}
 STOP = CHAIN | {"r": "0.5"}
