@@ -10,7 +10,7 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.runtime.core.result_files import checksum_of
-from tests.cli.test_cli import PROGRAM, run
+from tests.cli.test_cli import PROGRAM, refused, run
 from tests.places import CHECKOUT
 from tests.user_systems import KICKED, declare
 
@@ -20,17 +20,6 @@ BRANCH = f"continue {ORBIT} V=0.99:1.01"
 _SECRETIVE = "class M(type):\n    @property\n    def __name__(self): raise SystemExit\n"
 _SYSTEM = "from nonsmooth.derive import System\n"
 _LEAVING = "class S(System):\n    def __getattribute__(self, name): raise SystemExit(0)\n"
-
-
-def refused(*arguments, code=2):
-    """The one line on stderr."""
-    ended = run(*arguments)
-    (line,) = ended.err.splitlines()
-    assert ended.code == code, line
-    assert line.startswith("nonsmooth: ")
-    assert len(line) < 1500
-    assert not ended.out
-    return line
 
 
 class Silent(Exception):

@@ -28,8 +28,7 @@ class Paper:
     @property
     def results(self):
         """Numbers, as they are in the file."""
-        found = json.loads(self.read("results.json"))
-        return found
+        return json.loads(self.read("results.json"))
 
     def read(self, name):
         """The text of a file."""

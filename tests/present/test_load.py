@@ -9,10 +9,10 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth import InputError
-from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.present.files.loading import file_schemas
 from tests.cli.test_cli import run
 from tests.core.test_result_files import KINDS, TWO_MASSES, file_of
+from tests.present.test_saved import refusal, sealed
 
 TYPES = {
     "nonsmooth orbit": "Orbit",
@@ -147,10 +147,7 @@ def test_a_design_is_solved_where_it_ends(folder):
 def test_what_is_no_result_is_refused_in_one_line(content, message, tmp_path):
     path = tmp_path / "some.json"
     path.write_text(content, encoding="latin-1")
-    with pytest.raises(InputError, match=re.escape(f"{path}: ")) as refused:
-        ns.load(path)
-    assert message in str(refused.value)
-    assert "\n" not in str(refused.value)
+    assert message in refusal(path)
     code, error = told(f"plot {path} --out {tmp_path / 'a.png'}")
     assert (code, error.count("\n")) == (2, 1)
     assert message in error
@@ -183,7 +180,4 @@ def test_a_file_of_one_kind_is_not_read_as_another(kind, folder, tmp_path):
     path = tmp_path / "forged.json"
     for other in KINDS:
         if other != kind:
-            forged = {**content, "format": other}
-            path.write_text(json.dumps({**forged, "sha256": checksum_of(forged)}))
-            with pytest.raises(InputError, match=re.escape(f"{path}: ")):
-                ns.load(path)
+            refusal(sealed(path, {**content, "format": other}))
