@@ -243,9 +243,9 @@ def test_the_force_of_a_stop_without_a_damper_vanishes_as_the_gap_opens(damping)
 
 def test_domains_are_inferred():
     load, drag = sp.Symbol("load", real=True), sp.Symbol("drag", nonnegative=True)
-    system = oscillator(
-        "domains", ["x"], [[m1]], [[k1]], [[drag]], [load],
-        elements=[RigidStop("x", 1, r)], parameters=[Parameter("k1", "stiffness", upper=2)],
+    system = one_mass(
+        "domains", RigidStop("x", 1, r), mass=m1, stiffness=k1, damping=drag, load=[load],
+        parameters=[Parameter("k1", "stiffness", upper=2)],
     )  # fmt: skip
     assert system.description == "oscillator with 1 coordinate"
     domains = {p.name: (p.lower, p.upper, p.closed, p.upper_closed) for p in system.parameters}
