@@ -291,11 +291,15 @@ def test_a_guess_may_name_some_unknowns():
 
 def test_report_of_verify():
     out = answered("verify", ORBIT)
-    assert f"-{told('verify', ORBIT)['margin']}" in out.split()
+    found = told("verify", ORBIT)
+    numbers = (found["trace"], f"-{found['margin']}", found["period"], *found["unknowns"].values())
+    for number in numbers:
+        assert number in out.split()
     assert "conditionally stable (|trace| < 1)" in out
     assert "0 exactly: the Poincare map has rank one" in out
     assert "us2 > 0.7228" in out
     assert out.index("Trace criterion") < out.index("Orbit")
+    assert max(map(len, out.splitlines())) <= 80
 
 
 def test_both_arithmetics_are_compared():

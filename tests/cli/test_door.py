@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.runtime.core.result_files import checksum_of
 from tests.cli.test_cli import PROGRAM, refused, run
 from tests.places import CHECKOUT
+from tests.present.test_saved import sealed
 from tests.user_systems import KICKED, declare
 
 ORBIT = "dry-friction/global-stick"
@@ -142,9 +142,7 @@ def test_branches_that_were_forged_are_refused(tmp_path, monkeypatch):
         ("stability", ["fine"] * len(whole["stability"])),
         ("start", 99),
     ):
-        content = {**whole, name: entry}
-        content["sha256"] = checksum_of(content)
-        Path("forged.json").write_text(json.dumps(content))
+        sealed(Path("forged.json"), {**whole, name: entry})
         for command in ("plot forged.json", f"{BRANCH} --resume forged.json --points 3"):
             assert "forged.json: " in refused(*command.split())
 

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.runtime.core.result_files import checksum_of
 from tests.cli.test_cli import refused, run, told
 from tests.places import GALLERY
+from tests.present.test_saved import sealed
 
 DATA = {"d": "1/2", "r": "0.8", "w": "1.5"}
 
@@ -79,8 +79,7 @@ def test_the_listing_of_a_file_tells_why_an_orbit_is_none():
     wanted = told("list", "found.json")["systems"]
     content = json.loads(Path("found.json").read_text())
     content["orbits"][0]["dwell_times"][0] = "1e-16"
-    content["sha256"] = checksum_of(content)
-    Path("bad.json").write_text(json.dumps(content))
+    sealed(Path("bad.json"), content)
     (system,) = told("list", "bad.json")["systems"]
     bad, *others = system.pop("orbits")
     assert (bad["name"], set(bad)) == (str(Path("bad.json").resolve()) + ":1", {"name", "refused"})
