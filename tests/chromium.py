@@ -14,7 +14,6 @@ from pathlib import Path
 from select import select
 from tempfile import TemporaryDirectory
 from threading import Thread
-from typing import Any
 
 import pytest
 
@@ -135,11 +134,11 @@ class Window:
         self._commands, self._answers = commands, answers
         self._said = b""
         self._count = 0
-        self._session: str | None = None
-        self._events: list[dict[str, Any]] = []
+        self._session = None
+        self._events = []
         target = self.ask("Target.createTarget", url="about:blank")["targetId"]
         attached = self.ask("Target.attachToTarget", targetId=target, flatten=True)
-        self._session: str | None = attached["sessionId"]
+        self._session = attached["sessionId"]
         for domain in ("Page", "Runtime", "Log", "Network"):
             self.ask(f"{domain}.enable")
 

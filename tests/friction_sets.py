@@ -12,10 +12,10 @@ from nonsmooth.runtime.core.float_sets import ManySets
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.proof.exact_tables import exact_system
 from nonsmooth.runtime.proof.sets.sections import listed_declaration, transition_section
+from tests.two_masses import STICKING
 
 # with the paper's orbit, which has a phase in which both masses stick
-DATA = {"chi": "0.5", "eta": "1", "V": "1", "us1": "1", "us2": "1", "ur1": "4.0195",
-        "ur2": "1.4831"}  # fmt: skip
+DATA = {name: str(value) for name, value in STICKING.items()}
 SECTION = StatedSection("slip-stick", source="stick-stick", boundary="first-breaks-forward")
 
 

@@ -4,7 +4,6 @@ import math
 import random
 import re
 from functools import cache
-from typing import Any
 
 import numpy as np
 import sympy as sp
@@ -18,7 +17,6 @@ from tests.formulas.responses import response_functions
 from tests.formulas.values import Reading, name_of
 from tests.shared import shared_value
 
-Numbers = dict[sp.Basic, Any]
 ORBITS = [f"{name}/{orbit.name}" for name in SYSTEMS for orbit in declaration(name).orbits]
 
 

@@ -4,11 +4,9 @@ import fcntl
 import os
 import pickle
 from pathlib import Path
-from typing import TypeVar
 from urllib.parse import quote
 
 FOLDER = "NONSMOOTH_SHARED_BY_TESTS"  # set by conftest.py, for all processes of a run
-Value = TypeVar("Value")
 
 
 def shared_file(name, make):

@@ -5,7 +5,7 @@ import zlib
 
 def unpacked_pieces(monkeypatch):
     """The sizes of what is unpacked from here on, piece by piece."""
-    begin, sizes = zlib.decompressobj, list[int]()
+    begin, sizes = zlib.decompressobj, []
 
     class Counted:
         """What stands for an object that unpacks."""

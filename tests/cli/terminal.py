@@ -1,10 +1,7 @@
 """Commands on a terminal, in this process: progress is shown, and questions are asked."""
 
-from __future__ import annotations
-
 import io
 import sys
-from collections.abc import Callable
 from typing import NamedTuple
 
 import pytest
@@ -26,7 +23,7 @@ def all_commands():
 class Terminal(io.StringIO):
     """A stream of a terminal, on which something may happen when it is read or written."""
 
-    happens: Callable[[], object] | None = None
+    happens = None
 
     def isatty(self):
         """Whether this is a terminal."""

@@ -5,7 +5,7 @@ import json
 import pytest
 
 import nonsmooth as ns
-from tests.cli.test_cli import run
+from tests.cli.test_cli import answered, refused, run, told
 from tests.user_systems import declare
 
 pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
@@ -18,15 +18,14 @@ def certify(*arguments):
 
 
 def test_people_see_claims_reasons_and_margins():
-    code, out, _ = certify("dry-friction/symmetric")
-    assert code == 0
+    out = answered("certify", "dry-friction/symmetric")
     assert "stability refuted: a multiplier lies outside the unit circle" in out
     assert "left open: chosen for this proof" in out
     assert "first-reaches-belt" in out
 
 
 @pytest.mark.parametrize(
-    ("arguments", "code", "told"),
+    ("arguments", "code", "said"),
     [
         ([SYMMETRIC, "--require", "proved"], 3, "stability refuted"),
         (["dry-friction/solution-ii"], 1, ""),
@@ -42,11 +41,11 @@ def test_people_see_claims_reasons_and_margins():
         (["branch", SYMMETRIC, "V=0.9:1.2", "--tiles", "1", "--require", "proved"], 3, "undecided"),
     ],
 )
-def test_exit_codes(arguments, code, told):
+def test_exit_codes(arguments, code, said):
     found, _, err = certify(*arguments)
     assert found == code
-    assert told in err
-    assert len(err.splitlines()) == bool(told)
+    assert said in err
+    assert len(err.splitlines()) == bool(said)
 
 
 def test_an_orbit_is_certified_with_and_without_the_subcommand():
@@ -64,21 +63,17 @@ def test_without_an_orbit_the_help_is_shown():
 def test_derivatives_are_told_saved_and_proved_again(tmp_path):
     path = tmp_path / "proof.json"
     by = ("--derivatives", "eta,e1")
-    code, out, err = certify(STICK, *by, "--json", "--save", str(path))
-    assert (code, err) == (0, "")
-    told = json.loads(out)
-    assert told["directions"] == {"eta": {"eta": "1"}, "e1": {"ur1": "1"}}
+    proved = json.loads(answered("certify", STICK, *by, "--json", "--save", str(path)))
+    assert proved["directions"] == {"eta": {"eta": "1"}, "e1": {"ur1": "1"}}
     sharp = ns.refine(ns.solve(STICK), 60).derivatives(["eta", "e1"])
     for quantity in ("tau", "trace", "period"):
         for name, rate in zip(sharp.by, sharp.quantity(quantity)[1], strict=True):
-            found = told["derivatives"][quantity][name]
+            found = proved["derivatives"][quantity][name]
             assert abs(rate - type(rate)(found["mid"])) < float(found["rad"]) < 1e-36
-    code, shown, _ = certify(STICK, *by)
-    assert code == 0
+    shown = answered("certify", STICK, *by)
     assert "derivative" in shown
     assert "with e1 by 1 moves: ur1 by 1" in shown
-    code, again, _ = certify("check", str(path))
-    assert code == 0
+    again = answered("certify", "check", str(path))
     rows = [line.split() for line in shown.splitlines() if line.strip().startswith("tau1 ")]
     assert rows
     for row in rows:
@@ -95,27 +90,18 @@ def test_people_see_why_there_is_no_derivative():
 def test_a_users_orbit_is_certified_saved_and_checked(tmp_path):
     declare(tmp_path)
     path = tmp_path / "certificate.json"
-    code, out, _ = certify(f"{tmp_path}/mine.py:loop", "k=9/4", "--save", str(path))
-    assert code == 0
+    out = answered("certify", f"{tmp_path}/mine.py:loop", "k=9/4", "--save", str(path))
     assert f"{path} written" in out
-    code, out, err = certify("check", str(path))
-    assert (code, err) == (0, "")
-    assert "every claim holds" in out
-    code, out, _ = certify("check", str(path), "--json", "--require", "proved")
-    assert code == 0
-    assert json.loads(out)["same"] is True
+    assert "every claim holds" in answered("certify", "check", str(path))
+    assert told("certify", "check", str(path), "--require", "proved")["same"] is True
 
 
 def test_a_check_that_differs_is_told(tmp_path):
     path = tmp_path / "certificate.json"
     ns.certify(ns.solve(STICK)).save(path)
     path.write_text(path.read_text().replace('"bits": 128', '"bits": 129', 1))
-    code, out, err = certify("check", str(path))
-    assert (code, out) == (1, "")
-    assert "the checksum differs" in err
-    code, out, _ = certify("check", str(path), "--json")
-    assert code == 1
-    assert json.loads(out)["same"] is False
+    assert "the checksum differs" in refused("certify", "check", str(path), code=1)
+    assert told("certify", "check", str(path), code=1)["same"] is False
 
 
 FLIP = "certify doubling dry-friction/symmetric V=1.07:1.09 --tiles 1"

@@ -67,8 +67,32 @@ def told(*arguments, code=0):
     """Give the one JSON document on stdout; nothing else may be there."""
     found, out, err = run(*arguments, "--json")
     assert found == code, err
-    document = json.loads(out)
-    return document
+    return json.loads(out)
+
+
+def answered(*arguments):
+    """Give what a command prints that ends well, with nothing on stderr."""
+    code, out, err = run(*arguments)
+    assert (code, err) == (0, "")
+    return out
+
+
+def refused(*arguments, code=2):
+    """Give the one line on stderr; nothing is answered."""
+    ended = run(*arguments)
+    (line,) = ended.err.splitlines()
+    assert ended == (code, "", f"{line}\n")
+    assert line.startswith("nonsmooth: " + "error: " * (code == 2))
+    assert len(line) < 1500
+    return line
+
+
+def refused_alike(*arguments, code=2):
+    """Give that line, which is the same in JSON."""
+    line = refused(*arguments, code=code)
+    error = told(*arguments, code=code)["error"]
+    assert line.removeprefix("nonsmooth: ").removeprefix("error: ") == error
+    return line
 
 
 # --- help
@@ -89,8 +113,7 @@ def test_help_lists_each_command_once_below_what_it_is_for():
 
 @pytest.mark.parametrize("name", COMMANDS)
 def test_every_command_has_help_with_examples_and_json(name):
-    code, out, err = run(*name.split(), "--help")
-    assert (code, err) == (0, "")
+    out = answered(*name.split(), "--help")
     assert "--json" in out
     shown = [line for line in COMMANDS[name].epilog.splitlines() if line.startswith("nonsmooth ")]
     assert shown
@@ -196,9 +219,7 @@ def test_examples_work(
         for file, text in committed_derivation.items():
             (tmp_path / file).write_text(text, encoding="utf-8")
         monkeypatch.setattr(generation, "find_generated", lambda writing=True: tmp_path)
-    code, out, err = run(*shlex.split(example)[1:])
-    assert (code, err) == (0, "")
-    assert out
+    assert answered(*shlex.split(example)[1:])
 
 
 # --- list, solve, verify
@@ -209,8 +230,7 @@ def test_list():
     assert list(systems) == ["rigid-stop", "elastic-stop", "dry-friction"]
     orbits = {orbit["name"]: orbit for s in systems.values() for orbit in s["orbits"]}
     assert tuple(orbits) == orbit_names()
-    code, out, _ = run("list")
-    assert code == 0
+    out = answered("list")
     for word in (*orbits, "0 < chi < 1", "0 <= e1", "3.0195", "stick-stick", "0 <= r <= 1", "k3"):
         assert word in out
 
@@ -234,8 +254,7 @@ def test_every_orbit_is_solved_verified_and_shown(name):
     assert len(found["multipliers"]) == len(load_orbit(name).table["section"])
     assert found["stability"] in ("stable", "neutral", "unstable")
     for command in ("solve", "verify"):
-        code, out, err = run(command, name, "--digits", "15")
-        assert (code, err) == (0, "")
+        out = answered(command, name, "--digits", "15")
         assert max(map(len, out.splitlines())) <= 80
         for number in (found["trace"], found["period"], *found["unknowns"].values()):
             assert number in out.split()
@@ -250,9 +269,7 @@ def test_json_of_a_border_collision():
     assert float(coincidence["time"]) == pytest.approx(float(found["period"]))
     assert "one_sided" not in told("solve", ORBIT)
     assert "coincidences" not in told("solve", ORBIT)
-    code, out, _ = run("solve", "dry-friction/solution-ii")
-    assert code == 0
-    assert "ta > 0" in out
+    assert "ta > 0" in answered("solve", "dry-friction/solution-ii")
 
 
 def test_parameters_are_exact():
@@ -275,8 +292,7 @@ def test_a_guess_may_name_some_unknowns():
 
 
 def test_report_of_verify():
-    code, out, err = run("verify", ORBIT)
-    assert (code, err) == (0, "")
+    out = answered("verify", ORBIT)
     found = told("verify", ORBIT)
     numbers = (found["trace"], f"-{found['margin']}", found["period"], *found["unknowns"].values())
     for number in numbers:
@@ -289,9 +305,8 @@ def test_report_of_verify():
 
 
 def test_both_arithmetics_are_compared():
-    code, out, err = run("verify", ORBIT, "--arithmetic", "both", "--digits", "40")
-    assert (code, err) == (0, "")
-    found = told("verify", ORBIT, "--arithmetic", "both", "--digits", "40")
+    asked = ("verify", ORBIT, "--arithmetic", "both", "--digits", "40")
+    out, found = answered(*asked), told(*asked)
     assert 0 < Decimal(found["difference"]) < Decimal("1e-40")
     both = rf"difference +{found['difference']} between balls and mpmath, of unknowns and trace"
     assert re.search(both, out)
@@ -333,14 +348,11 @@ def test_orbits_by_tables_are_enclosed_and_refined_by_mpmath():
     middle, radius = (Decimal(found["proof"]["trace"][part]) for part in ("mid", "rad"))
     with localcontext(prec=70):
         assert abs(Decimal(found["trace"]) - middle) < radius + Decimal("1e-52")
-    code, out, err = run("verify", name, "--arithmetic", "both")
-    assert (code, out) == (2, "")
-    assert "has no kernels of its own" in err
+    assert "has no kernels of its own" in refused("verify", name, "--arithmetic", "both")
 
 
 def test_report_of_solve():
-    code, out, _ = run("solve", ORBIT, "V=1", "us2=0.8", "ur2=1.2831", "us1=1/3")
-    assert code == 0
+    out = answered("solve", ORBIT, "V=1", "us2=0.8", "ur2=1.2831", "us1=1/3")
     assert out.index("Orbit") < out.index("Trace criterion")
     assert "admissible: yes" in out
     rows = {line.split()[0]: line.split()[1:] for line in out.splitlines() if line.split()}
@@ -351,8 +363,7 @@ def test_report_of_solve():
 
 
 def test_report_of_violations():
-    code, out, _ = run("solve", ORBIT, "us2=0.7")
-    assert code == 0
+    out = answered("solve", ORBIT, "us2=0.7")
     assert "admissible: no" in out
     (first, *_) = told("solve", ORBIT, "us2=0.7")["violations"]
     assert (first["phase"], first["boundary"]) == (1, "second-breaks-backward")
@@ -360,8 +371,7 @@ def test_report_of_violations():
 
 
 def test_long_numbers_are_grouped():
-    code, out, _ = run("verify", ORBIT, "--digits", "120")
-    assert code == 0
+    out = answered("verify", ORBIT, "--digits", "120")
     assert max(map(len, out.splitlines())) <= 80
     trace = told("verify", ORBIT, "--digits", "120")["trace"]
     assert trace in re.sub(r"\s", "", out)
@@ -390,9 +400,7 @@ def test_save(command, tmp_path):
     assert orbit.digits == 30
     assert orbit.to_json()["unknowns"] == plain["unknowns"]
     assert orbit.opened["us2"].text == "0.8"
-    code, out, err = run(*arguments, "--save", str(target))
-    assert (code, err) == (0, "")
-    assert out.endswith(f"\n{target} written\n")
+    assert answered(*arguments, "--save", str(target)).endswith(f"\n{target} written\n")
 
 
 def test_an_orbit_that_misses_a_requirement_is_saved(tmp_path):
@@ -431,11 +439,7 @@ def test_plot_of_wrong_files_is_2(saved, tmp_path):
         ),
         ((saved, "--periods", "0"), "periods = 0 is not an integer from 1"),
     ):
-        code, out, err = run("plot", *map(str, arguments))
-        assert (code, out) == (2, "")
-        assert err.startswith("nonsmooth: error: ")
-        assert part in err
-        assert err.count("\n") == 1
+        assert part in refused("plot", *map(str, arguments))
     assert nonsmooth.load(saved) == nonsmooth.load(picture)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["orbit.json", "orbit.png"]
 
@@ -486,11 +490,7 @@ def test_undecided_is_1():
     ],
 )
 def test_parameters_without_an_orbit_are_1(command, arguments, part):
-    code, out, err = run(command, *arguments.split())
-    assert (code, out) == (1, "")
-    assert part in err
-    assert err.count("\n") == 1
-    assert f"nonsmooth: {told(command, *arguments.split(), code=1)['error']}\n" == err
+    assert part in refused_alike(command, *arguments.split(), code=1)
 
 
 # --- wrong input
@@ -498,11 +498,8 @@ def test_parameters_without_an_orbit_are_1(command, arguments, part):
 
 def test_unknown_backend_is_2(monkeypatch):
     monkeypatch.setenv("NONSMOOTH_BACKEND", "fortran")
-    assert run("solve", ORBIT) == (
-        2,
-        "",
-        "nonsmooth: error: NONSMOOTH_BACKEND is 'fortran', neither 'c' nor 'numpy'\n",
-    )
+    told = "nonsmooth: error: NONSMOOTH_BACKEND is 'fortran', neither 'c' nor 'numpy'"
+    assert refused("solve", ORBIT) == told
 
 
 # --- equations
@@ -531,8 +528,7 @@ def test_equations_print_one_section():
     headings = re.findall(r"^## (.*)", text["text"], re.MULTILINE)
     (heading,) = headings
     assert re.fullmatch(r"\d+\. Derivatives and the Poincaré map", heading)
-    code, latex, _ = run("equations", "rigid-stop/one-impact", "--section", "trace")
-    assert code == 0
+    latex = answered("equations", "rigid-stop/one-impact", "--section", "trace")
     assert latex.count(r"\section{") == 1
     # LaTeX counts on from there
     assert re.search(
@@ -541,11 +537,9 @@ def test_equations_print_one_section():
 
 
 def test_equations_of_a_system_have_one_section():
-    code, text, _ = run("equations", "rigid-stop", "--section", "flows", "--format", "markdown")
-    assert code == 0
+    text = answered("equations", "rigid-stop", "--section", "flows", "--format", "markdown")
     assert re.findall(r"^## \d+\. (.*)", text, re.MULTILINE) == ["Modal analysis"]
-    code, out, error = run("equations", "rigid-stop", "--section", "trace")
-    assert (code, out) == (2, "")
+    error = refused("equations", "rigid-stop", "--section", "trace")
     assert "rigid-stop is a system: its orbits have a part 'trace' (one-impact" in error
 
 
@@ -573,11 +567,9 @@ def test_a_pdf_is_what_latex_makes(latex, code, said, tmp_path, monkeypatch):
 def test_html_without_its_extra_names_it(monkeypatch):
     monkeypatch.setitem(sys.modules, "latex2mathml", None)
     monkeypatch.setitem(sys.modules, "latex2mathml.converter", None)
-    code, out, err = run("equations", "rigid-stop", "--format", "html")
-    assert (code, out) == (2, "")
-    assert err == (
-        'nonsmooth: error: latex2mathml is not installed: pip install "nonsmooth[html]"\n'
-    )
+    error = refused("equations", "rigid-stop", "--format", "html")
+    told = 'nonsmooth: error: latex2mathml is not installed: pip install "nonsmooth[html]"'
+    assert error == told
 
 
 # --- regenerate
@@ -591,9 +583,9 @@ def test_regenerate_and_check(tmp_path):
     assert first["system"] is None
     assert {Path(path).name for path in first["changed"]} == {p.name for p in folder.iterdir()}
     assert told("regenerate", "--out", str(folder))["changed"] == []
-    assert run("regenerate", "--out", str(folder))[1] == f"{folder}: nothing changed\n"
+    assert answered("regenerate", "--out", str(folder)) == f"{folder}: nothing changed\n"
     assert told("regenerate", "--check", "--out", str(folder))["same"] is True
-    assert run("regenerate", "--check", "--out", str(folder)) == (0, f"{folder}: up to date\n", "")
+    assert answered("regenerate", "--check", "--out", str(folder)) == f"{folder}: up to date\n"
 
     (folder / "dry_friction.h").unlink()
     with (folder / "dry_friction.md").open("a", encoding="utf-8") as file:
@@ -632,10 +624,7 @@ def test_regenerate_derives_one_system(tmp_path):
 
 def test_check_of_what_another_sympy_wrote_or_nobody_is_2(tmp_path):
     for told in ("PROVENANCE.json cannot be read", "SymPy 1.0"):
-        code, out, err = run("regenerate", "--check", "--out", str(tmp_path))
-        assert (code, out) == (2, "")
-        assert told in err
-        assert err.count("\n") == 1
+        assert told in refused("regenerate", "--check", "--out", str(tmp_path))
         (tmp_path / "PROVENANCE.json").write_text('{"sympy": "1.0"}')
 
 

@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.runtime.core.result_files import checksum_of
-from tests.cli.test_cli import PROGRAM, run
+from tests.cli.test_cli import PROGRAM, refused, run
 from tests.places import CHECKOUT
+from tests.present.test_saved import sealed
 from tests.user_systems import KICKED, declare
 
 ORBIT = "dry-friction/global-stick"
@@ -20,17 +20,6 @@ BRANCH = f"continue {ORBIT} V=0.99:1.01"
 _SECRETIVE = "class M(type):\n    @property\n    def __name__(self): raise SystemExit\n"
 _SYSTEM = "from nonsmooth.derive import System\n"
 _LEAVING = "class S(System):\n    def __getattribute__(self, name): raise SystemExit(0)\n"
-
-
-def refused(*arguments, code=2):
-    """The one line on stderr."""
-    ended = run(*arguments)
-    (line,) = ended.err.splitlines()
-    assert ended.code == code, line
-    assert line.startswith("nonsmooth: ")
-    assert len(line) < 1500
-    assert not ended.out
-    return line
 
 
 class Silent(Exception):
@@ -153,9 +142,7 @@ def test_branches_that_were_forged_are_refused(tmp_path, monkeypatch):
         ("stability", ["fine"] * len(whole["stability"])),
         ("start", 99),
     ):
-        content = {**whole, name: entry}
-        content["sha256"] = checksum_of(content)
-        Path("forged.json").write_text(json.dumps(content))
+        sealed(Path("forged.json"), {**whole, name: entry})
         for command in ("plot forged.json", f"{BRANCH} --resume forged.json --points 3"):
             assert "forged.json: " in refused(*command.split())
 

@@ -29,34 +29,32 @@ def enter(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
 
 
-def run(command):
-    return test_cli.run(*shlex.split(command))
+def told(command):
+    return json.loads(test_cli.answered(*shlex.split(command), "--json"))
 
 
 @pytest.mark.slow
 def test_the_answer_holds_the_truth_and_is_kept():
     pytest.importorskip("matplotlib")
-    code, out, err = run(f"{FIT} --starts 3 --seed 1 --save fit.json --plot fit.png --json")
-    assert (code, err) == (0, "")
-    told = json.loads(out)
-    assert told["files"] == ["fit.json", "fit.png"]
-    for name, low, high in zip(told["names"], told["lower"], told["upper"], strict=True):
+    found = told(f"{FIT} --starts 3 --seed 1 --save fit.json --plot fit.png")
+    assert found["files"] == ["fit.json", "fit.png"]
+    for name, low, high in zip(found["names"], found["lower"], found["upper"], strict=True):
         assert float(low) < TRUTH[name] < float(high)
-    assert told["same_sequence"] is True
+    assert found["same_sequence"] is True
     kept = ns.load("fit.json")
-    assert [repr(x) for x in kept.estimates.tolist()] == told["estimates"]
+    assert [repr(x) for x in kept.estimates.tolist()] == found["estimates"]
     again = kept.to_json()
     assert {n: x for n, x in again.items() if n != "system"} == {
-        n: x for n, x in told.items() if n not in ("system", "files")
+        n: x for n, x in found.items() if n not in ("system", "files")
     }
     assert kept.motion().boundaries[1] == ("wall-reaches-stop",)
-    shown = run(FIT)[1]
+    shown = test_cli.answered(*shlex.split(FIT))
     assert "events in the order of the data" in shown
     assert "standard errors away" in shown
 
 
 def test_a_fit_is_loaded_without_its_declaration():
-    run(f"{FIT} --save fit.json")
+    told(f"{FIT} --save fit.json")
     Path("identification.py").unlink()
     kept = ns.load("fit.json")
     fitted = kept.experiments[0].series[0].fitted
@@ -72,15 +70,13 @@ def test_several_files_know_parameters_of_their_own():
             for t, x in zip(times.tolist(), motion(times)[:, 0].tolist(), strict=True)
         ]
         Path(f"{number}.csv").write_text("\n".join(["t,double", *rows]))
-    code, out, err = run(
+    found = told(
         "fit identification.py 0.csv:w=2.1 1.csv:w=2.6 c=0.05 h=0.2 k=2.3:2.45:2.7 r=0.5:0.78:1"
-        " --outputs double=2*x --sigma double=0.001 --prior k=2.6+-10 --from x=-0.6,v=0.1 --json"
+        " --outputs double=2*x --sigma double=0.001 --prior k=2.6+-10 --from x=-0.6,v=0.1"
     )
-    assert (code, err) == (0, "")
-    told = json.loads(out)
-    assert [float(x) for x in told["estimates"]] == pytest.approx([2.5, 0.8], abs=1e-7)
-    assert [each["parameters"]["w"] for each in told["experiments"]] == ["2.1", "2.6"]
-    assert told["priors"] == {"k": ["2.6", "10.0"]}
+    assert [float(x) for x in found["estimates"]] == pytest.approx([2.5, 0.8], abs=1e-7)
+    assert [each["parameters"]["w"] for each in found["experiments"]] == ["2.1", "2.6"]
+    assert found["priors"] == {"k": ["2.6", "10.0"]}
 
 
 @pytest.mark.parametrize(
@@ -94,11 +90,9 @@ def test_several_files_know_parameters_of_their_own():
 def test_columns_of_events_by_other_names(change):
     old, new, option = change
     text = Path("impacts.csv").read_text()
-    expected = json.loads(run(f"{FIT} --json")[1])["estimates"]
+    expected = told(FIT)["estimates"]
     Path("impacts.csv").write_text(text.replace(old, new))
-    code, out, err = run(f"{FIT} {option} --json")
-    assert (code, err) == (0, "")
-    assert json.loads(out)["estimates"] == expected
+    assert told(f"{FIT} {option}")["estimates"] == expected
 
 
 @pytest.mark.slow
@@ -109,14 +103,11 @@ def test_steady_responses_from_a_file():
     rows = [f"{w},{a!r}" for w, a in zip((3.0, 4.0), amplitude, strict=True)]
     Path("sweep.csv").write_text("\n".join(["w,A", *rows]))
     command = "fit identification.py sweep.csv c=0.05 h=0.2 r=0.8 k=2.4:2.49:2.6 --sigma 0.001"
-    code, out, err = run(
-        f"{command} --responses A=amplitude:x --save fit.json --plot fit.png --json"
-    )
-    assert (code, err) == (0, "")
-    told = json.loads(out)
-    assert float(told["estimates"][0]) == pytest.approx(2.5, abs=1e-8)
-    responses = told["experiments"][0]["responses"]
+    command += " --responses A=amplitude:x"
+    found = told(f"{command} --save fit.json --plot fit.png")
+    assert float(found["estimates"][0]) == pytest.approx(2.5, abs=1e-8)
+    responses = found["experiments"][0]["responses"]
     assert [each["parameters"]["w"] for each in responses] == ["3.0", "4.0"]
     kept = ns.load("fit.json")
     assert float(kept.response(1).parameters["w"]) == 4.0
-    assert "2 steady responses" in run(f"{command} --responses A=amplitude:x")[1]
+    assert "2 steady responses" in test_cli.answered(*shlex.split(command))

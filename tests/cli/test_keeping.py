@@ -12,7 +12,7 @@ import pytest
 
 import nonsmooth as ns
 from tests.cli.terminal import Terminal, on_terminal
-from tests.cli.test_cli import run
+from tests.cli.test_cli import answered, run
 from tests.user_systems import declare
 
 CONTINUE = "continue dry-friction/global-stick V=0.95:1.05 --step 0.02 --save b.json --json"
@@ -71,9 +71,7 @@ def test_later_on_it_ends_what_does_not_come_to_an_end(pressed, monkeypatch):
 
 def test_what_is_being_kept_is_kept(pressed):
     pressed(os, "fsync")
-    code, out, err = run(*CONTINUE.split())
-    assert (code, err) == (0, "")
-    assert json.loads(out)["ends"] == list(ns.load("b.json").ends)
+    assert json.loads(answered(*CONTINUE.split()))["ends"] == list(ns.load("b.json").ends)
 
 
 def test_a_picture_that_is_interrupted_keeps_the_answer(pressed):

@@ -1,7 +1,5 @@
 """`COMMAND --resume FILE`: the file holds the question, and the answer is that of the whole."""
 
-from __future__ import annotations
-
 import json
 import shlex
 import shutil
@@ -15,10 +13,10 @@ import pytest
 from rich.progress import Progress
 
 import nonsmooth as ns
-from nonsmooth.runtime.core.result_files import checksum_of
 from tests.cli.terminal import on_terminal
 from tests.cli.test_cli import COMMANDS, run
 from tests.places import GALLERY
+from tests.present.test_saved import sealed
 
 pytestmark = pytest.mark.compiled  # much slower without it
 
@@ -223,8 +221,7 @@ def test_an_orbit_of_another_file_is_held_wherever_it_goes_on(kind, tmp_path, mo
     assert run(*command, "orbit.json", "--resume", "part.json")[0] == 2
     content = json.loads(Path("part.json").read_text())
     del content["request"]["orbit"]
-    content["sha256"] = checksum_of(content)
-    Path("part.json").write_text(json.dumps(content))
+    sealed(Path("part.json"), content)
     code, _, err = run(*command, "--resume", "part.json")
     assert (code, "does not hold orbit.json: name that too" in err) == (2, True)
 
@@ -355,9 +352,7 @@ def test_no_file_makes_a_command_run_a_declaration_or_do_something_else():
     def refused(content=None, held=None, **options):
         request = {**sound["request"], "options": {**sound["request"]["options"], **options}}
         request |= {} if held is None else {"orbit": held}
-        forged = {**sound, **(content or {}), "request": request}
-        forged["sha256"] = checksum_of(forged)
-        Path("forged.json").write_text(json.dumps(forged))
+        sealed(Path("forged.json"), {**sound, **(content or {}), "request": request})
         code, _, err = run("certify", "box", "--resume", "forged.json")
         assert code == 2
         assert err.startswith("nonsmooth: error: forged.json: ")

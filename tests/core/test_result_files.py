@@ -17,10 +17,10 @@ from nonsmooth.runtime.core.result_files import checksum_of
 from tests.certified import LOOP, kicked, loop, prove_basin, prove_doubling, prove_graph
 from tests.horseshoes import folded_horseshoe
 from tests.shared import shared_file
+from tests.two_masses import CHAIN, RUBBING
 
 STICK = "dry-friction/global-stick"
-TWO_MASSES = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 0.8}
-FRICTION = {"chi": 0.4, "eta": 4, "V": 0.6773, "us1": 0.0127, "ur1": 0.0255, "us2": 0.5, "ur2": 1}
+TWO_MASSES = CHAIN | {"r": 0.8}
 
 
 def composed():
@@ -33,7 +33,7 @@ def composed():
 def found():
     from nonsmooth import find_orbits
 
-    return find_orbits("dry-friction", FRICTION, 8, transitions=300)
+    return find_orbits("dry-friction", RUBBING, 8, transitions=300)
 
 
 def branch():
@@ -69,7 +69,7 @@ def event():
 
 
 def swept():
-    given = {name: value for name, value in FRICTION.items() if name != "V"}
+    given = {name: value for name, value in RUBBING.items() if name != "V"}
     start = dict.fromkeys(("x1", "x2", "v1", "v2"), 0)
     more = {"state": "x1", "configuration": "slip-stick", "transient": 50, "samples": 4}
     return ns.sweep("dry-friction", given, "V", [0.6, 0.65, 0.7], start, **more)

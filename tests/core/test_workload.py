@@ -6,9 +6,10 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.runtime.core import workload
-from tests.cli.test_cli import run
+from tests.cli.test_cli import refused, run
+from tests.two_masses import STICKING
 
-FRICTION = {"chi": "0.5", "eta": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
+FRICTION = {name: value for name, value in STICKING.items() if name != "V"}
 DATA = " ".join(f"{name}={value}" for name, value in FRICTION.items())
 REST = dict.fromkeys(("x1", "x2", "v1", "v2"), 0)
 REST_ROW = [0, 0, 0, 0]
@@ -37,10 +38,7 @@ SWEEP = f"sweep dry-friction {DATA} {FROM} --quantity x1 --at slip-stick"
 @pytest.mark.compiled
 def test_endless_work_is_refused_before_it_begins(command, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    code, _, err = run(*command.split())
-    assert code == 2, err
-    (line,) = err.splitlines()
-    assert line.startswith("nonsmooth: error: ")
+    line = refused(*command.split())
     assert any(word in line for word in ("hours here", "GB of memory", "smaller bounds"))
     assert not list(tmp_path.iterdir())
 
@@ -49,9 +47,7 @@ def test_threads_without_number_are_refused(tmp_path, monkeypatch):
     pytest.importorskip("zarr")
     monkeypatch.chdir(tmp_path)
     command = "chart dry-friction/global-stick V=0.9:1.1:3 --out c.zarr --workers"
-    code, _, err = run(*command.split(), "99999999999999999999")
-    assert (code, err.count("\n")) == (2, 1)
-    assert "is more than 1024" in err
+    assert "is more than 1024" in refused(*command.split(), "99999999999999999999")
     assert not list(tmp_path.iterdir())
 
 
@@ -84,11 +80,11 @@ def test_python_is_told_what_memory_does_not_hold():
     with pytest.raises(ns.InputError, match="GB of memory"):
         ns.sweep("dry-friction", FRICTION, "V", [1.0], REST, samples=10**15, **where)
     with pytest.raises(ns.InputError, match="GB of memory"):
-        ns.find_orbits("dry-friction", {**FRICTION, "V": 1}, 10**14)
+        ns.find_orbits("dry-friction", STICKING, 10**14)
     with pytest.raises(ns.InputError, match="GB of memory"):
-        ns.simulate("dry-friction", {**FRICTION, "V": 1}, REST, transitions=10**18)
+        ns.simulate("dry-friction", STICKING, REST, transitions=10**18)
     with pytest.raises(ns.InputError, match="GB of memory"):
-        ns.simulate("dry-friction", {**FRICTION, "V": 1}, [REST_ROW], transitions=1, keep=10**12)
+        ns.simulate("dry-friction", STICKING, [REST_ROW], transitions=1, keep=10**12)
 
 
 def test_limits(monkeypatch):

@@ -21,6 +21,7 @@ from nonsmooth.derive import (
 from nonsmooth.runtime.events.transition_choice import Decider
 from nonsmooth.runtime.model.piecewise import piecewise
 from tests.declared import elastic_stop, rigid_stop
+from tests.one_mass import one_mass
 
 chi, eta, V, us1, ur1, us2, ur2, r = sp.symbols("chi eta V us1 ur1 us2 ur2 r")
 m1, m2, k1, k2, k3 = sp.symbols("m1 m2 k1 k2 k3")
@@ -235,16 +236,16 @@ def test_a_chain_stores_the_energy_of_its_springs(fixed, links):
 def test_the_force_of_a_stop_without_a_damper_vanishes_as_the_gap_opens(damping):
     """A phase between the two would take no time."""
     stop = SoftStop("x", 1, 10, damping, released="force")
-    system = oscillator("clearance", ["x"], [[1]], [[1]], elements=[stop])
+    system = one_mass("clearance", stop)
     regimes = {"free", "contact", "released"} if damping else {"free", "contact"}
     assert {configuration.name for configuration in system.configurations} == regimes
 
 
 def test_domains_are_inferred():
     load, drag = sp.Symbol("load", real=True), sp.Symbol("drag", nonnegative=True)
-    system = oscillator(
-        "domains", ["x"], [[m1]], [[k1]], [[drag]], [load],
-        elements=[RigidStop("x", 1, r)], parameters=[Parameter("k1", "stiffness", upper=2)],
+    system = one_mass(
+        "domains", RigidStop("x", 1, r), mass=m1, stiffness=k1, damping=drag, load=[load],
+        parameters=[Parameter("k1", "stiffness", upper=2)],
     )  # fmt: skip
     assert system.description == "oscillator with 1 coordinate"
     domains = {p.name: (p.lower, p.upper, p.closed, p.upper_closed) for p in system.parameters}

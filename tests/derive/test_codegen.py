@@ -5,7 +5,6 @@ import random
 import re
 from fractions import Fraction
 from importlib import import_module
-from typing import Any
 
 import flint
 import numpy as np
@@ -13,7 +12,7 @@ import pytest
 import sympy as sp
 
 from nonsmooth import InputError
-from nonsmooth.derive import DerivationError, Parameter, RigidStop, oscillator
+from nonsmooth.derive import DerivationError, Parameter, RigidStop
 from nonsmooth.derive.codegen import regenerate
 from nonsmooth.derive.codegen.body import Constant
 from nonsmooth.derive.codegen.c import c_kernel
@@ -23,6 +22,7 @@ from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, 
 from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
 from nonsmooth.runtime.model import kernels as door
 from tests.compiled_c import COMPILER, executed, library_of, pointer
+from tests.one_mass import one_mass
 from tests.places import CHECKOUT
 
 GENERATED = CHECKOUT / "generated"
@@ -51,10 +51,9 @@ def test_only_files_that_differ_are_written_again(tmp_path, committed_derivation
 def test_tables_are_read_as_they_were_told():
     words = 'what "pushes", \\n {back}: [x, "", \'\'\']; ' * 5
     stiffness = Parameter("k", words)
-    system = oscillator(
-        "told", ["x"], [[1]], [[stiffness.symbol]], parameters=[stiffness], description=words
-    )
-    text, found = emit_library(system, [], "tests")["told.py"], dict[str, Any]()
+    own = {"parameters": [stiffness], "description": words}
+    system = one_mass("told", stiffness=stiffness.symbol, **own)
+    text, found = emit_library(system, [], "tests")["told.py"], {}
     exec(text, found)
     table = found["SYSTEM"]
     assert table["parameters"][0]["description"] == table["description"] == words
@@ -163,7 +162,7 @@ def test_numpy_is_given_no_function_of_nothing():
     """A generalized ufunc has no core dimension of size 0, such as that of no parameters."""
     for stiffness in (1, sp.Symbol("k")):
         stops = [RigidStop("x", at=1, restitution=1, name="wall")]
-        system = oscillator("struck", ["x"], [[1]], [[stiffness]], elements=stops)
+        system = one_mass("struck", *stops, stiffness=stiffness)
         emitted = emit_system(system, [], "tests")
         assert "void struck_fields" in emitted.files["struck.c"]
         assert any(each.function.name == "struck_flow_free" for each in emitted.wrapped)

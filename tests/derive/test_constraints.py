@@ -10,10 +10,11 @@ from typer.testing import CliRunner
 
 import nonsmooth as ns
 from nonsmooth import InputError, solve
-from nonsmooth.derive import Friction, RigidStop, Slider, SoftStop, oscillator
+from nonsmooth.derive import Friction, RigidStop, Slider, SoftStop
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.model.piecewise import piecewise
+from tests.one_mass import one_mass
 
 BELT = """
 import sympy as sp
@@ -38,10 +39,8 @@ orbits = [
 
 def test_constraints_hold_where_their_expressions_are_not_negative():
     a, b, n = sp.symbols("a b n")
-    system = oscillator(
-        "loaded", ["x"], [[1]], [[1]],
-        elements=[Friction("x", 1, a / 2, normal=n - b**2 / 3 - a * b / (1 + n) - 1)],
-    )  # fmt: skip
+    rubbing = Friction("x", 1, a / 2, normal=n - b**2 / 3 - a * b / (1 + n) - 1)
+    system = one_mass("loaded", rubbing)
     kernels, symbols = load_system(system), {p.name: p.symbol for p in system.parameters}
     assert len(system.constraints) == 2
     rng, kept = np.random.default_rng(5), 0
@@ -75,7 +74,7 @@ NEEDED = {
 @pytest.mark.parametrize("name", NEEDED)
 def test_elements_need_what_their_laws_need(name):
     element, needed = NEEDED[name]
-    system = oscillator("needing", ["x"], [[1]], [[1]], elements=[element])
+    system = one_mass("needing", element)
     own = {p.name: p.symbol for p in system.parameters}
     given = {symbol: own[str(symbol)] for symbol in (a, b) if str(symbol) in own}
     assert {sp.expand(c) for c in system.constraints} == {

@@ -21,8 +21,8 @@ from nonsmooth.derive import (
     System,
     Transition,
     dry_friction,
-    oscillator,
 )
+from tests.one_mass import one_mass
 
 X, Y, V, W = STATES = sp.symbols("x y v w", real=True)
 K, G = Parameter("k", "stiffness"), Parameter("g", "load")
@@ -82,7 +82,7 @@ def is_positive(expression):
     """Whether an expression is shown to be positive: a stop may have it as a damping then."""
     try:
         stop = SoftStop("x", at=1, stiffness=1, damping=expression, released="force")
-        oscillator("signs", ["x"], [[1]], [[1]], elements=[stop], parameters=DOMAINS)
+        one_mass("signs", stop, parameters=DOMAINS)
     except DeclarationError:
         return False
     return expression != 0

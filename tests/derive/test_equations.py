@@ -5,14 +5,10 @@ only this file declares; the Poincare map is computed a second time, by matrix e
 root finding.
 """
 
-from __future__ import annotations
-
 import ctypes
 import random
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache, cached_property
-from typing import Any
 
 import numpy as np
 import pytest
@@ -22,7 +18,6 @@ from nonsmooth.derive import (
     Boundary,
     Configuration,
     DerivationError,
-    EquationSystem,
     Itinerary,
     Parameter,
     SecondOrder,
@@ -124,9 +119,9 @@ def bilinear():
 class Example:
     """An itinerary, a parameter point and a guess of its orbit there."""
 
-    itinerary: Callable[[], Itinerary]
-    point: dict[str, str]
-    guess: dict[str, str]
+    itinerary: object
+    point: dict
+    guess: dict
 
 
 def known(itinerary):
@@ -181,10 +176,10 @@ class Derived:
     """The emitted kernels of one orbit, at high precision."""
 
     def __init__(self, itinerary):
-        self.orbit: EquationSystem = derive_equations(itinerary)
+        self.orbit = derive_equations(itinerary)
         kernels = (spectrum_kernel(self.orbit.spectrum), *orbit_kernels(self.orbit))
         self._found = {o.name: (k, i) for k in kernels for i, o in enumerate(k.outputs)}
-        self._functions: dict[str, Any] = {}
+        self._functions = {}
 
     @property
     def names(self):

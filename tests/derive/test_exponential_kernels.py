@@ -1,7 +1,6 @@
 """Emitted C of divided differences of the exponential: the exact values, each set computed once."""
 
 import ctypes
-from collections.abc import Callable, Sequence
 from functools import cache
 
 import pytest
@@ -15,8 +14,6 @@ from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.runtime.core.arithmetic import FLOATS
 from tests.compiled_c import executed, library_of, needs_compiler
 from tests.exponentials import UNIT, error, exact, forced, largest_root, periods, repeated
-
-Call = Callable[[str, float, Sequence[float]], list[float]]
 
 FLAGS = [
     *("-Wconversion", "-Wshadow", "-pedantic"),

@@ -8,14 +8,10 @@ can do better. Two undamped coordinates of nearly equal frequencies that are not
 modes are such a case: their characteristic polynomial, rounded, moves the state by u (omega t)^2/8.
 """
 
-from __future__ import annotations
-
 import ctypes
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
 
 import mpmath
 import numpy as np
@@ -35,7 +31,6 @@ from nonsmooth.derive import (
 )
 from nonsmooth.derive.codegen.c import c_kernel
 from nonsmooth.derive.codegen.kernels import flow_kernels, spectrum_kernel
-from nonsmooth.derive.equations.program import Kernel
 from nonsmooth.derive.flows.modal import derive_flows
 from nonsmooth.runtime.core.arithmetic import FLOATS, Mpmath
 from tests.compiled_c import COMPILER, executed, library_of, pointer
@@ -105,11 +100,11 @@ SYSTEMS = {
 class Case:
     """Kernels of one configuration, and its field."""
 
-    parameters: tuple[str, ...]
-    spectrum: tuple[str, ...]  # parameters that it depends on
-    kernels: tuple[Kernel, ...]
-    run: tuple[Callable[..., Any], ...]
-    field: Callable[..., Any]
+    parameters: tuple
+    spectrum: tuple  # parameters that it depends on
+    kernels: tuple
+    run: tuple
+    field: object
 
     def after(self, values, t, state, lib):
         numbers = [values[n] for n in self.parameters]

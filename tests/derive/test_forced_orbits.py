@@ -6,31 +6,23 @@ import sympy as sp
 
 from nonsmooth.derive import (
     DerivationError,
-    Harmonic,
     Itinerary,
     Reference,
     RigidStop,
     derive_equations,
-    oscillator,
 )
 from nonsmooth.derive.equations.program import evaluate
 from tests.derive.test_equations import MP, Derived, check_jacobians
+from tests.one_mass import one_mass
 
 zeta, Omega, gap, r = sp.symbols("zeta Omega gap r")
 DATA = {"zeta": "0.05", "Omega": "2", "gap": "0", "r": "0.8"}
 
 
-def struck(reference, forcing=None):
+def struck(reference, forces=None):
     """One damped mass that strikes a stop once."""
-    system = oscillator(
-        "struck",
-        ["x"],
-        mass=[[1]],
-        stiffness=[[1]],
-        damping=[[2 * zeta]],
-        forcing=forcing or [Harmonic(Omega, cosine=[1])],
-        elements=[RigidStop("x", at=gap, restitution=r, name="stop")],
-    )
+    stop = RigidStop("x", at=gap, restitution=r, name="stop")
+    system = one_mass("struck", stop, forces=forces or {Omega: 1}, damping=2 * zeta)
     phases = [("free", "stop-reaches-stop", "T")]
     return Itinerary("one-impact", system, phases, reference=reference)
 
@@ -88,8 +80,8 @@ def test_the_quadratic_is_that_of_the_impulse_response(one_impact, texts):
 
 def test_two_harmonics_share_one_phase():
     texts = {**DATA, "gap": "0.1"}
-    forcing = [Harmonic(Omega, cosine=[1]), Harmonic(2 * Omega, cosine=["1/3"])]
-    derived = Derived(struck(Reference(texts, {"T": "3.1"}), forcing))
+    forces = {Omega: 1, 2 * Omega: "1/3"}
+    derived = Derived(struck(Reference(texts, {"T": "3.1"}), forces))
     equations = derived.orbit
     assert equations.chain.forcing.multiples == (1, 2)
     assert [*map(str, equations.chain.coordinates)] == ["v0", "phase"]
@@ -104,9 +96,9 @@ def test_two_harmonics_share_one_phase():
 def test_what_has_no_period_of_its_own_is_refused():
     with pytest.raises(DerivationError, match="no reference tells how many periods"):
         derive_equations(struck(None))
-    forcing = [Harmonic(Omega, cosine=[1]), Harmonic(sp.Symbol("w"), cosine=[1])]
+    forces = {Omega: 1, sp.Symbol("w"): 1}
     with pytest.raises(DerivationError, match="no common period"):
-        derive_equations(struck(Reference({**DATA, "w": "3"}, {"T": "3.1"}), forcing))
+        derive_equations(struck(Reference({**DATA, "w": "3"}, {"T": "3.1"}), forces))
 
 
 def test_the_number_of_periods_is_that_of_the_reference():

@@ -1,6 +1,5 @@
 """`nonsmooth generate`: the folder of a user's kernels, compiled or not."""
 
-import json
 import math
 import shutil
 import sysconfig
@@ -10,7 +9,7 @@ import pytest
 
 from nonsmooth import solve
 from nonsmooth.runtime.model.kernels import load_orbit, load_system
-from tests.cli.test_cli import run
+from tests.cli.test_cli import answered, refused, run, told
 from tests.user_systems import DAMPED, KICKED, declare
 
 HEADERS = "admissible admissible_sums compiler elimination lanes newton search sums trigonometry"
@@ -32,9 +31,7 @@ def place(tmp_path, monkeypatch):
 
 
 def generated(*arguments):
-    code, out, err = run("generate", *arguments, "--json")
-    assert code == 0, err
-    return json.loads(out)
+    return told("generate", *arguments)
 
 
 def names(folder):
@@ -43,22 +40,19 @@ def names(folder):
 
 def test_a_folder_holds_all_files_and_serves_every_command(place):
     declare(place)
-    told = generated("mine.py", "--out", "kernels")
-    assert told["system"] == "kicked"
-    assert told["orbits"] == [{"name": "loop", "derived": True}]
-    assert told["files"] == names(place / "kernels") == FILES
+    made = generated("mine.py", "--out", "kernels")
+    assert made["system"] == "kicked"
+    assert made["orbits"] == [{"name": "loop", "derived": True}]
+    assert made["files"] == names(place / "kernels") == FILES
     assert "Again: nonsmooth generate mine.py --out DIR" in (place / "kernels/kicked.h").read_text()
-    code, out, _ = run("solve", "kernels:loop", "k=1/4", "r=1/3", "--json")
-    found = json.loads(out)
-    assert code == 0
+    found = told("solve", "kernels:loop", "k=1/4", "r=1/3")
     assert float(found["unknowns"]["v0"]) == pytest.approx(1.5, rel=1e-14)
     assert float(found["period"]) == pytest.approx(2.5 * math.pi, rel=1e-14)
     assert found["stability"] == "stable"
     for system in ("mine.py", "kernels"):
-        start = ["--from", "x=0,v=2", "--in", "right", "--transitions", "2", "--json"]
-        code, out, _ = run("simulate", system, "k=1", "r=1/2", *start)
-        assert code == 0
-        assert float(json.loads(out)["times"][-1]) == pytest.approx(1.5 * math.pi, rel=1e-14)
+        start = ["--from", "x=0,v=2", "--in", "right", "--transitions", "2"]
+        times = told("simulate", system, "k=1", "r=1/2", *start)["times"]
+        assert float(times[-1]) == pytest.approx(1.5 * math.pi, rel=1e-14)
 
 
 @pytest.mark.slow
@@ -105,17 +99,16 @@ def test_a_foreign_folder_is_left_alone(place):
     for content in (None, "{}", '{"command": "python scripts/regenerate.py", "files": {}}'):
         if content is not None:
             record.write_text(content)
-        code, _, err = run("generate", "mine.py", "--out", "other")
-        assert code == 2
-        assert err.startswith("nonsmooth: error: cannot write other: it holds other files")
+        error = refused("generate", "mine.py", "--out", "other")
+        assert "cannot write other: it holds other files" in error
     assert names(other) == ["PROVENANCE.json", "thesis.tex"]
-    assert run("generate", "mine.py", "--out", "file")[0] == 2
+    refused("generate", "mine.py", "--out", "file")
     generated("mine.py", "--out", "kernels")
     (place / "kernels" / "pushed.py").write_text("mine")
     declare(place, KICKED.replace('"kicked",\n', '"pushed",\n'))
-    code, _, err = run("generate", "mine.py", "--out", "kernels")
-    assert (code, (place / "kernels" / "pushed.py").read_text()) == (2, "mine")
-    assert "pushed.py: `nonsmooth generate` did not write it" in err
+    error = refused("generate", "mine.py", "--out", "kernels")
+    assert (place / "kernels" / "pushed.py").read_text() == "mine"
+    assert "pushed.py: `nonsmooth generate` did not write it" in error
 
 
 @pytest.mark.parametrize(
@@ -129,22 +122,16 @@ def test_a_foreign_folder_is_left_alone(place):
 def test_wrong_input_is_one_line(place, arguments, message):
     declare(place)
     declare(place, "system = oscillator()\n", "broken.py")
-    code, out, err = run("generate", *arguments)
-    assert (code, out) == (2, "")
-    assert message in err
-    assert err.count("\n") == 1
+    assert message in refused("generate", *arguments)
     assert not (place / "kernels").exists()
 
 
 def test_the_equations_of_a_file(place):
     declare(place)
-    code, out, _ = run("equations", "mine.py:loop", "--format", "markdown")
-    assert code == 0
+    out = answered("equations", "mine.py:loop", "--format", "markdown")
     assert "The orbit loop of the system kicked" in out
-    assert run("equations", "mine.py", "--format", "markdown")[0] == 0
-    code, _, err = run("equations", "mine.py:lop")
-    assert code == 2
-    assert "did you mean 'mine.py:loop'" in err
+    assert answered("equations", "mine.py", "--format", "markdown")
+    assert "did you mean 'mine.py:loop'" in refused("equations", "mine.py:lop")
 
 
 # --- compiled ----------------------------------------------------------------------------
@@ -160,8 +147,8 @@ compiler = pytest.mark.skipif(
 def test_compiled_kernels_are_used_and_agree(place, monkeypatch):
     monkeypatch.delenv("NONSMOOTH_BACKEND", raising=False)
     declare(place)
-    told = generated("mine.py", "--out", "kernels", "--compile")
-    library = place / told["written"][-1]
+    made = generated("mine.py", "--out", "kernels", "--compile")
+    library = place / made["written"][-1]
     assert names(place / "kernels") == sorted([*FILES, library.name])
     orbit = load_orbit("kernels:loop")
     assert orbit.system.compiled is not None
@@ -191,9 +178,7 @@ def test_without_a_compiler_one_line_says_so(place, monkeypatch):
     pytest.importorskip("setuptools")
     monkeypatch.setenv("CC", str(place / "no-compiler"))
     declare(place, DAMPED)
-    code, out, err = run("generate", "mine.py", "--out", "kernels", "--compile")
-    assert (code, out) == (2, "")
-    assert "no compiled kernels: " in err
-    assert "no-compiler" in err
-    assert err.count("\n") == 1
+    error = refused("generate", "mine.py", "--out", "kernels", "--compile")
+    assert "no compiled kernels: " in error
+    assert "no-compiler" in error
     assert not (place / "kernels").exists()

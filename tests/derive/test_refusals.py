@@ -1,9 +1,7 @@
 """Wrong declarations are refused, each in one line that names what is wrong."""
 
 import math
-from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
@@ -36,9 +34,8 @@ from nonsmooth.derive import (
 from nonsmooth.derive.codegen.emit import emit_system
 from nonsmooth.derive.systems import declaration
 
-Make = Callable[[], Any]
 X, V = STATES = sp.symbols("x v", real=True)
-X1, X2, V1, V2 = PAIR = sp.symbols("x1 x2 v1 v2", real=True)
+X1, X2, V1, _ = PAIR = sp.symbols("x1 x2 v1 v2", real=True)
 K, G = Parameter("k", "stiffness"), Parameter("g", "gap")
 M, N = Parameter("m", "mass"), Parameter("n", "coupling", -1, 1)
 KS, GS, MS, NS = (p.symbol for p in (K, G, M, N))

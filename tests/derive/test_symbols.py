@@ -4,7 +4,6 @@ import ctypes
 import pickle
 from itertools import permutations
 from random import Random
-from typing import Any
 
 import numpy as np
 import pytest
@@ -33,8 +32,9 @@ from nonsmooth.runtime.core.arithmetic import FLOATS
 from tests.compiled_c import library_of, needs_compiler, pointer
 
 
-def hopping(position, velocity, place, push, dwell, spring="k"):
+def hopping(names):
     """A ball on a spring that falls onto a place and is thrown back, faster by a push."""
+    position, velocity, place, push, dwell, spring = [*names.split(), "k"][:6]
     x, v = sp.symbols([position, velocity], real=True)
     parameters = tuple(Parameter(name, "", lower=-sp.oo) for name in (place, push))
     parameters += (Parameter(spring, ""),)
@@ -47,29 +47,29 @@ def hopping(position, velocity, place, push, dwell, spring="k"):
     return derive_equations(hop)
 
 
-PLAIN = hopping("x", "v", "a", "b", "tau")
+PLAIN = hopping("x v a b tau")
 NAMES = {
-    "a parameter as a state behind a phase": ("x", "v", "x_1", "v_1_reset", "tau"),
-    "a parameter as a function of time": ("x", "v", "cos_tau", "half_tau", "tau"),
-    "a parameter as a spectral one": ("x", "v", "omega1", "omega1_by_k", "tau", "omega2"),
-    "a parameter as a derivative": ("x", "v", "x_1_by_tau", "v_1_by_v0", "tau"),
-    "a parameter of linear equations": ("x", "v", "determinant", "coefficient11", "tau"),
-    "a parameter of the first return": ("x", "v", "rate_tau", "amplitude_tau", "tau"),
-    "a parameter with a coefficient": ("x", "v", "x_times_v", "v0_slope", "tau"),
-    "a state behind a phase": ("x_1", "x", "a", "b", "tau"),
-    "a state behind a transition": ("x_1_reset", "x", "a", "b", "tau"),
-    "a derivative": ("x_by_tau", "x", "a", "b", "tau"),
-    "what a flow carries": ("carried_x", "x", "a", "b", "tau"),
-    "what is on a boundary": ("x_1_on_boundary", "x", "a", "b", "tau"),
-    "a time of delay": ("x", "v", "delay_tau", "b", "tau"),
-    "a dwell time": ("x", "v", "a", "b", "half_x_1"),
-    "names in another order": ("z", "A", "y", "Cc", "B", "D"),
+    "a parameter as a state behind a phase": "x v x_1 v_1_reset tau",
+    "a parameter as a function of time": "x v cos_tau half_tau tau",
+    "a parameter as a spectral one": "x v omega1 omega1_by_k tau omega2",
+    "a parameter as a derivative": "x v x_1_by_tau v_1_by_v0 tau",
+    "a parameter of linear equations": "x v determinant coefficient11 tau",
+    "a parameter of the first return": "x v rate_tau amplitude_tau tau",
+    "a parameter with a coefficient": "x v x_times_v v0_slope tau",
+    "a state behind a phase": "x_1 x a b tau",
+    "a state behind a transition": "x_1_reset x a b tau",
+    "a derivative": "x_by_tau x a b tau",
+    "what a flow carries": "carried_x x a b tau",
+    "what is on a boundary": "x_1_on_boundary x a b tau",
+    "a time of delay": "x v delay_tau b tau",
+    "a dwell time": "x v a b half_x_1",
+    "names in another order": "z A y Cc B D",
 }
 
 
 @pytest.mark.parametrize("names", NAMES.values(), ids=NAMES)
 def test_equations_do_not_depend_on_what_the_user_calls_things(names):
-    equations = hopping(*names)
+    equations = hopping(names)
     mine, theirs = (
         (*e.system.states, *(p.symbol for p in e.system.parameters), *e.unknowns)
         for e in (PLAIN, equations)
@@ -83,7 +83,7 @@ def test_equations_do_not_depend_on_what_the_user_calls_things(names):
 
 @pytest.mark.parametrize("names", NAMES.values(), ids=NAMES)
 def test_different_symbols_are_written_differently(names):
-    equations = hopping(*names)
+    equations = hopping(names)
     notation = naming_of(equations).notation
     declared = (*equations.system.states, *(p.symbol for p in equations.system.parameters))
     stages = (*equations.stages_of("jacobian"), *equations.stages_of("map"))
@@ -95,20 +95,20 @@ def test_different_symbols_are_written_differently(names):
 
 # beside those above: names that Python, C, the kernels or their printers have for something else
 WORDS = {
-    "arrays of the kernels": ("unknowns", "trace", "parameters", "spectrum", "time", "residual"),
-    "what kernels call": ("abs", "fabs", "sin", "cos", "sqrt", "M_PI"),
-    "what Python calls": ("np", "lib", "outputs", "lambda_", "print", "json"),
-    "words of C": ("int", "double", "const", "static", "bool", "default"),
-    "words of C and what takes their place": ("int", "int_", "x_1", "x_1_", "int__", "int___"),
-    "what C names itself": ("lane", "lanes", "fixed", "wave_0", "main", "count"),
-    "macros": ("I", "NULL", "NAN", "DBL_EPSILON", "SIZE_MAX", "NONSMOOTH_SIMD"),
-    "what the header names": ("BALL_H", "x", "NONSMOOTH_BALL_H", "BALL_CONVERGED", "tau", "k"),
-    "numbers and functions of SymPy": ("E", "S", "N", "pi", "zoo", "Q"),
-    "common terms": ("t0", "t1", "t2", "t3", "t4", "t5"),
-    "derivatives": ("x", "dx", "dx_1", "dx_1_by_tau", "tau", "x_1_by_dx_1"),
-    "time": ("s", "x", "time_", "s0", "tau", "t_"),
-    "letters that Python reads as one": ("\u00b5", "x", "\u03bc", "\u03bc_", "tau", "k"),
-    "what begins another name": ("x", "v", "x_", "v_", "tau_", "_k"),
+    "arrays of the kernels": "unknowns trace parameters spectrum time residual",
+    "what kernels call": "abs fabs sin cos sqrt M_PI",
+    "what Python calls": "np lib outputs lambda_ print json",
+    "words of C": "int double const static bool default",
+    "words of C and what takes their place": "int int_ x_1 x_1_ int__ int___",
+    "what C names itself": "lane lanes fixed wave_0 main count",
+    "macros": "I NULL NAN DBL_EPSILON SIZE_MAX NONSMOOTH_SIMD",
+    "what the header names": "BALL_H x NONSMOOTH_BALL_H BALL_CONVERGED tau k",
+    "numbers and functions of SymPy": "E S N pi zoo Q",
+    "common terms": "t0 t1 t2 t3 t4 t5",
+    "derivatives": "x dx dx_1 dx_1_by_tau tau x_1_by_dx_1",
+    "time": "s x time_ s0 tau t_",
+    "letters that Python reads as one": "\u00b5 x \u03bc \u03bc_ tau k",
+    "what begins another name": "x v x_ v_ tau_ _k",
 }
 
 QUICK = ("a parameter as a state behind a phase", "words of C and what takes their place")
@@ -124,14 +124,14 @@ QUICK = ("a parameter as a state behind a phase", "words of C and what takes the
 )
 def test_kernels_are_right_whatever_the_user_calls_things(names, tmp_path):
     """Each kernel in Python and in C gives what its symbolic stages say, at random numbers."""
-    equations = hopping(*names)
+    equations = hopping(names)
     kernels = orbit_kernels(equations)
     system = equations.itinerary.system
     for name, text in emit_library(system, [equations.itinerary], "tests").items():
         (tmp_path / name).write_text(text, encoding="utf-8")
-    library, python = library_of(tmp_path / "ball.c", include=tmp_path), dict[str, Any]()
+    library, python = library_of(tmp_path / "ball.c", include=tmp_path), {}
     exec((tmp_path / "ball.py").read_text(encoding="utf-8"), python)
-    random = Random("".join(names))
+    random = Random(names)
     for kernel in kernels:
         symbols = [s for a in kernel.arguments for s in a.symbols]
         values = {s: sp.Rational(random.randint(500, 1500), 1000) for s in symbols}

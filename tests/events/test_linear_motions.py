@@ -1,7 +1,5 @@
 """The compiled search for maxima along linear motions, against ball arithmetic."""
 
-from __future__ import annotations
-
 import ctypes
 import math
 import shutil

@@ -18,17 +18,10 @@ from numpy.testing import assert_array_equal
 import nonsmooth as ns
 from nonsmooth.runtime.core.values import parse
 from tests.places import records
+from tests.two_masses import STICKING
 
 STICK = "dry-friction/global-stick"
-DATA = {
-    "chi": "0.5",
-    "eta": "1",
-    "V": "1",
-    "us1": "1",
-    "us2": "1",
-    "ur1": "4.0195",
-    "ur2": "1.4831",
-}
+DATA = {name: str(value) for name, value in STICKING.items()}
 START = [5, 4, 0.5, 0.25]
 TIMES = [0.1, 0.2, 0.3]
 LONGEST = 300

@@ -1,7 +1,5 @@
 """What a document says of an itinerary, held against an orbit that is found by itself."""
 
-from __future__ import annotations
-
 import re
 from functools import cached_property
 
@@ -53,7 +51,7 @@ class CycleLaw(SystemLaw):
     def __init__(self, facts, orbit):
         super().__init__(facts)
         self.cycle, self.orbit = orbit.cycle, orbit
-        self.transition: int | None = None
+        self.transition = None
 
     def whole(self):
         """Check all sections."""

@@ -1,12 +1,9 @@
 """What a document says of a system, held against the declaration."""
 
-from __future__ import annotations
-
 import re
 from copy import copy
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
-from typing import Any
 
 import numpy as np
 import sympy as sp
@@ -24,7 +21,6 @@ from tests.formulas.values import UNIT, Reading, Unit, divided, name_of, split, 
 
 _RELATIONS = "=<>≤≥∈≠"
 _INDEX_TEXTS = {"k=0"}
-Numbers = dict[sp.Symbol, float]
 
 
 class Broken(AssertionError):
@@ -34,7 +30,7 @@ class Broken(AssertionError):
 class Motion(np.ndarray):
     """A state that is also a function of time."""
 
-    flow: Any = None
+    flow = None
 
     @classmethod
     def of(cls, state, flow):
@@ -72,7 +68,7 @@ class Facts:
 
     system: System
     document: Document
-    given: Numbers
+    given: dict
 
     @property
     def naming(self):
@@ -261,11 +257,11 @@ class SystemLaw:
     def __init__(self, facts):
         self.document, self.facts = facts.document, facts
         self.count = 0
-        self.defined: dict[str, Any] = {}
-        self.used: set[str] = set()
+        self.defined = {}
+        self.used = set()
         self.inside = facts.system.configurations[0].name
         self.where = ""
-        self.indices: dict[str, Any] = {}
+        self.indices = {}
 
     def check(self, sections):
         """Check these sections, and say how many formulas were held against something."""
@@ -560,7 +556,7 @@ class SystemLaw:
             self.count += 1
 
     def rules(self, table):
-        self.outcomes: dict[str, list[Any]] = {}
+        self.outcomes = {}
         rule = ""
         for name, target, conditions, reset in table.rows:
             rule = name or rule
@@ -568,7 +564,7 @@ class SystemLaw:
             self.outcomes.setdefault(rule, []).append((target, numbers, reset))
 
     def events(self, table):
-        source, shown = "", list[tuple[Any, ...]]()
+        source, shown = "", []
         for name, boundaries, rule in table.rows:
             source = name.strip("*") or source
             for together in boundaries.split(", or "):

@@ -57,7 +57,7 @@ class Accent:
 class Table:
     """Entries of a matrix."""
 
-    rows: tuple[tuple[Row, ...], ...]
+    rows: tuple
 
 
 Item = Atom | Script | Fraction | Root | Accent | Table

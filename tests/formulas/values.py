@@ -1,15 +1,11 @@
 """What a formula is worth, given the values of the names that stand in it."""
 
-from __future__ import annotations
-
 import math
 import operator
 import re
 from collections import ChainMap
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import reduce
-from typing import Any
 
 import numpy as np
 from scipy.linalg import expm
@@ -68,9 +64,9 @@ class Reading:
         Of sums that do not say from where to where.
     """
 
-    names: Mapping[str, Any]
-    indices: Mapping[str, int] = field(default_factory=dict)
-    ranges: Mapping[str, Sequence[int]] = field(default_factory=dict)
+    names: dict
+    indices: dict = field(default_factory=dict)
+    ranges: dict = field(default_factory=dict)
 
     def at(self, **indices):
         """The same names at other indices."""
@@ -119,7 +115,7 @@ class Reading:
 class Unit:
     """A multiple of the unit matrix, of whatever size is needed."""
 
-    scale: Any = 1.0
+    scale: object = 1.0
 
     def __mul__(self, other):
         return self.scale * other if _is_array(other) else Unit(self.scale * _scalar(other))

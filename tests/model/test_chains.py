@@ -8,9 +8,10 @@ import sympy as sp
 from numpy.testing import assert_allclose
 
 import nonsmooth as ns
-from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
+from nonsmooth.derive import Parameter, RigidStop
 from tests.declared_motion import DeclaredMotion
 from tests.model.test_modes import SMALL
+from tests.one_mass import one_mass
 
 pytestmark = [
     pytest.mark.compiled,  # much slower, or nothing to compare, without it
@@ -21,10 +22,10 @@ k, b, c, w, s = sp.symbols("k b c w s")
 
 def in_front_of_a_stop(forced):
     lowest = {k: -1, b: -sp.oo, c: -1, **({w: 0} if forced else {}), s: 0}
-    return oscillator(
-        "soft-forced" if forced else "soft", ["x"], [[1]], [[k]], [[c]], load=[b],
-        forcing=[Harmonic(w, cosine=[5])] if forced else [],
-        elements=[RigidStop("x", at=s, restitution=sp.Rational(1, 2), name="wall")],
+    return one_mass(
+        "soft-forced" if forced else "soft",
+        RigidStop("x", at=s, restitution=sp.Rational(1, 2), name="wall"),
+        stiffness=k, damping=c, load=[b], forces={w: 5} if forced else {},
         parameters=[Parameter(str(x), str(x), lower=lower) for x, lower in lowest.items()],
     )  # fmt: skip
 

@@ -23,6 +23,8 @@ from nonsmooth.derive.declaration.symmetry import unfolded
 from nonsmooth.derive.document.describe import describe_orbit
 from nonsmooth.derive.document.hypertext import to_markdown
 from nonsmooth.runtime.model.kernels import load_orbit
+from tests.one_mass import one_mass
+from tests.two_masses import STICKING, SYSTEMS
 
 HALF_PHASE = (("free-free", "right-reaches-stop"),)
 HALF = [(*HALF_PHASE[0], "T")]
@@ -34,9 +36,8 @@ def between(place=1):
     """A damped, forced mass between a stop at 1 and one at -1 or elsewhere."""
     r = sp.Symbol("r", nonnegative=True)
     stops = [RigidStop("x", 1, r, name="right"), RigidStop("x", -place, r, "lower", name="left")]
-    forcing = [Harmonic(sp.Rational(6, 5), cosine=[1])]
-    damping = [[sp.Rational(1, 10)]]
-    return oscillator("between", ["x"], [[1]], [[1]], damping, forcing=forcing, elements=stops)
+    forces = {sp.Rational(6, 5): 1}
+    return one_mass("between", *stops, forces=forces, damping=sp.Rational(1, 10))
 
 
 def symmetric(system, **changes):
@@ -100,10 +101,9 @@ def test_what_is_no_symmetry():
 
 @pytest.mark.slow
 def test_an_itinerary_from_a_motion_of_a_built_in_system():
-    data = dict(chi="0.5", eta=1, V=1, us1=1, us2=1, ur1="4.0195", ur2="1.4831")
-    motion = ns.simulate("dry-friction", data, [0, 0, 0, 0], transitions=400)
+    motion = ns.simulate("dry-friction", STICKING, [0, 0, 0, 0], transitions=400)
     found = Itinerary.from_trajectory(motion, dry_friction.system, "again")
-    assert found.reference.parameters == {name: str(value) for name, value in data.items()}
+    assert found.reference.parameters == {name: str(value) for name, value in STICKING.items()}
     orbit = ns.solve(load_orbit(found).name)
     assert [p.dwell_time for p in found.phases] == ["tau1", "tau2", "tau3", "tau4"]
     assert orbit.converged
@@ -111,7 +111,7 @@ def test_an_itinerary_from_a_motion_of_a_built_in_system():
 
 
 def test_a_motion_that_does_not_come_back():
-    motion = ns.simulate("rigid-stop", dict(m1=1, m2=2, k1=1, k2=5, r="0.8"), [0, 0, 2, 1], until=9)
+    motion = ns.simulate("rigid-stop", SYSTEMS["rigid-stop"], [0, 0, 2, 1], until=9)
     with pytest.raises(InputError, match="does not come back"):
         Itinerary.from_trajectory(motion, dry_friction.system)
 

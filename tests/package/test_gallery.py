@@ -15,24 +15,24 @@ from tests.places import CHECKOUT, GALLERY
 
 FORCED = {"x": "-x", "v": "-v", "c1": "-c1", "s1": "-s1"}  # half a period of the forcing later
 ORBITS = [
-    ("beam", "one-contact"),
-    ("brake_pad", "lifting"),
-    ("brake_pad", "pressed"),
-    ("den_hartog", "without-rest"),
-    ("impact_oscillator", "one-period"),
-    ("impact_oscillator", "two-periods"),
-    ("impact_oscillator", "three-periods"),
-    ("jenkins", "yielding-both-ways"),
-    ("mass_on_belt", "stick-slip"),
-    ("piecewise_stiffness", "one-contact"),
-    ("piecewise_stiffness", "doubled"),
-    ("piecewise_stiffness", "subharmonic"),
-    ("switched_damping", "limit-cycle"),
-    ("three_masses", "two-each"),
-    ("two_belts", "both-stick"),
-    ("two_belts", "second-sticks"),
-    ("two_stops", "symmetric"),
-    ("two_stops", "broken"),
+    "beam:one-contact",
+    "brake_pad:lifting",
+    "brake_pad:pressed",
+    "den_hartog:without-rest",
+    "impact_oscillator:one-period",
+    "impact_oscillator:two-periods",
+    "impact_oscillator:three-periods",
+    "jenkins:yielding-both-ways",
+    "mass_on_belt:stick-slip",
+    "piecewise_stiffness:one-contact",
+    "piecewise_stiffness:doubled",
+    "piecewise_stiffness:subharmonic",
+    "switched_damping:limit-cycle",
+    "three_masses:two-each",
+    "two_belts:both-stick",
+    "two_belts:second-sticks",
+    "two_stops:symmetric",
+    "two_stops:broken",
 ]
 
 
@@ -122,21 +122,21 @@ def test_the_python_of_the_index_runs(monkeypatch, capsys):
     assert float(period) == pytest.approx(2 * math.pi / 0.9, rel=1e-13)
 
 
-LONG = ("two_belts", "second-sticks")
+LONG = "two_belts:second-sticks"
 
 
 @pytest.mark.parametrize(
-    ("name", "orbit"),
-    [pytest.param(*each, marks=[pytest.mark.slow] * (each == LONG)) for each in ORBITS],
+    "name", [pytest.param(each, marks=[pytest.mark.slow] * (each == LONG)) for each in ORBITS]
 )
-def test_declared_orbits_are_motions(name, orbit):
-    found = solved(name, orbit)
+def test_declared_orbits_are_motions(name):
+    file, orbit = name.split(":")
+    found = solved(file, orbit)
     assert found.converged
     assert found.digits >= 10
     assert found.stability.verdict == "stable"
     assert found.admissibility.verdict is True
     motion = ns.simulate(
-        page(name), {**found.given, **found.opened}, found.trajectory()(0.5 * found.dwell_times[0]),
+        page(file), {**found.given, **found.opened}, found.trajectory()(0.5 * found.dwell_times[0]),
         found.itinerary[0][0], transitions=len(found.itinerary),
     )  # fmt: skip
     assert [b for entry in motion.boundaries[1:] for b in entry] == [b for _, b in found.itinerary]

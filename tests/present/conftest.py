@@ -1,13 +1,10 @@
 """The reproduced paper, made once for all tests that look at it."""
 
-from __future__ import annotations
-
 import io
 import json
 import os
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -24,15 +21,14 @@ class Paper:
     """What is written of the paper, with proofs."""
 
     folder: Path
-    figures: dict[str, Any]  # by their stems
-    again: dict[str, bytes]  # files of the pictures that are not empty, made a second time
-    steps: tuple[str, ...]
+    figures: dict  # by their stems
+    again: dict  # files of the pictures that are not empty, made a second time
+    steps: tuple
 
     @property
     def results(self):
         """Numbers, as they are in the file."""
-        found = json.loads(self.read("results.json"))
-        return found
+        return json.loads(self.read("results.json"))
 
     def read(self, name):
         """The text of a file."""

@@ -1,7 +1,5 @@
 """What a page or a table of HTML holds, read by a parser of its own."""
 
-from __future__ import annotations
-
 from html.parser import HTMLParser
 
 VOID = {"br", "hr", "img", "input", "link", "meta", "source", "wbr"}
@@ -12,9 +10,9 @@ class Elements(HTMLParser):
 
     def __init__(self, text):
         super().__init__()
-        self.found: list[tuple[str, dict[str, str]]] = []
-        self.texts: list[str] = []
-        self._open: list[str] = []
+        self.found = []
+        self.texts = []
+        self._open = []
         self.feed(text)
         self.close()
         assert not self._open

@@ -9,8 +9,9 @@ import pytest
 import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth.derive import SoftStop, oscillator
+from nonsmooth.derive import SoftStop
 from tests.core.test_result_files import file_of
+from tests.one_mass import one_mass
 
 pytest.importorskip("matplotlib")
 
@@ -22,7 +23,7 @@ def test_labels_of_near_levels_do_not_overlap(kind):
     """Those of positions are horizontal in a history, and upright in a portrait."""
     places = {"a": sp.Rational(1, 100), "b": -sp.Rational(1, 100), "c": sp.Rational(4, 5)}
     stops = [SoftStop("x", at=x, stiffness=1, name=name) for name, x in places.items()]
-    system = oscillator("near", ["x"], [[1]], [[0]], [[1]], elements=stops)
+    system = one_mass("near", *stops, stiffness=0, damping=1)
     motion = ns.simulate(system, {}, {"x": -1, "v": 1}, until=9)
     axes = Figure(figsize=(4, 3)).add_subplot()
     motion.plot(kind, axes)

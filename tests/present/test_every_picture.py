@@ -12,8 +12,9 @@ import pytest
 import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth.derive import Harmonic, SoftStop, oscillator
+from nonsmooth.derive import SoftStop, oscillator
 from tests.certified import loop
+from tests.one_mass import one_mass
 
 pytest.importorskip("matplotlib")
 from matplotlib import pyplot
@@ -37,10 +38,10 @@ def stop(length=1.0):
     """A machine before a stop in units of length: 1e-6 for micrometres that are metres."""
     F, w = sp.symbols("F w")
     size = sp.nsimplify(length)
-    return oscillator(
-        "a-machine-of-a-long-name-before-a-stop", ["x"], [[1]], [[sp.Rational(1, 20)]], [[1]],
-        forcing=[Harmonic(w, cosine=[F * size])],
-        elements=[SoftStop("x", at=size / 2, stiffness=20, damping=sp.Rational(4, 5))],
+    return one_mass(
+        "a-machine-of-a-long-name-before-a-stop",
+        SoftStop("x", at=size / 2, stiffness=20, damping=sp.Rational(4, 5)),
+        stiffness=sp.Rational(1, 20), damping=1, forces={w: F * size},
     )  # fmt: skip
 
 

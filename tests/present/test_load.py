@@ -9,29 +9,14 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth import InputError
-from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.present.files.loading import file_schemas
 from tests.cli.test_cli import run
 from tests.core.test_result_files import KINDS, TWO_MASSES, file_of
+from tests.present.test_saved import refusal, sealed
 
-TYPES = {
-    "nonsmooth orbit": "Orbit",
-    "nonsmooth found orbits": "Found",
-    "nonsmooth branch": "Branch",
-    "nonsmooth locus": "Locus",
-    "nonsmooth design": "Design",
-    "nonsmooth sweep": "Sweep",
-    "nonsmooth fit": "Fit",
-    "nonsmooth certificate": "Certificate",
-    "nonsmooth box certificate": "BoxCertificate",
-    "nonsmooth event certificate": "tuple",
-    "nonsmooth certified branch": "CertifiedBranch",
-    "nonsmooth certified doubling": "CertifiedDoubling",
-    "nonsmooth basin certificate": "BasinCertificate",
-    "nonsmooth chaos certificate": "ChaosCertificate",
-    "nonsmooth region certificate": "RegionCertificate",
-    "nonsmooth census": "Census",
-}
+# a certified branch is a CertifiedBranch, and so on
+TYPES = {kind: "".join(map(str.title, kind.split()[1:])) for kind in KINDS}
+TYPES |= {"nonsmooth found orbits": "Found", "nonsmooth event certificate": "tuple"}
 WITHOUT_PICTURE = {"nonsmooth certificate", "nonsmooth event certificate", "nonsmooth census"}
 OF_KINDS = {"nonsmooth orbit", "nonsmooth found orbits"}
 WITH_ORBIT = {"nonsmooth orbit", "nonsmooth design"}
@@ -60,7 +45,7 @@ def told(command):
 
 
 def test_every_kind_of_file_is_tried():
-    assert {*file_schemas()} == {*KINDS} == {*TYPES}
+    assert {*file_schemas()} == {*KINDS}
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -147,10 +132,7 @@ def test_a_design_is_solved_where_it_ends(folder):
 def test_what_is_no_result_is_refused_in_one_line(content, message, tmp_path):
     path = tmp_path / "some.json"
     path.write_text(content, encoding="latin-1")
-    with pytest.raises(InputError, match=re.escape(f"{path}: ")) as refused:
-        ns.load(path)
-    assert message in str(refused.value)
-    assert "\n" not in str(refused.value)
+    assert message in refusal(path)
     code, error = told(f"plot {path} --out {tmp_path / 'a.png'}")
     assert (code, error.count("\n")) == (2, 1)
     assert message in error
@@ -183,7 +165,4 @@ def test_a_file_of_one_kind_is_not_read_as_another(kind, folder, tmp_path):
     path = tmp_path / "forged.json"
     for other in KINDS:
         if other != kind:
-            forged = {**content, "format": other}
-            path.write_text(json.dumps({**forged, "sha256": checksum_of(forged)}))
-            with pytest.raises(InputError, match=re.escape(f"{path}: ")):
-                ns.load(path)
+            refusal(sealed(path, {**content, "format": other}))

@@ -42,8 +42,7 @@ def path(tmp_path):
 def content(path):
     """What the file of an orbit holds."""
     orbit().save(path)
-    found = json.loads(path.read_text(encoding="utf-8"))
-    return found
+    return json.loads(path.read_text(encoding="utf-8"))
 
 
 def refusal(path):
@@ -118,13 +117,13 @@ def test_every_orbit_comes_back(name, digits, arithmetic, path):
 
 
 def put(where, entry):
-    """Change that replaces an entry; "unknowns/tau" is one of a mapping."""
-    *outer, name = where.split("/")
+    """Change that replaces an entry; "unknowns/tau" is one of a mapping, "rows/0" one of a list."""
+    *outer, last = (int(part) if part.isdigit() else part for part in where.split("/"))
 
     def change(content):
         for key in outer:
             content = content[key]
-        content[name] = entry
+        content[last] = entry
 
     return change
 

@@ -46,8 +46,7 @@ def stem(request):
 @pytest.fixture
 def figure(stem, paper):
     """Each schematic."""
-    found = paper.figures[stem]
-    return found
+    return paper.figures[stem]
 
 
 def drawn(figure):

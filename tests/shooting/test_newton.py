@@ -1,9 +1,5 @@
 """Laws of Newton's method, whatever it solves."""
 
-from __future__ import annotations
-
-from typing import Any
-
 import numpy as np
 import pytest
 
@@ -26,7 +22,7 @@ class Line:
 
     def __init__(self, slope=1.0, ahead=0.0, size=1.0):
         self.slope, self.ahead, self.size = slope, ahead, size
-        self.table: dict[str, Any] = {"vanishing": [], "durations": [{"tau": 1}]}
+        self.table = {"vanishing": [], "durations": [{"tau": 1}]}
 
     def spectrum(self, parameters):
         return parameters[..., :0], parameters[..., :0]

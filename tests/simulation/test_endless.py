@@ -8,8 +8,9 @@ import sympy as sp
 
 import nonsmooth as ns
 from nonsmooth import simulate
-from nonsmooth.derive import Harmonic, RigidStop, oscillator
+from nonsmooth.derive import RigidStop
 from tests.engines import ENGINES, with_both, with_engine
+from tests.one_mass import one_mass
 
 
 def stopped(
@@ -20,10 +21,10 @@ def stopped(
     at=1,
     amplitude=1,
 ):
-    forcing = [] if frequency is None else [Harmonic(frequency, cosine=[amplitude])]
-    return oscillator(
-        "endless", ["x"], [[1]], [[stiffness]], [[damping]], load=[load], forcing=forcing,
-        elements=[RigidStop("x", at, sp.Rational(1, 2), name="stop")],
+    return one_mass(
+        "endless", RigidStop("x", at, sp.Rational(1, 2), name="stop"),
+        forces={} if frequency is None else {frequency: amplitude},
+        stiffness=stiffness, damping=damping, load=[load],
     )  # fmt: skip
 
 

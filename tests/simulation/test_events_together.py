@@ -13,13 +13,12 @@ from nonsmooth.derive import (
     Condition,
     Configuration,
     FirstOrder,
-    Harmonic,
     Parameter,
     RigidStop,
     System,
     Transition,
-    oscillator,
 )
+from tests.one_mass import one_mass
 
 START = {"x": 0, "v": "0.3", "c1": 1, "s1": 0}
 FREQUENCY, SPEED = 1000, sp.Rational(1, 20)  # many radians pass before the event
@@ -108,14 +107,12 @@ def struck(seed, *, far_first):
     )
     near = RigidStop("x", place, restitution, name="near")
     far = RigidStop("x", -1000, 1, side="lower", name="far")
-    return oscillator(
+    return one_mass(
         "struck",
-        ["x"],
-        [[1]],
-        [[sp.Rational(draw.randint(1, 30), 10)]],
-        [[sp.Rational(draw.randint(0, 20), 100)]],
-        forcing=[Harmonic(sp.Rational(draw.randint(50, 300), 100), cosine=[3])],
-        elements=[far, near] if far_first else [near, far],
+        *([far, near] if far_first else [near, far]),
+        stiffness=sp.Rational(draw.randint(1, 30), 10),
+        damping=sp.Rational(draw.randint(0, 20), 100),
+        forces={sp.Rational(draw.randint(50, 300), 100): 3},
     )
 
 

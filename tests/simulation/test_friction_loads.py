@@ -8,6 +8,7 @@ import sympy as sp
 
 import nonsmooth as ns
 from nonsmooth.derive import Friction, Harmonic, RigidStop, oscillator
+from tests.one_mass import one_mass
 
 pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
 
@@ -30,7 +31,7 @@ def test_a_plastic_impact_leaves_a_contact_at_rest():
     """On the ground, against a stop without rebound: the pad is at rest, then held."""
     pad = Friction("x", 0.3, 0.4, normal=1 + sp.Symbol("x"), falling=0.1, name="pad")
     stop = RigidStop("x", at=0.2, restitution=0, name="stop")
-    system = oscillator("held", ["x"], [[1]], [[1]], load=[2], elements=[pad, stop])
+    system = one_mass("held", pad, stop, load=[2])
     motion = ns.simulate(system, {}, [0, 0], until=5.0)
     assert motion.configurations[-1].endswith("contact")
     assert np.allclose(motion(5.0), [0.2, 0], atol=1e-14)
@@ -39,7 +40,7 @@ def test_a_plastic_impact_leaves_a_contact_at_rest():
 def test_an_orbit_with_exhausted_friction_is_certified():
     """Self-excited: the slope is above the damping, until no friction is left."""
     belt = Friction("x", 1, 1.2, velocity=1, falling=0.6, name="belt")
-    system = oscillator("falling", ["x"], [[1]], [[1]], [[0.05]], elements=[belt])
+    system = one_mass("falling", belt, damping=0.05)
     found = ns.itinerary_of(ns.simulate(system, {}, [0, 1], until=60.0))
     assert found.itinerary[:3] == (
         ("slip", "belt-exhausts"),

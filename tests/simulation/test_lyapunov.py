@@ -15,6 +15,7 @@ from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.simulation.lyapunov import lyapunov_spectrum
+from tests.one_mass import one_mass
 from tests.two_masses import CHAIN, RUBBING, STICKING
 
 pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
@@ -192,8 +193,7 @@ def test_nothing_is_told_of_a_short_motion(transitions):
 
 
 def test_nothing_is_told_of_a_motion_at_rest():
-    system = oscillator("resting", ["x"], [[1]], [[1]], [[1]], load=[1],
-                        elements=[RigidStop("x", 0, 0, name="stop")])  # fmt: skip
+    system = one_mass("resting", RigidStop("x", 0, 0, name="stop"), damping=1, load=[1])
     motion = ns.simulate(system, {}, {"x": -1, "v": 0}, until=500)
     with pytest.raises(InputError, match="at rest"):
         lyapunov(motion)

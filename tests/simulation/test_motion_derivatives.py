@@ -5,9 +5,10 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 import nonsmooth as ns
-from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
+from nonsmooth.derive import Friction, Parameter, RigidStop
 from tests.differences import in_doubles
 from tests.moved_motions import check_reverse, compared_at_random
+from tests.one_mass import one_mass
 
 DATA = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 0.5}
 START = [0, 0, 1.5, 0.3]
@@ -45,17 +46,15 @@ def _ball():
     """A mass that a load pushes onto a stop at 0."""
     load, restitution = Parameter("g", "load"), Parameter("r", "restitution")
     stop = RigidStop("x", 0, restitution.symbol, name="floor")
-    return oscillator(
-        "ball", ["x"], [[1]], [[0]], load=[load.symbol], elements=[stop],
-        parameters=[load, restitution],
-    )  # fmt: skip
+    parameters = [load, restitution]
+    return one_mass("ball", stop, stiffness=0, load=[load.symbol], parameters=parameters)
 
 
 def _grazing():
     """An oscillation that just touches a stop at 1."""
     clearance = Parameter("c", "clearance")
     stop = RigidStop("x", clearance.symbol, 0.5, name="wall")
-    system = oscillator("touch", ["x"], [[1]], [[1]], elements=[stop], parameters=[clearance])
+    system = one_mass("touch", stop, parameters=[clearance])
     return ns.simulate(system, {"c": 1}, [0, 1], until=3)
 
 
@@ -98,14 +97,14 @@ def test_a_time_at_a_transition_is_refused():
 def test_a_held_velocity_stays_and_follows_its_constraint():
     belt = Parameter("V", "belt")
     rub = Friction("x", 1, 2, velocity=belt.symbol, name="belt")
-    system = oscillator("belt", ["x"], [[1]], [[1]], elements=[rub], parameters=[belt])
+    system = one_mass("belt", rub, parameters=[belt])
     motion = ns.simulate(system, {"V": "0.5"}, [0, 0.5], "stick", until=1)
     found = motion.derivatives(["V", "x0", "v0"], times=[1.0]).states[0]
     assert_allclose(found, [[1, 1, 0], [1, 0, 0]], atol=1e-15)
 
 
 def test_phases_of_forcings_move_on_their_circle():
-    system = oscillator("forced", ["x"], [[1]], [[4]], forcing=[Harmonic(1, cosine=[1])])
+    system = one_mass("forced", stiffness=4, forces={1: 1})
     motion = ns.simulate(system, {}, {"x": 0, "v": 0}, until=1)
     assert motion.derivatives().by == ("x0", "v0")
     found = motion.derivatives(["c10", "s10"], times=[1.0]).states[0]

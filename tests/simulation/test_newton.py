@@ -1,9 +1,6 @@
 """Motions of all elements, alone and beside others, obey Newton's law and the laws of contact."""
 
-from __future__ import annotations
-
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
@@ -21,6 +18,7 @@ from nonsmooth.derive import (
 )
 from tests.derive.test_building import FULL, SPRINGS
 from tests.newton import Newton
+from tests.one_mass import one_mass
 from tests.two_masses import STICKING, SYSTEMS
 
 pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
@@ -126,7 +124,6 @@ def test_motions_obey_newtons_law_and_the_laws_of_contact(name):
 @pytest.mark.parametrize(("name", "data"), [("dry-friction", STICKING), *SYSTEMS.items()])
 def test_built_in_systems_obey_the_laws_of_their_elements(name, data, backend):
     p = {key: float(sp.sympify(value)) for key, value in data.items()}
-    elements: list[Any]
     if name == "dry-friction":
         mass, chi = np.diag([1, 1 / p["eta"]]), p["chi"]
         stiffness = [[1, -chi], [-chi, chi]]
@@ -147,10 +144,7 @@ def test_impacts_that_accumulate_never_pass_the_stop():
     """Each impact leaves the mass where rounding puts it: the next is found all the same."""
     w, r = sp.symbols("w r", positive=True)
     stop = RigidStop("x", at=0, restitution=r, name="stop")
-    force = Harmonic(w, cosine=[1])
-    system = oscillator(
-        "accumulating", ["x"], [[1]], [[1]], [[0.1]], forcing=[force], elements=[stop]
-    )
+    system = one_mass("accumulating", stop, forces={w: 1}, damping=0.1)
     phase = 0.6481012572874046, 0.7615541742401863
     starts = [([1.3e-18, -0.3584489936144315, *phase], 2.847457627118644)]
     random = np.random.default_rng(5)

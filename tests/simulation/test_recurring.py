@@ -7,10 +7,11 @@ import pytest
 
 import nonsmooth
 from nonsmooth import InputError, NoConvergence
-from nonsmooth.derive import Harmonic, Regions, RigidStop, Terms, oscillator
+from nonsmooth.derive import Regions, RigidStop, Terms, oscillator
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.simulation.recurrence import sizes_of
 from tests.handmade import DATA, pair, two_stops
+from tests.one_mass import one_mass
 from tests.two_masses import STICKING
 
 LONG = {**DATA, "Omega": "1.272"}  # an attractor of many impacts
@@ -37,11 +38,10 @@ def test_the_stick_orbit_from_a_motion():
 
 def test_what_takes_no_time_is_named():
     """Impacts that accumulate are chatter; what two regions send back to each other slides."""
-    shaken = {"mass": [[1]], "stiffness": [[1]], "forcing": [Harmonic("1/2", cosine=[3])]}
     stop = RigidStop("x", at=1, restitution="3/10", name="stop")
     push = Regions("v", above=Terms(load=[-5]), below=Terms(load=[5]), name="push")
     for element, said in ((stop, "chatters: in free.*infinitely"), (push, "slides: .*Friction")):
-        system = oscillator("timeless", ["x"], elements=[element], **shaken)
+        system = one_mass("timeless", element, forces={"1/2": 3})
         motion = nonsmooth.simulate(system, {}, {"x": 0, "v": 0.5}, transitions=400)
         with pytest.raises(InputError, match=said):
             nonsmooth.itinerary_of(motion)

@@ -7,10 +7,8 @@ import json
 import os
 import re
 import zipfile
-from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
@@ -18,11 +16,9 @@ import pytest
 import nonsmooth
 from nonsmooth import InputError, simulate
 from nonsmooth.runtime.present.files import motions as saved_trajectory
-from tests.present.test_saved import refusal
+from tests.present.test_saved import put, refusal
 from tests.two_masses import CHAIN, RUBBING
 from tests.unpacking import unpacked_pieces
-
-Change = Callable[[dict[str, Any], dict[str, np.ndarray]], None]
 
 FRICTION = RUBBING | {"chi": "2/5", "V": 0.6773, "ur2": "sqrt(2)"}
 STOP = CHAIN | {"r": "0.5"}
@@ -277,20 +273,9 @@ def test_files_that_are_too_large(path, monkeypatch):
         assert refusal(path) == "too large for a saved motion"
 
 
-def put(name, entry):
-    """An entry of the header, or of an entry of it."""
-
-    def change(header, arrays):
-        del arrays
-        outer, _, inner = name.partition("/")
-        (header[outer] if inner else header)[inner or outer] = entry
-
-    return change
-
-
 def cell(name, place, entry):
-    def change(header, arrays):
-        del header
+    def change(content):
+        arrays = content["arrays"]
         arrays[name] = arrays[name].astype("U40" if isinstance(entry, str) else float)
         arrays[name][place] = entry
 
@@ -333,7 +318,9 @@ def cell(name, place, entry):
 def test_wrong_content_is_refused(change, part, path):
     friction().save(path)
     header, arrays = parts(path)
-    change(header, arrays)
+    header["arrays"] = arrays
+    change(header)
+    del header["arrays"]
     write(path, header, arrays)
     assert part in refusal(path)
 
