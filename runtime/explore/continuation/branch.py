@@ -186,15 +186,17 @@ class Branch(Kept):
             For another name, or the energy where none is kept.
         """
         points = np.column_stack([self.unknowns, self.parameter_values])
-        known = {"period": self.period, "trace": self.trace, "frequency": 2 * np.pi / self.period}
+        known = {"period": self.period, "trace": self.trace}
         known |= dict(zip((*self.unknown_names, self.parameter), points.T, strict=True))
         if name in known:
             return np.asarray(known[name])
+        if name == "frequency":
+            return np.asarray(2 * np.pi / self.period)
         if name == "energy":
             places = range(len(self))
             return np.array([energy_of(composed_family(self, place)[0]) for place in places])
         if not name.startswith("amplitude_"):
-            raise unknown_name("quantity", name, [*known, "energy"])
+            raise unknown_name("quantity", name, [*known, "frequency", "energy"])
         state, family = name.removeprefix("amplitude_"), equations_of(self.orbit, self.parameter)
         # at a point a phase may take no time
         return np.array([_amplitude_of(family.motion(z), state) for z in points])
