@@ -216,13 +216,7 @@ def _from_csv(found: bytes) -> tuple[dict[str, Any], MotionHeader, _Table]:
 def _npz(content: Mapping[str, Any], table: _Table) -> bytes:
     """Bytes of an archive of the arrays, without dates: the same motion gives the same bytes."""
     archive = io.BytesIO()
-    with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as file:
-        for name, array in (("header", np.array(json.dumps(content))), *vars(table).items()):
-            part = io.BytesIO()
-            np.lib.format.write_array(part, array, allow_pickle=False)
-            entry = zipfile.ZipInfo(f"{name}.npy")
-            entry.compress_type = zipfile.ZIP_DEFLATED
-            file.writestr(entry, part.getvalue())
+    np.savez_compressed(archive, header=np.array(json.dumps(content)), **vars(table))
     return archive.getvalue()
 
 
