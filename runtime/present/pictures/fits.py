@@ -18,6 +18,7 @@ from nonsmooth.runtime.present.pictures.drawing import (
     check_picture,
     finish,
     given_axes,
+    mark_style,
 )
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
@@ -27,7 +28,6 @@ if TYPE_CHECKING:
 
 _WIDTH, _HEIGHT = 7.2, 5.2  # inches, of one experiment
 _MOST = 4  # experiments in one figure
-_MARKERS = ("o", "s", "^", "D")
 _SIZE = 3.8  # of a marker
 _USUAL = 2.0  # standard deviations
 _POINTS = 2000
@@ -85,12 +85,11 @@ def _draw(fit: Fit, number: int, upper: Axes, lower: Axes) -> None:
             fit.motion(number), {series.name: series.expression for series in outputs}
         )
         along, across = along + experiment.offset, "time on the clock of the data"
-    colors = {name: LINES[place % len(LINES)][0] for place, name in enumerate(curves)}
-    for name, curve in curves.items():
-        upper.plot(along, curve, color=colors[name], linewidth=1.2, label=f"{name}, fitted")
+    for place, (name, curve) in enumerate(curves.items()):
+        color = mark_style(place)["color"]
+        upper.plot(along, curve, color=color, linewidth=1.2, label=f"{name}, fitted")
     for place, series in enumerate([*outputs, *events]):
-        marked, style = series.times, dict[str, Any](markersize=_SIZE, linestyle="none")
-        style["marker"] = _MARKERS[place % len(_MARKERS)]
+        marked, style = series.times, {**mark_style(place), "markersize": _SIZE}
         if series.kind == "event":  # a mark along the lower edge
             marked, style["color"] = series.values, "black"
             heights = np.full(len(marked), 0.03 + 0.06 * (place - len(outputs)))
@@ -98,7 +97,7 @@ def _draw(fit: Fit, number: int, upper: Axes, lower: Axes) -> None:
             label = f"{series.expression}, recorded"
             upper.plot(marked, heights, "|", color="black", label=label, **edge)
         else:
-            style |= {"color": colors[series.name], "markerfacecolor": "none"}
+            style["markerfacecolor"] = "none"
             upper.plot(marked, series.values, label=f"{series.name}, measured", **style)
         lower.plot(marked, series.residuals, **style)
     lower.axhspan(-_USUAL, _USUAL, color="#DDDDDD", zorder=0)

@@ -10,7 +10,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.model.naming import shown_name, units_of
-from nonsmooth.runtime.present.pictures.drawing import drawn_alone, finish, mark_style
+from nonsmooth.runtime.present.pictures.drawing import drawn_alone, finish, line_style, mark_style
 from nonsmooth.runtime.proof.boxes.box_certificate import VERDICTS, BoxCertificate, Tile
 from nonsmooth.runtime.proof.branch.certified_branch import BranchTile, CertifiedBranch
 from nonsmooth.runtime.proof.branch.certified_doubling import CertifiedDoubling
@@ -30,7 +30,6 @@ _COLORS = {
 _OPEN = "#CC3311"  # of what is undecided, in lines
 _PLANE = 2  # parameters
 _PARTS = 16  # of a curve in a tile
-_STYLES = ("-", "--", "-.", ":")
 _POINTS = 40  # of a tile
 _AWAY = 60  # points of the orbits beside a flip
 
@@ -77,9 +76,9 @@ def _draw_curves(axes: Axes, found: BoxCertificate) -> None:
     for curve in found.curves:
         kind = curve.event.kind
         label = None if kind in kinds else kind
-        style = _STYLES[kinds.setdefault(kind, len(kinds)) % len(_STYLES)]
+        style = line_style(kinds.setdefault(kind, len(kinds))) | {"color": "black"}
         points = np.transpose(curve.points)
-        axes.plot(*points, color="black", linewidth=1.4, linestyle=style, label=label)
+        axes.plot(*points, label=label, **style)
 
 
 def _side_of_tile(found: BoxCertificate, tile: Tile) -> np.ndarray:
