@@ -132,7 +132,6 @@ def _draw(branch: Branch, quantity: str, over: str, axes: Any, frequency: str) -
     kinds = [_between(labels, sorted(met), *ends) for ends in pairwise(places)]
     x, y = np.array([corners[place] for place in places]).T
     cuts = [0, *(k for k in range(1, len(kinds)) if kinds[k] != kinds[k - 1]), len(kinds)]
-    told = set(axes.get_legend_handles_labels()[1])  # of branches that were drawn before
     for begin, end in pairwise(cuts):
         if begin == end:
             continue
@@ -143,20 +142,17 @@ def _draw(branch: Branch, quantity: str, over: str, axes: Any, frequency: str) -
             color=_GREY if kind == _REFUSED else LINES[0][0],
             linestyle=_STYLES.get(kind, "-"),
             linewidth=1.2 if kind == _REFUSED else 1.8,
-            label=None if kind in told else kind,
+            label=kind,
         )
-        told.add(kind)
     for event in branch.events:
-        kind = event.kind.replace("-", " ")
         axes.plot(
             *met[event.place],
             marker=_MARKERS.get(event.kind, _OTHER),
             color=LINES[1][0],
             linestyle="none",
-            label=None if kind in told else kind,
+            label=event.kind.replace("-", " "),
             zorder=3,
         )
-        told.add(kind)
     widen(axes)
     if over == "energy" and x.min() > 0:
         axes.set_xscale("log")

@@ -70,17 +70,6 @@ def _areas(found: BoxCertificate) -> dict[str, float]:
     return {name: area for name, area in areas.items() if area}
 
 
-def _draw_curves(axes: Axes, found: BoxCertificate) -> None:
-    """Draw curves at which verdicts change, each kind of event in a style of its own."""
-    kinds: dict[str, int] = {}
-    for curve in found.curves:
-        kind = curve.event.kind
-        label = None if kind in kinds else kind
-        style = line_style(kinds.setdefault(kind, len(kinds))) | {"color": "black"}
-        points = np.transpose(curve.points)
-        axes.plot(*points, label=label, **style)
-
-
 def _side_of_tile(found: BoxCertificate, tile: Tile) -> np.ndarray:
     """Corners (n, 2) of the part of a divided tile below its curve."""
     assert tile.event is not None
@@ -119,8 +108,11 @@ def _draw_plane(axes: Axes, found: BoxCertificate) -> None:
     axes.add_collection(
         PatchCollection(patches, facecolors=colors, edgecolors="0.3", linewidths=width)
     )
-    _draw_curves(axes, found)
-    for number, box in enumerate(found.open):
+    kinds = list(dict.fromkeys(curve.event.kind for curve in found.curves))
+    for curve in found.curves:
+        style = line_style(kinds.index(curve.event.kind)) | {"color": "black"}
+        axes.plot(*np.transpose(curve.points), label=curve.event.kind, **style)
+    for box in found.open:
         across_it, up_it = (float(low + high) / 2 for low, high in box.where.values())
         axes.plot(
             across_it,
@@ -130,7 +122,7 @@ def _draw_plane(axes: Axes, found: BoxCertificate) -> None:
             markerfacecolor="none",
             markeredgecolor=_OPEN,
             linestyle="none",
-            label=None if number else "undecided box",
+            label="undecided box",
         )
     axes.set_xlim(*map(float, found.box[across]))
     axes.set_ylim(*map(float, found.box[up]))
@@ -218,7 +210,6 @@ def _draw_branches(
     name = next((n for n in (*usual, *names) if n in names), "") if quantity is None else quantity
     if name not in names:
         raise unknown_name("unknown", name, names)
-    shown: set[str] = set()
     for branch in branches:
         for tile in branch.tiles:
             across, up = _points(branch, tile, name)
@@ -231,10 +222,8 @@ def _draw_branches(
                 parts = list(zip((tile.before, tile.after), halves, strict=True))
             for verdict, part in parts:
                 told = verdict if verdict == "undecided" else f"{verdict}, proved"
-                label = None if verdict in shown else told
-                shown.add(verdict)
                 color = _line_color(verdict)
-                axes.plot(across[part], up[part], color=color, linewidth=2, label=label)
+                axes.plot(across[part], up[part], color=color, linewidth=2, label=told)
     if others:
         axes.plot([], [], color="black", linestyle=":", label="twice the period, beside the flip")
     events = [event for branch in branches for event in branch.events]
