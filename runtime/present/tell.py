@@ -388,8 +388,8 @@ def _trajectory(motion: Trajectory) -> Told:
 
 def _transitions(motion: Trajectory) -> Listing:
     """Time, boundaries, configuration and state of each transition; of many the first and last."""
-    forcing, forced = motion.structure.forcing, _forced(motion)
-    kept = [place for place, name in enumerate(motion.names) if name not in forced]
+    forcing, forced = motion.structure.forcing, motion.structure.forced
+    kept = [place for place in range(len(motion.names)) if place not in forced]
     numbers = [*(motion.names[place] for place in kept), *["forcing phase"] * bool(forcing)]
 
     def row(place: int) -> list[str]:
@@ -404,11 +404,6 @@ def _transitions(motion: Trajectory) -> Listing:
     if (hidden := count - _TRANSITIONS) > 0:
         rows.insert(half, ["...", f"{hidden} more"] + [""] * (1 + len(numbers)))
     return Listing(("time", "reached", "then", *numbers), rows, ("time", *numbers))
-
-
-def _forced(motion: Trajectory) -> set[str]:
-    """Names of the states that are the cosine or the sine of a forcing."""
-    return {motion.names[place] for pair in motion.structure.forcing for place in pair}
 
 
 def _motion_derivatives(found: MotionDerivatives) -> Told:
@@ -426,7 +421,7 @@ def _motion_derivatives(found: MotionDerivatives) -> Told:
 def _observables(found: Observables) -> Told:
     from nonsmooth.runtime.present.answers import largest_exponent
 
-    forced = _forced(found.trajectory)
+    forced = {found.trajectory.names[place] for place in found.trajectory.structure.forced}
     states = [
         [name, *map(_number, (low.value, low.time, high.value, high.time, mean, rms))]
         for (name, low), high, mean, rms in zip(

@@ -10,15 +10,14 @@ ALIGNED = (
 MEANINGS = {
     "plain": "Plain & *stressed* text with $x_1'' \\le 1$ and <b>no tag</b>.",
     "list": "- This one is no list.",
-    "long": "$(a+b)^2 + |c-d| = e - f + g$",
+    "long": "$(a+b)^2 + \\left|c-d\\right| = e - f + g$",
     "short": "$a = b + c$",
     "leading": "$a = -b$",
     "between": "$a - b$",
     "name": r"$2\operatorname{tr}(M)$",
     "function": r"$\sin x$",
     "primes": "$x_1''$",
-    "matrix": r"$\begin{pmatrix} 1 & 2 \end{pmatrix}^{-1}$",
-    "bars": r"$\lvert x \rvert^2$",
+    "bars": r"$\left| x \right|^2$",
     "stops": "Here ($x$) and $y$, and $z$ too.",
 }
 

@@ -255,7 +255,7 @@ def test_a_cell_without_end(tmp_path):
     path = tmp_path / "motion.csv"
     friction().save(path)
     path.write_text(path.read_text() + "1" * 200_000 + "\n")
-    assert "field larger than field limit" in refusal(path)
+    assert "its columns are not time" in refusal(path)
 
 
 def test_files_that_are_too_large(path, monkeypatch):

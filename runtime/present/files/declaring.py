@@ -6,6 +6,7 @@ import secrets
 from collections.abc import Sequence
 from pathlib import Path
 from pprint import pformat
+from textwrap import indent
 from typing import Any
 
 from nonsmooth.runtime.core.errors import InputError
@@ -75,16 +76,12 @@ def _entry(name: str, table: dict[str, Any]) -> str:
     reference = table["reference"]
     guess = {states.get(name, name): text for name, text in reference["guess"].items()}
     numbers = (
-        _indented(pformat(entries, width=_WIDTH - 12, sort_dicts=False), 4) + ",\n"
+        indent(pformat(entries, width=_WIDTH - 12, sort_dicts=False), " " * 4) + ",\n"
         for entries in (reference["parameters"], guess)
     )
     phases = pformat(tuple(table["phases"]), width=_WIDTH - 8)
     lines = f'"{name}",\nsystem,\n{phases},\nreference=Reference(\n{"".join(numbers)}),'
-    return f"    Itinerary(\n{_indented(lines, 8)}\n    ),\n"
-
-
-def _indented(text: str, count: int) -> str:
-    return "\n".join(" " * count + line for line in text.split("\n"))
+    return f"    Itinerary(\n{indent(lines, ' ' * 8)}\n    ),\n"
 
 
 def _declared_by(content: bytes, path: Path) -> Sequence[Any]:

@@ -33,7 +33,6 @@ _CHILDREN = {"mfrac": 2, "mroot": 2, "msub": 2, "msup": 2, "msubsup": 3}
 _CHILDREN |= {"munder": 2, "mover": 2, "munderover": 3}
 _LONG = 8  # elements in a row, from which on it may break
 _ROWS = ("math", "mrow", "mstyle", "mtd")
-_BARS = ("|", "‖")
 _RELATIONS = tuple("=<>≤≥≈≠≡∈→⇒,;")
 _OPENING, _CLOSING = ("(", "[", "{"), (")", "]", "}")
 _SIGNS = tuple("+−±")
@@ -211,7 +210,6 @@ def _formula(latex: str, display: str) -> str:
         element.text = unescape(element.text or "")
     for element in list(math.iter()):
         if element.tag in _ROWS:
-            _pair_bars(element)
             _space_names(element)
             _space_signs(element)
         elif element.text in ("′", "″"):
@@ -224,7 +222,6 @@ def _known(latex: str) -> str:
     """The LaTeX, with what latex2mathml misreads replaced."""
     latex = latex.replace("{aligned}", "{align*}")
     latex = re.sub(r"\\mathrm\{([A-Za-z]+)\}", r"\\text{\1}", latex)
-    latex = re.sub(r"(\\begin\{([pbvBV]matrix)\}.*?\\end\{\2\})", r"{\1}", latex, flags=re.DOTALL)
     return re.sub("(?<!')''(?!['^])", r"^{\\prime\\prime}", latex)
 
 
@@ -263,16 +260,6 @@ def _space_signs(row: Element) -> None:
             stroke.attrib |= {"lspace": "0", "rspace": "0"}
 
 
-def _pair_bars(row: Element) -> None:
-    """Set vertical bars as parentheses: every other one closes."""
-    bars = [bar for bar in map(_core, row) if bar.text in _BARS and not bar.get("form")]
-    if len(bars) % 2 == 0:
-        for number, bar in enumerate(bars):
-            bar.tag = "mo"
-            bar.set("form", "postfix" if number % 2 else "prefix")
-            bar.set("stretchy", "false")
-
-
 def _lower(prime: Element) -> None:
     """Set a prime at the size and height that it has beside a letter; fonts hold it raised."""
     inner = Element("mi", {"class": "prime"})
@@ -287,12 +274,11 @@ def _pieces(math: Element) -> Iterator[Element]:
     if len(row) < _LONG:
         yield math
         return
-    first = depth = bars = 0
+    first = depth = 0
     for number, element in enumerate(row):
         sign = _core(element).text
         depth += (sign in _OPENING) - (sign in _CLOSING)
-        bars += sign in _BARS
-        if sign in _RELATIONS + _SIGNS and number > first and not depth and bars % 2 == 0:
+        if sign in _RELATIONS + _SIGNS and number > first and not depth:
             element.set("form", "infix")
             yield _inline(row[first : number + 1])
             first = number + 1

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Callable, Mapping, Sequence
-from decimal import Decimal
+from decimal import ROUND_CEILING, Context, Decimal
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 AGREES = "agrees within the printed digits"
+_ONE_DIGIT = Context(prec=1, rounding=ROUND_CEILING)  # the next larger number that has one
 _BESIDE = 0.05  # of the parameter: from a border collision to an orbit that has all phases
 
 Begin = Callable[[str], None]
@@ -171,10 +172,7 @@ def _agreement(printed: str, difference: Decimal, relative: Decimal) -> str:
     places = len(printed.partition(".")[2])
     if places and abs(difference) <= Decimal(1).scaleb(-places) / 2:
         return AGREES
-    percent = 100 * relative  # and the next larger number that has one digit
-    step = Decimal(1).scaleb(percent.adjusted())
-    text = f"{(percent / step).to_integral_value('ROUND_CEILING') * step:f}"
-    return f"agrees within {text.rstrip('0').rstrip('.') if '.' in text else text} %"
+    return f"agrees within {_ONE_DIGIT.create_decimal(100 * relative):f} %"
 
 
 def _decided(kind: str, orbits: Orbits) -> dict[str, Any]:

@@ -30,7 +30,9 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.explore.continuation.event import Event
 
 ANGULAR = "angular"
-FREQUENCIES = (ANGULAR, "cycles")
+_TURNS = {ANGULAR: 1.0, "cycles": 2 * np.pi}  # angular frequencies of one unit
+_UNITS = {ANGULAR: "angular (rad per unit of time)", "cycles": "in cycles per unit of time"}
+FREQUENCIES = tuple(_TURNS)
 _GREY = "#999999"
 _STYLES = {"stable": "-", "neutral": "-", "unstable": (0, (5, 2)), "undecided": ":"}
 _MARKERS = {
@@ -130,7 +132,6 @@ def _draw(branch: Branch, quantity: str, over: str, axes: Any, frequency: str) -
     kinds = [_between(labels, sorted(met), *ends) for ends in pairwise(places)]
     x, y = np.array([corners[place] for place in places]).T
     cuts = [0, *(k for k in range(1, len(kinds)) if kinds[k] != kinds[k - 1]), len(kinds)]
-    told = set(axes.get_legend_handles_labels()[1])  # of branches that were drawn before
     for begin, end in pairwise(cuts):
         if begin == end:
             continue
@@ -141,21 +142,17 @@ def _draw(branch: Branch, quantity: str, over: str, axes: Any, frequency: str) -
             color=_GREY if kind == _REFUSED else LINES[0][0],
             linestyle=_STYLES.get(kind, "-"),
             linewidth=1.2 if kind == _REFUSED else 1.8,
-            label=None if kind in told else kind,
+            label=kind,
         )
-        told.add(kind)
     for event in branch.events:
-        kind = event.kind.replace("-", " ")
         axes.plot(
-            _at(event, branch, over, across),
-            _at(event, branch, quantity, up),
+            *met[event.place],
             marker=_MARKERS.get(event.kind, _OTHER),
             color=LINES[1][0],
             linestyle="none",
-            label=None if kind in told else kind,
+            label=event.kind.replace("-", " "),
             zorder=3,
         )
-        told.add(kind)
     widen(axes)
     if over == "energy" and x.min() > 0:
         axes.set_xscale("log")
@@ -177,11 +174,8 @@ def _shown(branch: Branch, name: str, frequency: str) -> _Shown:
     if forced is not None or name == "frequency":
         text = "frequency" if forced is None else f"frequency of the forcing (${symbol(name)}$)"
         angular = values if forced is None else forced
-        if frequency == ANGULAR:
-            factor = float(angular[0] / values[0])
-            return _Shown(values * factor, f"{text}, angular (rad per unit of time)", factor)
-        factor = float(angular[0] / values[0]) / (2 * np.pi)
-        return _Shown(values * factor, f"{text}, in cycles per unit of time", factor)
+        factor = float(angular[0] / values[0]) / _TURNS[frequency]
+        return _Shown(values * factor, f"{text}, {_UNITS[frequency]}", factor)
     if name in (branch.parameter, *branch.unknown_names):
         return _Shown(values, units.label(name))
     if name.startswith("amplitude_"):

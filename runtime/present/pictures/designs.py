@@ -31,13 +31,9 @@ def draw_design(design: Design, axes: Any = None) -> Any:
     count = 2 if design.worst_over else 1 + len(design.parameters)
 
     def compose(figure: Figure) -> None:
-        places = [figure.add_subplot(count, 1, 1 + place) for place in range(count)]
-        _iterates(design, places[0])
-        if design.worst_over:
-            _along_branch(design, places[1])
-            return
-        for name, place in zip(design.parameters, places[1:], strict=True):
-            _along(design, name, place)
+        _iterates(design, figure.add_subplot(count, 1, 1))
+        for place, name in enumerate(design.worst_over or design.parameters, 2):
+            _along(design, name, figure.add_subplot(count, 1, place))
 
     size = (_WIDTH, _HEIGHT * count)
     return drawn_alone("design", size, lambda own: _iterates(design, own), axes, compose)
@@ -52,29 +48,27 @@ def _iterates(design: Design, axes: Any) -> None:
 
 
 def _along(design: Design, name: str, axes: Any) -> None:
+    """Draw the quantities along a parameter.
+
+    Of the one whose worst place counts, it is the branch before and after, with these places.
+    """
     values, found = along(design, design.orbit, name, _POINTS)
+    _, before = along(design, design.start, name, _POINTS) if design.worst_over else ((), found)
     for place, quantity in enumerate(design.quantities):
         style = line_style(place)
+        if design.worst_over:
+            axes.plot(values, before[:, place], alpha=0.4, **style)
         axes.plot(values, found[:, place], label=_word(quantity), **style)
-        axes.plot(design.after[name], design.after[quantity], marker="o", **style)
+        if not design.worst_over:
+            axes.plot(design.after[name], design.after[quantity], marker="o", **style)
     finite = values[np.isfinite(found).any(axis=1)]
-    if len(finite):
+    if design.worst_over:
+        worst = [design.after[design.quantity]] * len(design.worst_at)
+        axes.plot(design.worst_at, worst, marker="o", **{**line_style(0), "linestyle": "none"})
+    elif len(finite):
         axes.set_xlim(finite.min(), finite.max())
-    finish(axes, "", units_of(design.orbit.system).label(name))
-
-
-def _along_branch(design: Design, axes: Any) -> None:
-    """Draw the quantities along the branch before and after the design, with their worst places."""
-    (name,) = design.worst_over
-    values, before = along(design, design.start, name, _POINTS)
-    _, after = along(design, design.orbit, name, _POINTS)
-    for place, quantity in enumerate(design.quantities):
-        style = line_style(place)
-        axes.plot(values, before[:, place], alpha=0.4, **style)
-        axes.plot(values, after[:, place], label=_word(quantity), **style)
-    worst = [design.after[design.quantity]] * len(design.worst_at)
-    axes.plot(design.worst_at, worst, marker="o", **{**line_style(0), "linestyle": "none"})
-    finish(axes, "pale: where it began", units_of(design.orbit.system).label(name))
+    title = "pale: where it began" if design.worst_over else ""
+    finish(axes, title, units_of(design.orbit.system).label(name))
 
 
 def _word(name: str) -> str:

@@ -159,7 +159,8 @@ def draw_arrow(axes: Axes, x: np.ndarray, v: np.ndarray, style: Mapping[str, Any
 def finish(axes: Axes, title: str, across: str = "", up: str = "") -> None:
     """Add numbers, labels of the axes, a title, and a legend above the frame, off the curves.
 
-    Labels that are empty stay as they are; there is no title if it is empty.
+    Labels that are empty stay as they are; there is no title if it is empty. The legend has each
+    label once.
     """
     from nonsmooth.runtime.present.pictures.ticks import number_axes
 
@@ -168,10 +169,15 @@ def finish(axes: Axes, title: str, across: str = "", up: str = "") -> None:
         axes.set_xlabel(across)
     if up:
         axes.set_ylabel(up)
-    _, labels = axes.get_legend_handles_labels()
+    entries: dict[str, Any] = {}
+    for handle, label in zip(*axes.get_legend_handles_labels(), strict=True):
+        entries.setdefault(label, handle)
+    labels = list(entries)
     columns = _columns(axes, labels)
     if labels:
         axes.legend(
+            list(entries.values()),
+            labels,
             loc="lower left",
             bbox_to_anchor=(0, 1),
             ncols=columns,

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonsmooth.runtime.explore.fitting.fit import Fit, FittedSeries
+from nonsmooth.runtime.explore.fitting.fit import Fit
 from nonsmooth.runtime.explore.fitting.outputs import output_of
 from nonsmooth.runtime.explore.fitting.prediction import response_curves
 from nonsmooth.runtime.model.kernels import known_system
@@ -17,6 +18,7 @@ from nonsmooth.runtime.present.pictures.drawing import (
     check_picture,
     finish,
     given_axes,
+    mark_style,
 )
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
@@ -26,7 +28,7 @@ if TYPE_CHECKING:
 
 _WIDTH, _HEIGHT = 7.2, 5.2  # inches, of one experiment
 _MOST = 4  # experiments in one figure
-_MARKERS = ("o", "s", "^", "D")
+_SIZE = 3.8  # of a marker
 _USUAL = 2.0  # standard deviations
 _POINTS = 2000
 _TOLD = 3  # estimates in a title
@@ -71,82 +73,59 @@ def _grid(figure: Figure, count: int) -> Any:
 
 def _draw(fit: Fit, number: int, upper: Axes, lower: Axes) -> None:
     """Draw one experiment: its motion or responses with the measurements, and the residuals."""
-    if fit.experiments[number].responses:
-        _draw_responses(fit, number, upper, lower)
-        return
-    experiment, motion = fit.experiments[number], fit.motion(number)
-    outputs = [series for series in experiment.series if series.kind == "output"]
+    experiment, kernels = fit.experiments[number], known_system(fit.system)
+    units, states = units_of(kernels), kernels.table["states"]
+    outputs = [series for series in experiment.series if series.kind != "event"]
     events = [series for series in experiment.series if series.kind == "event"]
-    times, states = motion.sample(_POINTS)
-    units = units_of(known_system(fit.system))
-    texts = {series.name: series.expression for series in outputs} or _positions(motion)
-    colors = {name: LINES[place % len(LINES)][0] for place, name in enumerate(texts)}
-    phases = np.searchsorted(motion.times, times, side="right") - 1
-    configurations = motion.run.configurations[phases]
-    for name, text in texts.items():
-        output, system = output_of(text, motion.structure), motion.system
-        rows = output.in_configurations(motion.structure, system.fields, system.rows)
-        drawn = rows[configurations]
-        upper.plot(
-            times + experiment.offset,
-            np.einsum("mn,mn->m", drawn[:, :-1], states) + drawn[:, -1],
-            color=colors[name],
-            linewidth=1.2,
-            label=f"{name}, fitted",
+    if experiment.responses:
+        along, curves = response_curves(fit, number)
+        across = units.label(experiment.along) if experiment.along else "row"
+    else:
+        along, curves = _motion_curves(
+            fit.motion(number), {series.name: series.expression for series in outputs}
         )
-    for place, series in enumerate(outputs):
-        upper.plot(
-            series.times,
-            series.values,
-            _MARKERS[place % len(_MARKERS)],
-            color=colors[series.name],
-            markersize=3.2,
-            markerfacecolor="none",
-            label=f"{series.name}, measured",
-        )
-    for place, series in enumerate(events):
-        _draw_events(upper, series, place)
+        along, across = along + experiment.offset, "time on the clock of the data"
+    for place, (name, curve) in enumerate(curves.items()):
+        color = mark_style(place)["color"]
+        upper.plot(along, curve, color=color, linewidth=1.2, label=f"{name}, fitted")
     for place, series in enumerate([*outputs, *events]):
-        lower.plot(
-            series.values if series.kind == "event" else series.times,
-            series.residuals,
-            _MARKERS[place % len(_MARKERS)],
-            color=colors.get(series.name, "black"),
-            markersize=3.2,
-            markerfacecolor="none" if series.kind == "output" else "black",
-        )
-    upper.set_ylabel(", ".join(units.label(n) if n in motion.names else n for n in texts))
-    _finish(fit, number, upper, lower, "time on the clock of the data")
-
-
-def _draw_responses(fit: Fit, number: int, upper: Axes, lower: Axes) -> None:
-    """Draw measured steady responses over the curves of the fitted ones."""
-    experiment = fit.experiments[number]
-    values, curves = response_curves(fit, number)
-    for place, series in enumerate(experiment.series):
-        color, marker = LINES[place % len(LINES)][0], _MARKERS[place % len(_MARKERS)]
-        upper.plot(
-            values, curves[series.name], color=color, linewidth=1.2, label=f"{series.name}, fitted"
-        )
-        style: Any = {"color": color, "markersize": 4.2, "markerfacecolor": "none"}
-        upper.plot(series.times, series.values, marker, label=f"{series.name}, measured", **style)
-        lower.plot(series.times, series.residuals, marker, **style)
-    upper.set_ylabel(", ".join(series.name for series in experiment.series))
-    along = experiment.along
-    _finish(fit, number, upper, lower, units_of(known_system(fit.system)).label(along) or "row")
-
-
-def _finish(fit: Fit, number: int, upper: Axes, lower: Axes, along: str) -> None:
-    """Draw the band of usual residuals, labels and titles."""
+        marked, style = series.times, {**mark_style(place), "markersize": _SIZE}
+        if series.kind == "event":  # a mark along the lower edge
+            marked, style["color"] = series.values, "black"
+            heights = np.full(len(marked), 0.03 + 0.06 * (place - len(outputs)))
+            edge: dict[str, Any] = {"transform": upper.get_xaxis_transform(), "markersize": 9}
+            label = f"{series.expression}, recorded"
+            upper.plot(marked, heights, "|", color="black", label=label, **edge)
+        else:
+            style["markerfacecolor"] = "none"
+            upper.plot(marked, series.values, label=f"{series.name}, measured", **style)
+        lower.plot(marked, series.residuals, **style)
     lower.axhspan(-_USUAL, _USUAL, color="#DDDDDD", zorder=0)
     low, high = lower.get_ylim()
     lower.set_ylim(min(low, -1.2 * _USUAL), max(high, 1.2 * _USUAL))
     lower.axhline(0, color="#777777", linewidth=0.8, zorder=1)
-    lower.set_ylabel("residual / sigma")
-    lower.set_xlabel(along)
     several = len(fit.experiments) > 1
-    finish(upper, shown_name(fit.experiments[number].name) if several else _title(fit))
-    finish(lower, "")
+    up = ", ".join(units.label(n) if n in states else n for n in curves)
+    finish(upper, shown_name(experiment.name) if several else _title(fit), "", up)
+    finish(lower, "", across, "residual / sigma")
+
+
+def _motion_curves(
+    motion: Trajectory, texts: Mapping[str, str]
+) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+    """Times, and outputs of a fitted motion by name; if none was measured its first positions."""
+    if not texts:
+        places = [place for place, _ in motion.structure.coordinates] or [0]
+        texts = {motion.names[place]: motion.names[place] for place in places[: len(LINES)]}
+    times, states = motion.sample(_POINTS)
+    phases = np.searchsorted(motion.times, times, side="right") - 1
+    curves, structure, system = {}, motion.structure, motion.system
+    for name, text in texts.items():
+        output = output_of(text, structure)
+        rows = output.in_configurations(structure, system.fields, system.rows)
+        drawn = rows[motion.run.configurations[phases]]
+        curves[name] = np.einsum("mn,mn->m", drawn[:, :-1], states) + drawn[:, -1]
+    return times, curves
 
 
 def _title(fit: Fit) -> str:
@@ -157,22 +136,3 @@ def _title(fit: Fit) -> str:
     ]
     more = ", ..." if len(told) > _TOLD else ""
     return f"{shown_name(fit.system)}: {', '.join(told[:_TOLD])}{more}"
-
-
-def _draw_events(upper: Axes, series: FittedSeries, place: int) -> None:
-    """Draw recorded times as marks along the lower edge."""
-    upper.plot(
-        series.values,
-        np.full(len(series.values), 0.03 + 0.06 * place),
-        "|",
-        transform=upper.get_xaxis_transform(),
-        color="black",
-        markersize=9,
-        label=f"{series.expression}, recorded",
-    )
-
-
-def _positions(motion: Trajectory) -> dict[str, str]:
-    """The positions that are drawn if no output was measured, by name."""
-    places = [place for place, _ in motion.structure.coordinates] or [0]
-    return {motion.names[place]: motion.names[place] for place in places[: len(LINES)]}

@@ -180,10 +180,6 @@ def draw_portraits(view: View, places: Sequence[Axes]) -> None:
             for moving, labels in ((False, shown.positions), (True, shown.velocities))
         )
         axes.margins(0.07)
-        handles, labels = axes.get_legend_handles_labels()
-        for handle, label in list(zip(handles, labels, strict=True)):
-            if labels.index(label) != handles.index(handle):
-                handle.set_label("_")  # once in the legend
         finish(axes, view.title if place == 0 else " " * bool(view.title), *texts)
 
 

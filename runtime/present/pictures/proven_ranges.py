@@ -10,7 +10,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.model.naming import shown_name, units_of
-from nonsmooth.runtime.present.pictures.drawing import drawn_alone, finish, mark_style
+from nonsmooth.runtime.present.pictures.drawing import drawn_alone, finish, line_style, mark_style
 from nonsmooth.runtime.proof.boxes.box_certificate import VERDICTS, BoxCertificate, Tile
 from nonsmooth.runtime.proof.branch.certified_branch import BranchTile, CertifiedBranch
 from nonsmooth.runtime.proof.branch.certified_doubling import CertifiedDoubling
@@ -27,9 +27,9 @@ _COLORS = {
     "beyond a fold": "#EEEEEE",
     "undecided": "#FFFFFF",
 }
+_OPEN = "#CC3311"  # of what is undecided, in lines
 _PLANE = 2  # parameters
 _PARTS = 16  # of a curve in a tile
-_STYLES = ("-", "--", "-.", ":")
 _POINTS = 40  # of a tile
 _AWAY = 60  # points of the orbits beside a flip
 
@@ -70,17 +70,6 @@ def _areas(found: BoxCertificate) -> dict[str, float]:
     return {name: area for name, area in areas.items() if area}
 
 
-def _draw_curves(axes: Axes, found: BoxCertificate) -> None:
-    """Draw curves at which verdicts change, each kind of event in a style of its own."""
-    kinds: dict[str, int] = {}
-    for curve in found.curves:
-        kind = curve.event.kind
-        label = None if kind in kinds else kind
-        style = _STYLES[kinds.setdefault(kind, len(kinds)) % len(_STYLES)]
-        points = np.transpose(curve.points)
-        axes.plot(*points, color="black", linewidth=1.4, linestyle=style, label=label)
-
-
 def _side_of_tile(found: BoxCertificate, tile: Tile) -> np.ndarray:
     """Corners (n, 2) of the part of a divided tile below its curve."""
     assert tile.event is not None
@@ -94,6 +83,10 @@ def _side_of_tile(found: BoxCertificate, tile: Tile) -> np.ndarray:
     return placed
 
 
+def _color(found: BoxCertificate, verdict: str) -> str:
+    return _COLORS[found.stability if verdict == "proved" else verdict]
+
+
 def _draw_plane(axes: Axes, found: BoxCertificate) -> None:
     from matplotlib.collections import PatchCollection
     from matplotlib.patches import Polygon, Rectangle
@@ -102,24 +95,24 @@ def _draw_plane(axes: Axes, found: BoxCertificate) -> None:
     patches: list[Rectangle | Polygon] = []
     colors = []
 
-    def color_of(verdict: str) -> str:
-        return _COLORS[found.stability if verdict == "proved" else verdict]
-
     for tile, verdict in zip(found.tiles, found.verdicts, strict=True):
         where = found.where(tile)
         (left, right), (below, above) = where[across], where[up]
         corner = (float(left), float(below))
         patches.append(Rectangle(corner, float(right - left), float(above - below)))
-        colors.append(color_of(verdict if tile.event is None else tile.event.above))
+        colors.append(_color(found, verdict if tile.event is None else tile.event.above))
         if tile.event is not None:
             patches.append(Polygon(_side_of_tile(found, tile)))
-            colors.append(color_of(tile.event.below))
+            colors.append(_color(found, tile.event.below))
     width = 0.6 if len(patches) < 400 else 0.2
     axes.add_collection(
         PatchCollection(patches, facecolors=colors, edgecolors="0.3", linewidths=width)
     )
-    _draw_curves(axes, found)
-    for number, box in enumerate(found.open):
+    kinds = list(dict.fromkeys(curve.event.kind for curve in found.curves))
+    for curve in found.curves:
+        style = line_style(kinds.index(curve.event.kind)) | {"color": "black"}
+        axes.plot(*np.transpose(curve.points), label=curve.event.kind, **style)
+    for box in found.open:
         across_it, up_it = (float(low + high) / 2 for low, high in box.where.values())
         axes.plot(
             across_it,
@@ -127,9 +120,9 @@ def _draw_plane(axes: Axes, found: BoxCertificate) -> None:
             marker="o",
             markersize=9,
             markerfacecolor="none",
-            markeredgecolor="#CC3311",
+            markeredgecolor=_OPEN,
             linestyle="none",
-            label=None if number else "undecided box",
+            label="undecided box",
         )
     axes.set_xlim(*map(float, found.box[across]))
     axes.set_ylim(*map(float, found.box[up]))
@@ -141,7 +134,7 @@ def _draw_line(axes: Axes, found: BoxCertificate) -> None:
     (name,) = found.box
     for tile in found.tiles:
         left, right = map(float, found.where(tile)[name])
-        color = _COLORS[found.stability if tile.verdict == "proved" else tile.verdict]
+        color = _color(found, tile.verdict)
         trace = tile.enclosures.get("trace")
         if trace is None:
             axes.axvspan(left, right, facecolor=color, edgecolor="0.3", hatch="//", linewidth=0)
@@ -161,13 +154,11 @@ def draw_certified_branch(
     The default is the last dwell time. The result is the Axes that are given, or else a new
     figure. An unknown name raises `InputError`.
     """
-    return drawn_alone("branch", (7.2, 5.0), lambda own: _draw_branch(found, quantity, own), axes)
 
+    def draw(own: Axes) -> None:
+        _draw_branches(own, found.orbit, [found], quantity, found.unknown_names[-1:])
 
-def _draw_branch(found: CertifiedBranch, quantity: str | None, axes: Axes) -> None:
-    name = found.unknown_names[-1] if quantity is None and found.unknown_names else quantity or ""
-    _draw_tiles(found, name, axes, set())
-    _finish(found, [found], name, axes)
+    return drawn_alone("branch", (7.2, 5.0), draw, axes)
 
 
 def draw_doubling(found: CertifiedDoubling, quantity: str | None = None, axes: Any = None) -> Any:
@@ -177,85 +168,75 @@ def draw_doubling(found: CertifiedDoubling, quantity: str | None = None, axes: A
     the first one. The result is the Axes that are given, or else a new
     figure. An unknown name raises `InputError`.
     """
-    return drawn_alone(
-        "doubling", (7.2, 5.0), lambda own: _draw_doubling(found, quantity, own), axes
-    )
+    doubled, names = found.doubled, found.branch.unknown_names
 
-
-def _draw_doubling(found: CertifiedDoubling, quantity: str | None, axes: Axes) -> None:
-    doubled, branches = found.doubled, [found.branch]
-    if doubled is not None:
-        branches.append(doubled.branch)
-    names = found.branch.unknown_names
-    common = [name for name in names if all(name in b.unknown_names for b in branches)]
-    name = quantity
-    if name is None:
-        apart = "" if doubled is None else doubled.scaled
-        name = apart if apart in common else common[0]
-    if name not in common:
-        raise unknown_name("unknown", name, common)
-    shown: set[str] = set()
-    for branch in branches:
-        _draw_tiles(branch, name, axes, shown)
-    if doubled is not None:
+    def draw(own: Axes) -> None:
+        if doubled is None:
+            _draw_branches(own, found.orbit, [found.branch], quantity, names)
+            return
+        both = [found.branch, doubled.branch]
+        name = _draw_branches(own, found.orbit, both, quantity, [doubled.scaled])
         e = np.linspace(0, 1, _AWAY)
-        size = len(names)
         rows = [np.polynomial.polynomial.polyval(e, row) for row in doubled.centre]
-        away = [*rows[size:-1]]
+        away = rows[len(names) : -1]
         away.insert(names.index(doubled.scaled), np.ones(_AWAY))
         place = names.index(name)
         up = rows[place] + float(doubled.amplitude) * e * away[place]
-        color = "#CC3311" if doubled.verdict == "undecided" else _COLORS[doubled.verdict]
-        axes.plot(rows[-1], up, color=color, linewidth=2, linestyle=":")
-        axes.plot([], [], color="black", linestyle=":", label="twice the period, beside the flip")
-    _finish(found, branches, name, axes)
+        own.plot(rows[-1], up, color=_line_color(doubled.verdict), linewidth=2, linestyle=":")
+
+    return drawn_alone("doubling", (7.2, 5.0), draw, axes)
 
 
-def _draw_tiles(found: CertifiedBranch, name: str, axes: Axes, shown: set[str]) -> None:
-    """Draw the unknown `name` along the tiles of a branch, in the colours of their verdicts.
-
-    Verdicts in `shown` have a label already; those that get one are added. `InputError` is
-    raised if the branch has no such unknown.
-    """
-    if name not in found.unknown_names:
-        raise unknown_name("unknown", name, found.unknown_names)
-    for tile in found.tiles:
-        across, up = _points(found, tile, name)
-        parts = [(tile.before, slice(None))]
-        if tile.event is not None:
-            low = float(tile.lower)
-            share = (float(tile.event.lower) - low) / (float(tile.upper) - low)
-            cut = int(share * (_POINTS - 1)) + 1
-            first, second = slice(None, cut), slice(cut - 1, None)
-            halves = (first, second) if tile.forwards else (second, first)
-            parts = [(tile.before, halves[0]), (tile.after, halves[1])]
-        for verdict, part in parts:
-            told = "undecided" if verdict == "undecided" else f"{verdict}, proved"
-            color = _COLORS[verdict] if verdict != "undecided" else "#CC3311"
-            label = "" if verdict in shown else told
-            shown.add(verdict)
-            axes.plot(across[part], up[part], color=color, linewidth=2, label=label or None)
+def _line_color(verdict: str) -> str:
+    """Colour of a curve, which white would not show."""
+    return _OPEN if verdict == "undecided" else _COLORS[verdict]
 
 
-def _finish(
-    found: CertifiedBranch | CertifiedDoubling,
-    branches: Sequence[CertifiedBranch],
-    name: str,
+def _draw_branches(
     axes: Axes,
-) -> None:
-    """Mark the events of branches on the curves of the unknown `name`, and label the Axes."""
+    title: str,
+    branches: Sequence[CertifiedBranch],
+    quantity: str | None,
+    usual: Sequence[str],
+) -> str:
+    """Draw an unknown along the tiles of branches of one parameter, and their events.
+
+    Without a `quantity` it is the first of the `usual` ones
+    that all branches have, or else the first that they have; it is returned. `InputError` is
+    raised for another name.
+    """
+    first, *others = branches
+    names = [n for n in first.unknown_names if all(n in b.unknown_names for b in others)]
+    name = next((n for n in (*usual, *names) if n in names), "") if quantity is None else quantity
+    if name not in names:
+        raise unknown_name("unknown", name, names)
+    for branch in branches:
+        for tile in branch.tiles:
+            across, up = _points(branch, tile, name)
+            parts = [(tile.before, slice(None))]
+            if tile.event is not None:
+                low = float(tile.lower)
+                share = (float(tile.event.lower) - low) / (float(tile.upper) - low)
+                cut = int(share * (_POINTS - 1)) + 1
+                halves = [slice(None, cut), slice(cut - 1, None)][:: 1 if tile.forwards else -1]
+                parts = list(zip((tile.before, tile.after), halves, strict=True))
+            for verdict, part in parts:
+                told = verdict if verdict == "undecided" else f"{verdict}, proved"
+                color = _line_color(verdict)
+                axes.plot(across[part], up[part], color=color, linewidth=2, label=told)
+    if others:
+        axes.plot([], [], color="black", linestyle=":", label="twice the period, beside the flip")
     events = [event for branch in branches for event in branch.events]
-    kinds = list(dict.fromkeys(event.kind for event in events))
-    for place, kind in enumerate(kinds):
+    for place, kind in enumerate(dict.fromkeys(event.kind for event in events)):
         there = [event.enclosures for event in events if event.kind == kind]
         axes.plot(
-            [float(x[branches[0].parameter]) for x in there],
-            [float(x[name]) for x in there],
+            *([float(x[n]) for x in there] for n in (first.parameter, name)),
             label=f"{kind}, enclosed",
             **{**mark_style(place), "color": "black"},
         )
-    units = units_of(found.system)
-    finish(axes, shown_name(found.orbit), units.label(found.parameter), units.label(name))
+    units = units_of(first.system)
+    finish(axes, shown_name(title), units.label(first.parameter), units.label(name))
+    return name
 
 
 def _points(found: CertifiedBranch, tile: BranchTile, name: str) -> tuple[np.ndarray, np.ndarray]:

@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.text import Text
 from matplotlib.ticker import AutoLocator, MaxNLocator, ScalarFormatter
 
-_GAP = 0.5  # of the size of a label: between two
+# of labels, in units of their size: between two, of a letter, from line to line
+_GAP, _WIDTH, _HEIGHT = 0.5, 0.62, 1.2
 _MOST = 9  # intervals between labels
 
 
@@ -59,42 +59,30 @@ class _Apart(MaxNLocator):
 
     def __init__(self) -> None:
         super().__init__(_MOST, steps=[1, 2, 2.5, 5, 10])
-        self._last: tuple[Any, Any] = (None, ())
 
     def tick_values(self, vmin: float, vmax: float) -> Any:
-        """Places of the labels between two ends, cached as a layout asks often for the same."""
-        room = self._room()
-        asked = (vmin, vmax, *room)
-        if self._last[0] != asked:
-            places: Any = ()
-            for count in range(_MOST, 0, -1):
-                self.set_params(nbins=count)
-                places = super().tick_values(vmin, vmax)
-                if not room or self._stand_apart(places, vmin, vmax, room):
-                    break
-            self._last = asked, places
-        return self._last[1]
+        """Places of the labels between two ends."""
+        places: Any = ()
+        for count in range(_MOST, 0, -1):
+            self.set_params(nbins=count)
+            places = super().tick_values(vmin, vmax)
+            if self._stand_apart(np.sort(places), *sorted((vmin, vmax))):
+                break
+        return places
 
-    def _room(self) -> tuple[Any, ...]:
-        """The formatter, the size of labels in points, dots per inch, and pixels along the axis."""
+    def _stand_apart(self, places: Any, low: float, high: float) -> bool:
         axis: Any = self.axis
         if axis is None or not hasattr(axis, "get_major_ticks"):
-            return ()
-        length = axis.axes.bbox.height if axis.axis_name == "y" else axis.axes.bbox.width
-        size = axis._get_tick_label_size(axis.axis_name)
-        return axis.get_major_formatter(), size, axis.get_figure().dpi, length
-
-    def _stand_apart(self, places: Any, vmin: float, vmax: float, room: tuple[Any, ...]) -> bool:
-        axis: Any = self.axis
-        formatter, size, dpi, length = room
-        upright = axis.axis_name == "y"
-        shown = np.sort(places[(places >= min(vmin, vmax)) & (places <= max(vmin, vmax))])
-        text = Text(fontsize=size, figure=axis.get_figure())
-        sizes = []
-        for label in formatter.format_ticks(shown):
-            text.set_text(label)
-            box = text.get_window_extent()
-            sizes.append(box.height if upright else box.width)
-        gap = _GAP * size * dpi / 72
-        needed = (np.array(sizes[:-1]) + sizes[1:]) / 2 + gap * (0.2 if upright else 1)
-        return bool((np.diff(shown) / abs(vmax - vmin) * length >= needed).all())
+            return True
+        upright, box = axis.axis_name == "y", axis.axes.bbox
+        shown = places[(places >= low) & (places <= high)]
+        letter = axis._get_tick_label_size(axis.axis_name) * axis.get_figure().dpi / 72
+        if upright:
+            needed = np.full(max(len(shown) - 1, 0), _HEIGHT)
+        else:
+            widths = [
+                _WIDTH * len(label) for label in axis.get_major_formatter().format_ticks(shown)
+            ]
+            needed = (np.array(widths[:-1]) + widths[1:]) / 2 + _GAP
+        room = (box.height if upright else box.width) / (high - low)
+        return bool((np.diff(shown) * room >= needed * letter).all())
