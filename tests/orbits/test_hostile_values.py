@@ -3,13 +3,13 @@
 NumPy's warnings are errors here, as in all tests.
 """
 
+from contextlib import suppress
+
 import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.runtime.core.errors import InputError, NonsmoothError
 from nonsmooth.runtime.model.kernels import backend
-from nonsmooth.runtime.shooting.newton import NEGATIVE, UNSURE
 from tests.two_masses import PHASES, STICKING, SYSTEMS
 
 COUNT = 25 if backend() == "c" else 8
@@ -65,7 +65,7 @@ def test_hostile_values_end_in_an_orbit_a_status_or_an_error_of_ours(asked, name
     for _ in range(COUNT if asked is by_kernels else 2 * COUNT):
         try:
             found = asked(name, generator)
-        except NonsmoothError:
+        except ns.NonsmoothError:
             ends.add("error")
             continue
         ends.add("orbit" if np.any(found.converged) else "status")
@@ -78,17 +78,20 @@ def test_hostile_values_end_in_an_orbit_a_status_or_an_error_of_ours(asked, name
             assert np.isfinite(found.poincare_jacobian).all()
             found.derivatives(one_sided=True)
         elif found.problem.derived:
-            with pytest.raises(InputError, match="there is no orbit"):
+            with pytest.raises(ns.InputError, match="there is no orbit"):
                 found.to_json()
-            if found.status != NEGATIVE:
-                with pytest.raises(InputError, match="there is no orbit"):
-                    found.admissibility  # noqa: B018 - this is the question
+            verdict = False  # that of times that are negative is told
+            with suppress(ns.InputError):
+                verdict = found.admissibility.verdict
+            assert verdict is False
     assert len(ends) > 1
 
 
 def test_a_point_whose_map_is_infinite_is_judged_as_one_of_many():
     one, many = (ns.solve("rigid-stop/one-impact", {"k2": x}, throw=False) for x in (K2, [K2]))
-    assert one.status == many.status[0] == UNSURE
+    assert one.status == many.status[0] != 0
+    with pytest.raises(ns.NoConvergence, match="beyond double precision"):
+        ns.solve("rigid-stop/one-impact", {"k2": K2})
     assert not np.isfinite(one.poincare_jacobian).all()
 
 

@@ -39,7 +39,7 @@ from nonsmooth.runtime.explore.fitting.outputs import (
     output_of,
     response_quantity,
 )
-from nonsmooth.runtime.explore.fitting.unknowns import Setting
+from nonsmooth.runtime.explore.fitting.unknowns import ExperimentValues
 from nonsmooth.runtime.model.kernels import SystemKernels, grown, known_system
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.model.structure import structure_of
@@ -82,7 +82,7 @@ class Prediction:
     orbits: tuple[OrbitDerivatives, ...] = ()
 
 
-def predict(kernels: SystemKernels, experiment: Measured, setting: Setting) -> Prediction:
+def predict(kernels: SystemKernels, experiment: Measured, setting: ExperimentValues) -> Prediction:
     """The prediction for an experiment with a motion, with exact derivatives.
 
     Raises `NonsmoothError` if the motion does not exist, is too short, or has no derivative.
@@ -137,7 +137,7 @@ def predict(kernels: SystemKernels, experiment: Measured, setting: Setting) -> P
     return Prediction(tuple(values), tuple(jacobians), motion)
 
 
-def _motion_under(kernels: SystemKernels, experiment: Measured, setting: Setting) -> Trajectory:
+def _motion_under(kernels: SystemKernels, experiment: Measured, setting: ExperimentValues) -> Trajectory:
     """The motion of an experiment, as far as it was recorded.
 
     Raises `NonsmoothError` if the motion does not exist, ends before the data, or reaches a
@@ -212,13 +212,13 @@ def _check_jumps(
             )
 
 
-def points_under(experiment: Measured, setting: Setting) -> list[Point]:
+def points_under(experiment: Measured, setting: ExperimentValues) -> list[Point]:
     """All parameters of each row of an experiment."""
     return [{**setting.parameters, **own} for own in experiment.points]
 
 
 def look(
-    kernels: SystemKernels, experiment: Measured, setting: Setting, known: KnownResponses
+    kernels: SystemKernels, experiment: Measured, setting: ExperimentValues, known: KnownResponses
 ) -> None:
     """Search for the responses of an experiment, and add them to those that are known."""
     points, by = points_under(experiment, setting), [*setting.columns]
@@ -246,7 +246,7 @@ def _differentiated(orbit: Orbit, by: Sequence[str]) -> OrbitDerivatives | None:
 
 
 def predict_steady(
-    kernels: SystemKernels, experiment: Measured, setting: Setting, known: KnownResponses
+    kernels: SystemKernels, experiment: Measured, setting: ExperimentValues, known: KnownResponses
 ) -> Prediction:
     """The prediction for an experiment with steady responses.
 

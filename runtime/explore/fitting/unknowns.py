@@ -38,7 +38,7 @@ class FreeNumber:
         return self.name.partition("@")[0]
 
 
-class Setting(NamedTuple):
+class ExperimentValues(NamedTuple):
     """What one experiment takes from the unknowns at one point of them."""
 
     point: np.ndarray  # (q,), the unknowns
@@ -75,7 +75,7 @@ class Unknowns:
         usual = np.where(self.guess != 0, abs(self.guess), 1.0)
         return np.where(abs(point) > _VANISHING * usual, abs(point), usual)
 
-    def at(self, point: np.ndarray, experiment: int) -> Setting:
+    def at(self, point: np.ndarray, experiment: int) -> ExperimentValues:
         """What an experiment, by its number from 0, takes from a point (q,) of the unknowns."""
         known = {kind: dict(numbers) for kind, numbers in self.fixed[experiment].items()}
         columns: dict[str, int] = {}
@@ -89,7 +89,7 @@ class Unknowns:
             else:
                 columns[entry.base] = place
         offset = known["offset"][OFFSET]
-        return Setting(point, known["parameter"], known["start"], offset, columns, clock)
+        return ExperimentValues(point, known["parameter"], known["start"], offset, columns, clock)
 
 
 def unknowns_of(
