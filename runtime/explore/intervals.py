@@ -122,12 +122,13 @@ def _failure(
         point = {**others, parameter: float(value)}
         try:
             orbit = solve_kernels(kernels, point, throw=False)
-        except InputError:  # beyond the domain
+            if orbit.status == SINGULAR:
+                return "the equations are singular"
+            if orbit.status != CONVERGED:
+                return STATUS[orbit.status].partition(":")[0]
+            violations = orbit.admissibility.violations
+        except InputError:  # beyond the domain, or too fast to be judged
             break
-        if orbit.status == SINGULAR:
-            return "the equations are singular"
-        if orbit.status != CONVERGED:
-            return STATUS[orbit.status].partition(":")[0]
-        for first in orbit.admissibility.violations[:1]:
+        for first in violations[:1]:
             return f"{first.boundary} is crossed in {first.configuration} at t = {first.time:.6g}"
     return "the margin is within the rounding"

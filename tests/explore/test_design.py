@@ -125,6 +125,14 @@ def test_two_values_are_solved_for_in_two_parameters():
     assert found.values == pytest.approx({"V": 0.9, "eta": 3.9}, rel=1e-10)
 
 
+@pytest.mark.parametrize("beyond", [0, 2e-10, 1e-6])
+def test_a_value_at_the_end_of_a_range_is_met(beyond):
+    aimed = ns.solve("dry-friction/symmetric", {"V": 0.9})
+    found = ns.design(symmetric(), solve={"period": aimed.period}, over={"V": (0.6, 0.9 + beyond)})
+    assert found.converged
+    assert found.values["V"] == pytest.approx(0.9, rel=1e-12)
+
+
 def test_a_closed_form_is_met():
     """Grazing of the impact oscillator at |sigma| = 1/(w^2 - 1); peaks there are its stop."""
     found = ns.design(impacts(), maximise="v0", over={"sigma": (-0.5, 0.5)})

@@ -68,6 +68,13 @@ def test_ends_have_their_reasons():
     assert solve(RIGID, {"T": first.upper}).unknowns["u"] == pytest.approx(0, abs=1e-12)
 
 
+def test_where_phases_are_too_long_to_be_judged_an_interval_ends():
+    """At 1e5 radians of the fastest mode in a phase; beyond nothing is stated."""
+    (found,) = admissible_intervals(RIGID, "k2", 1e8, 1e9, 50)
+    assert np.sqrt(found.upper) * 2 * np.pi == pytest.approx(1e5 * np.sqrt(2), rel=0.01)
+    assert found.above == "the margin is within the rounding"
+
+
 def test_singular_values_are_the_zeros_of_another_determinant():
     found = singular_values(RIGID, "T", 0.5, 30, POINTS)
     assert len(found) == 12

@@ -41,6 +41,7 @@ _SETTLED = 1e-9  # of the aim: what is gained by beginning again at an optimum
 _MISSED = 1e-6  # of a condition: then it is approached first
 _PENALTY = 1e3  # of what misses a condition, beside the aim
 _PRECISION = 1e-15  # of the aim
+_LAST, _TINY = 5, 1e-15  # Newton's steps behind the least squares
 
 
 class MarginKey(NamedTuple):
@@ -211,15 +212,21 @@ class Aim:
                 slopes[place] = np.asarray(there[key].rates, dtype=float) / unit
         return values, slopes
 
-    def limits(self, point: Trial) -> Iterator[Limit]:
-        """All conditions at the orbits of a trial, those that no boundary is crossed among them."""
+    def limits(self, point: Trial, *, equal: bool | None = None) -> Iterator[Limit]:
+        """All conditions at the orbits of a trial, those that no boundary is crossed among them.
+
+        With `equal` the equations alone, or all but these.
+        """
+        asked = [each for each in self.conditions if equal in (None, each.relation == "=")]
         for member in point.members:
-            for each in self.conditions:
+            for each in asked:
                 found, size = self._limit(member, *each.asked), self.size(each)
                 slopes = self._by_variables(found.by_parameters / size)
                 relaxed = found.by_level / size * (1.0 if each.relation == "<=" else -1.0)
                 equation = each.relation == "="
                 yield Limit(each.text, member, found.values / size, slopes, relaxed, equation)
+            if equal:
+                continue
             values, slopes = self.distances(member)
             inside, slopes = (values - _INSIDE)[:, None], self._by_variables(slopes)[:, None]
             for place, (key, unit) in enumerate(self.margins.items()):
@@ -233,9 +240,7 @@ class Aim:
         """
         count = len(self.lengths) + self.levelled
         found = [Rows(np.zeros(0), np.zeros((0, count)))]
-        found += [
-            Rows(each.values, each.slopes) for each in self.limits(point) if each.equation == equal
-        ]
+        found += [Rows(each.values, each.slopes) for each in self.limits(point, equal=equal)]
         if self.levelled and not equal and level is not None:
             found += [self.level_rows(member, level) for member in point.members]
         return Rows(np.concatenate([f.values for f in found]), np.vstack([f.slopes for f in found]))
@@ -376,7 +381,7 @@ def _searched(
     points: Trials, aim: Aim, most: int, history: list[Trial], merit: Callable[[Trial], float]
 ) -> Ended:
     best, box, reason = points.visited[0], 1.0, ""
-    run = _minimised if aim.quantity else _solved
+    run, finish = (_minimised, _snapped) if aim.quantity else (_solved, _sharpened)
     history.append(best)
     for _ in range(_ROUNDS):
         lower, upper = np.maximum(best.place - box, 0.0), np.minimum(best.place + box, 1.0)
@@ -407,7 +412,7 @@ def _searched(
             if merit(best) - merit(tried) <= _SETTLED:
                 break
             best = tried
-    best = _snapped(points, best)
+    best = finish(points, aim, best)
     if history[-1] is not best:
         history.append(best)
     return Ended(best, reason)
@@ -435,7 +440,28 @@ def _solved(
     return history[-1]
 
 
-def _snapped(points: Trials, best: Trial) -> Trial:
+def _sharpened(points: Trials, aim: Aim, begin: Trial) -> Trial:
+    """The orbit after a few of Newton's steps, up to the bounds, while these reduce the residual.
+
+    Least squares stay inside of the bounds.
+    """
+    best, (values, slopes) = begin, aim.rows(begin, 0.0, equal=True)
+    for _ in range(_LAST):
+        step = np.linalg.lstsq(slopes, -values, rcond=None)[0]
+        if np.abs(step).max() <= _TINY:
+            break
+        try:
+            found = points.at(np.clip(best.place + step, 0.0, 1.0))
+        except Beyond:
+            break
+        then = aim.rows(found, 0.0, equal=True)
+        if not np.linalg.norm(then.values) < np.linalg.norm(values):
+            break
+        best, (values, slopes) = found, then
+    return best
+
+
+def _snapped(points: Trials, aim: Aim, best: Trial) -> Trial:
     """The orbit on the bounds that a trial almost touches, or the trial itself."""
     place = np.where(best.place < _SIDE, 0.0, np.where(best.place > 1 - _SIDE, 1.0, best.place))
     try:

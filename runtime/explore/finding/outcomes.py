@@ -406,13 +406,12 @@ class Attractors:
         labels = _arrivals(motions, self.orbits)
         quiet = motions.status == Status.QUIET
         known = len(self.responses)  # one that was visited since stays unclassified
-        # orbits and equilibria that never leave a configuration
-        staying = {
-            orbit.itinerary[0][0]: place
-            for place, orbit in enumerate(self.orbits)
-            if orbit.tables.cycle.uninterrupted
-        }
-        staying |= {e.configuration: k for k, e in enumerate(self.equilibria, len(self.orbits))}
+        staying: dict[str, int] = {}  # the first that never leaves a configuration
+        for place, orbit in enumerate(self.orbits):
+            if orbit.tables.cycle.uninterrupted:
+                staying.setdefault(orbit.itinerary[0][0], place)
+        for place, equilibrium in enumerate(self.equilibria, len(self.orbits)):
+            staying.setdefault(equilibrium.configuration, place)
         quiet &= motions.configurations < known
         for configuration in np.unique(motions.configurations[quiet]).tolist():
             here = quiet & (motions.configurations == configuration)

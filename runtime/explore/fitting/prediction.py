@@ -137,7 +137,9 @@ def predict(kernels: SystemKernels, experiment: Measured, setting: ExperimentVal
     return Prediction(tuple(values), tuple(jacobians), motion)
 
 
-def _motion_under(kernels: SystemKernels, experiment: Measured, setting: ExperimentValues) -> Trajectory:
+def _motion_under(
+    kernels: SystemKernels, experiment: Measured, setting: ExperimentValues
+) -> Trajectory:
     """The motion of an experiment, as far as it was recorded.
 
     Raises `NonsmoothError` if the motion does not exist, ends before the data, or reaches a
