@@ -144,7 +144,7 @@ def _simple_modes(fields: np.ndarray, rows: np.ndarray) -> list[ModeGroup]:
     """Modes of the motions of a stack with distinct eigenvalues, computed in natural units."""
     units = natural_units(fields, fall_rates(fields, rows))
     scaled = units.fields(fields)
-    near = np.flatnonzero(_is_near(scaled))
+    near = np.flatnonzero(np.isfinite(scaled).all(axis=(-2, -1)))
     groups = []
     for group in simple_modes(scaled[near]):
         places = near[group.places]
@@ -154,31 +154,25 @@ def _simple_modes(fields: np.ndarray, rows: np.ndarray) -> list[ModeGroup]:
     return groups
 
 
-def _is_near(fields: np.ndarray) -> np.ndarray:
-    """Whether the entries of fields (n, N, N + 1) in natural units are not too far apart: (n,)."""
-    return np.asarray(np.abs(fields).max(axis=(-2, -1), initial=0.0) < _FAR_APART)
-
-
 def _found(field: np.ndarray, rate: float) -> NumericModes:
-    """Modes of one motion, computed in its natural units; `LinAlgError` if it has none."""
+    """Modes of one motion, computed in its natural units."""
     units = natural_units(field[None], np.array([rate]))
-    scaled = units.fields(field[None])
-    if not _is_near(scaled).all():
-        raise np.linalg.LinAlgError
-    shapes, exponents, flows = _found_in_natural_units(scaled[0])
+    shapes, exponents, flows = _found_in_natural_units(units.fields(field[None])[0])
     return NumericModes(
         shapes, units.exponents(exponents[None])[0], units.flows_of_one(shapes, flows)
     )
 
 
 def _found_in_natural_units(field: np.ndarray) -> NumericModes:
-    """Modes of one motion by the first way that succeeds."""
+    """Modes of one motion by the first way that succeeds; `LinAlgError` if none can."""
     size = len(field)
     if size < LARGE:
         for group in simple_modes(field[None]):
             return NumericModes(group.shapes, group.exponents[0], group.flows[0][0])
         if (driven := driven_modes(field, numeric_modes)) is not None:
             return driven
+    if not np.abs(field).max(initial=0.0) < _FAR_APART:
+        raise np.linalg.LinAlgError
     whole = np.vstack([field, np.zeros(size + 1)])
     depends = dependence(whole[None])[0]
     found, sure = subspace_modes(whole, depends) or (None, False)
