@@ -8,8 +8,9 @@ import sys
 import tempfile
 from dataclasses import fields
 from fractions import Fraction
-from functools import cache
+from functools import cache, reduce
 from itertools import groupby
+from operator import getitem, setitem
 from pathlib import Path
 from typing import get_type_hints
 
@@ -292,6 +293,17 @@ def edited(found, change):
     content = json.loads(found.read_text()) if isinstance(found, Path) else content_of(found)
     change(content)
     return signed(content)
+
+
+def stating(*path, **entries):
+    """A change of a file: what is at a path has other entries."""
+    return lambda content: reduce(getitem, path, content).update(entries)
+
+
+def placing(*path):
+    """A change of a file: where a path leads, which the last of these stands behind, is that."""
+    *above, last, entry = path
+    return lambda content: setitem(reduce(getitem, above, content), last, entry)
 
 
 def believed(content):

@@ -32,6 +32,7 @@ from tests.certified import (
     refused,
     saved,
     signed,
+    stating,
 )
 
 STICK = "dry-friction/global-stick"
@@ -447,7 +448,7 @@ def with_entry(content, change):
 WRONG = [
     (lambda text: text, 0, "every claim holds", ""),
     *(
-        (lambda text, k=k: with_entry(text, lambda c: c["parameters"].update(k=k)), code, told, "")
+        (lambda text, k=k: with_entry(text, stating("parameters", k=k)), code, told, "")
         for k, code, told in (
             ("1/0", 2, "division by zero"),
             ("sum", 2, "unknown name 'sum'"),
@@ -463,10 +464,10 @@ WRONG = [
         2, "it is malformed", "missing|unknown",
     ),
     (
-        lambda text: with_entry(text, lambda c: c.update(bits="128")),
+        lambda text: with_entry(text, stating(bits="128")),
         2, "it is malformed", "'bits' is of the wrong type",
     ),
-    (lambda text: with_entry(text, lambda c: c.update(version=9)), 2, "malformed", "version 9"),
+    (lambda text: with_entry(text, stating(version=9)), 2, "malformed", "version 9"),
     (lambda text: text.replace('"bits": 128', '"bits": 129', 1), 1, "not proved: edited", ""),
 ]  # fmt: skip
 

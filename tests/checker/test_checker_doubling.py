@@ -2,7 +2,6 @@
 
 import copy
 import json
-from typing import Any
 
 import pytest
 from flint import arb
@@ -15,11 +14,10 @@ from nonsmooth.runtime.checker.ranges.doubling import (
     JudgedDoubling,
     check_doubled,
 )
-from tests.certified import believed, prove_doubling, refused, signed
+from tests.certified import believed, prove_doubling, refused, signed, stating
 from tests.shared import shared_file
 
 pytestmark = pytest.mark.compiled  # much slower without it
-Content = dict[str, Any]
 DOUBLING = "nonsmooth.runtime.checker.ranges.doubling"
 
 
@@ -27,8 +25,7 @@ DOUBLING = "nonsmooth.runtime.checker.ranges.doubling"
 def content():
     path = shared_file("nonsmooth certified doubling", prove_doubling)
     assert ns.certify.check(path).claims == {"doubling": "proved"}
-    found = json.loads(path.read_text())
-    return found
+    return json.loads(path.read_text())
 
 
 KRAWCZYK = "Krawczyk's test fails"
@@ -70,9 +67,6 @@ def test_what_is_false_is_refused(content, edit, told):
     refused(edited, told)
 
 
-Proved = tuple[list[Content], list[list[CheckedTile]]]
-
-
 @pytest.fixture(scope="module")
 def proved(content):
     """Both branches with their tiles, as if these were proved."""
@@ -89,10 +83,10 @@ def other_stiffness(branch):
 @pytest.mark.parametrize(
     ("change", "told"),
     [
-        (lambda b: b.update(parameter="eta"), "another system's branch"),
-        (lambda b: b.update(parameters={}), "another system's branch"),
-        (lambda b: b.update(stability="neutral"), "another system's branch"),
-        (lambda b: b.update(closing={"kind": "forcing", "turns": 1}), "closes in another way"),
+        (stating(parameter="eta"), "another system's branch"),
+        (stating(parameters={}), "another system's branch"),
+        (stating(stability="neutral"), "another system's branch"),
+        (stating(closing={"kind": "forcing", "turns": 1}), "closes in another way"),
         (other_stiffness, "the declarations differ"),
     ],
 )

@@ -21,6 +21,7 @@ from nonsmooth.runtime.checker.orbits.stability import (
     stability,
 )
 from tests.certified import believed, content_of, refused
+from tests.tables import slow
 
 
 @pytest.fixture(autouse=True)
@@ -226,12 +227,7 @@ def ranges(kind):
         # i p and -i p
         ("flip", [["0", "-1"], ["1", "0"]], "there may be another event: neimark-sacker"),
         # 2 p and p / 2
-        pytest.param(
-            "neimark-sacker",
-            [["2", "0"], ["0", "1/2"]],
-            "two (multipliers may be|are) real",
-            marks=pytest.mark.slow,
-        ),
+        slow("neimark-sacker", [["2", "0"], ["0", "1/2"]], "two (multipliers may be|are) real"),
     ],
 )
 def test_multipliers_that_pass_the_circle_otherwise_are_another_event(kind, pair, told):

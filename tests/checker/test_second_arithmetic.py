@@ -8,6 +8,7 @@ from mpmath import iv, mp, workdps
 
 import nonsmooth as ns
 from tests.certified import loop
+from tests.tables import slow
 
 DIGITS = 50
 ORBITS = {
@@ -19,7 +20,7 @@ ORBITS = {
 
 @pytest.fixture(
     scope="module",
-    params=[pytest.param("global-stick", marks=pytest.mark.slow), "symmetric", "kicked"],
+    params=[slow("global-stick"), "symmetric", "kicked"],
 )
 def file(request, tmp_path_factory):
     path = tmp_path_factory.mktemp("certificates") / "certificate.json"
@@ -29,8 +30,7 @@ def file(request, tmp_path_factory):
 
 @pytest.fixture
 def content(file):
-    found = json.loads(file.read_text("utf-8"))
-    return found
+    return json.loads(file.read_text("utf-8"))
 
 
 @pytest.fixture(autouse=True)

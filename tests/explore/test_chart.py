@@ -300,7 +300,6 @@ def test_two_processes_on_one_store(store, tmp_path):
     )
     pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True}
     with subprocess.Popen([sys.executable, "-c", code, str(store)], **pipes) as process:
-        assert process.stdout is not None
         assert process.stdout.readline() == "held\n"
         with pytest.raises(InputError, match=f"is being computed by process {process.pid} on "):
             go_on(store)

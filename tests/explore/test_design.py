@@ -13,6 +13,7 @@ from tests.differences import in_digits
 from tests.explore.test_continuation_forced import branch as struck
 from tests.explore.test_continuation_forced import bump_grazing, bumped, closed_forms
 from tests.places import GALLERY
+from tests.tables import slow
 
 IMPACTS = f"{GALLERY / 'impact_oscillator.py'}:one-period"
 DAMPER = f"{GALLERY / 'impact_damper.py'}:struck-twice"
@@ -77,9 +78,7 @@ def test_to_maximise_is_to_minimise_the_negative():
 @pytest.mark.parametrize(
     ("quantity", "limit", "value", "sign", "over"),
     [
-        pytest.param(
-            *("peak:x1", "spectral_radius<=", 0.9, -1, {"V": (0.6, 3)}), marks=pytest.mark.slow
-        ),
+        slow(*("peak:x1", "spectral_radius<=", 0.9, -1, {"V": (0.6, 3)})),
         ("period", "multiplier=", -1, 1, {"V": (0.6, 1.5), "eta": (3.5, 4.5)}),
     ],
 )
@@ -210,7 +209,7 @@ def exact(matrix):
     ("size", "seed"),
     [
         *((size, 0) for size in (1, 2, 3, 4)),
-        *(pytest.param(size, 1, marks=pytest.mark.slow) for size in (1, 2, 3, 4)),
+        *(slow(size, 1) for size in (1, 2, 3, 4)),
     ],
 )
 def test_the_least_spectral_radius_is_that_of_the_eigenvalues(size, seed):

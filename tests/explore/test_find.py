@@ -10,6 +10,7 @@ import sympy as sp
 from nonsmooth import InputError, chart, find_orbits, load, simulate, solve
 from nonsmooth.derive import RigidStop, oscillator
 from tests.certified import edited as content_edited
+from tests.certified import placing, stating
 from tests.explore.listed import check_listed
 from tests.places import GALLERY
 from tests.two_masses import CHAIN, RUBBING, STICKING
@@ -246,9 +247,9 @@ def edited(path, edit, other):
     [
         lambda c: c.update(labels=c["labels"][:-1]),
         lambda c: c.update(labels=[99] * len(c["labels"])),
-        lambda c: c.update(starts=[["0", "0"]]),
+        stating(starts=[["0", "0"]]),
         lambda c: c["box"].pop("x1"),
-        lambda c: c.update(system="none"),
+        stating(system="none"),
     ],
 )
 def test_signed_nonsense_is_refused_too(saved, tmp_path, edit):
@@ -271,11 +272,11 @@ def renamed(content):
 
 
 NOT_OF_IT = [
-    ("orbits", lambda c: c["orbits"][0]["dwell_times"].__setitem__(0, "1.5"), "not a solution"),
+    ("orbits", placing("orbits", 0, "dwell_times", 0, "1.5"), "not a solution"),
     ("orbits", lambda c: c["orbits"][0]["dwell_times"].pop(), "do not belong together"),
     ("orbits", lambda c: c["orbits"][0]["states"].pop(), "none of the states"),
     ("orbits", lambda c: [row.pop() for row in c["orbits"][0]["states"]], "none of the states"),
-    ("orbits", lambda c: c["orbits"][0]["itinerary"][0].__setitem__(1, "none"), "none"),
+    ("orbits", placing("orbits", 0, "itinerary", 0, 1, "none"), "none"),
     ("orbits", of_first("orbits", itinerary=[]), "none of the states"),
     ("orbits", of_first("orbits", mirror=2), ""),
     ("equilibria", of_first("equilibria", configuration="none"), ""),
@@ -284,7 +285,7 @@ NOT_OF_IT = [
     ("equilibria", lambda c: c["equilibria"][0]["state"].popitem(), ""),
     ("equilibria", renamed, ""),
     ("equilibria", of_first("equilibria", mirror=2), ""),
-    ("orbits equilibria", lambda c: c["parameters"].update(chi="0.41"), ""),
+    ("orbits equilibria", stating("parameters", chi="0.41"), ""),
 ]
 
 

@@ -22,6 +22,7 @@ from nonsmooth.derive import (
     oscillator,
 )
 from tests.scaled_systems import DAMPING, FORCE, LENGTH, MASS, RATE, STIFFNESS
+from tests.tables import slow
 
 UNITS = [
     (Fraction(1, 10**6), 1200, 7),
@@ -108,9 +109,7 @@ def answers(name, length, rate, mass):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    "units", [UNITS[0], pytest.param(UNITS[1], marks=pytest.mark.slow)], ids=str
-)
+@pytest.mark.parametrize("units", [UNITS[0], slow(UNITS[1])], ids=str)
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_orbits_branches_and_proofs_do_not_depend_on_units(name, units):
     wanted, wanted_branch, wanted_proof = answers(name, 1, 1, 1)

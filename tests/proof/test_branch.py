@@ -29,8 +29,10 @@ from tests.certified import (
     certified_over,
     content_of,
     edited,
+    placing,
     prove_branch,
     refused,
+    stating,
 )
 from tests.explore import test_continuation_forced as impacts
 from tests.shared import shared_file
@@ -358,13 +360,11 @@ def call_it_admissible(content):
 
 
 ATTACKS = {
-    "not divided": lambda content: content["tiles"][0].update(divided=None),
-    "divided by another": lambda content: content["tiles"][0].update(divided=2),
-    "divided by none that is there": lambda content: content["tiles"][0].update(divided=3),
-    "a turn in another phase": lambda content: content["tiles"][0]["event"]["also"][-1].__setitem__(
-        1, 2
-    ),
-    "it vanishes at the other end": lambda content: content.update(ends=[FINISHED, VANISHED]),
+    "not divided": stating("tiles", 0, divided=None),
+    "divided by another": stating("tiles", 0, divided=2),
+    "divided by none that is there": stating("tiles", 0, divided=3),
+    "a turn in another phase": placing("tiles", 0, "event", "also", -1, 1, 2),
+    "it vanishes at the other end": stating(ends=[FINISHED, VANISHED]),
     "no tangency": without("tangent"),
     "no turn": without("fold"),
     "admissible": call_it_admissible,

@@ -32,7 +32,6 @@ def found(branch):
 @pytest.mark.slow
 def test_the_papers_flip_is_subcritical(found):
     doubling = found.doubled
-    assert doubling is not None
     assert found.claims == {"doubling": "proved"}
     assert (found.kind, doubling.side, doubling.verdict) == ("subcritical", "above", "unstable")
     assert str(found.flip.enclosures["V"]).startswith("[1.0805880741771120197670640")

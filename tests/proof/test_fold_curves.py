@@ -148,7 +148,6 @@ def test_the_other_orbit_has_the_same_curve_and_the_other_verdict():
         [BEYOND, "unstable"],
     )
     (curve,) = found.curves
-    assert curve.event.fold is not None
     assert curve.event.fold.other == "proved"
     for sigma, r in curve.points:
         assert sigma == pytest.approx(float(fold_at(r)), abs=1e-6)

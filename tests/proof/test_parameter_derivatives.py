@@ -28,6 +28,7 @@ from tests.certified import (
     struck_together,
 )
 from tests.places import GALLERY
+from tests.tables import slow
 
 STICK = "dry-friction/global-stick"
 BUILT_IN = (STICK, "dry-friction/symmetric", "rigid-stop/one-impact", "elastic-stop/one-contact")
@@ -115,7 +116,7 @@ IRRATIONAL = {
     [
         *BUILT_IN,
         *IRRATIONAL,
-        pytest.param("backlash_gear.py:rattle", marks=pytest.mark.slow),
+        slow("backlash_gear.py:rattle"),
         "brake_pad.py:pressed",
         "den_hartog.py:without-rest",
         "impact_damper.py:struck-twice",

@@ -13,7 +13,7 @@ from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillato
 from nonsmooth.runtime.checker.orbits.points import JudgedOrbit
 from nonsmooth.runtime.checker.orbits.stability import outside_if_reached
 from nonsmooth.runtime.core.arithmetic import exact_ball
-from tests.certified import accepted, certified_over, content_of, refused
+from tests.certified import accepted, certified_over, content_of, refused, stating
 from tests.proof.test_beyond_borders import along, fewer, forged, judged, only
 
 GAP = Parameter("sigma", "position of the stop", lower=-sp.oo)
@@ -210,7 +210,7 @@ FORGERIES = {
     "the verdict": (lambda beyond: judged(beyond, "stable"), "it is unstable"),
     "the event": (earlier, "no event between"),
     "the restitution": (
-        lambda beyond: beyond["branch"]["parameters"].update(r="7/10"), "other parameters"
+        stating("branch", "parameters", r="7/10"), "other parameters"
     ),
     "the departure": (lambda beyond: fewer(beyond, "tangent", "start"), "but for the event"),
     "the condition": (lambda beyond: fewer(beyond, "condition", "end"), "but for the event"),

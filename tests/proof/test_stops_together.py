@@ -8,7 +8,7 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.runtime.checker.orbits.points import JudgedOrbit
-from tests.certified import believed, content_of, refused, struck, struck_together
+from tests.certified import believed, content_of, placing, refused, struck, struck_together
 
 BOTH = ("a-reaches-stop", "b-reaches-stop")
 OPEN = "the orders in which a-reaches-stop and b-reaches-stop act need not agree"
@@ -66,9 +66,9 @@ FALSE = {
     "an order leads elsewhere": elsewhere,
     "nothing vanishes": lambda content: content["closing"].pop("vanishing"),
     "one vanishes alone": lambda content: content["closing"]["vanishing"].pop(),
-    "another sum": lambda content: content["closing"]["vanishing"][0].__setitem__(1, "1"),
-    "not at zero": lambda content: content["closing"]["vanishing"][0].__setitem__(6, "1"),
-    "a mass is at rest": lambda content: content["closing"]["vanishing"][1].__setitem__(3, "0"),
+    "another sum": placing("closing", "vanishing", 0, 1, "1"),
+    "not at zero": placing("closing", "vanishing", 0, 6, "1"),
+    "a mass is at rest": placing("closing", "vanishing", 1, 3, "0"),
     "twice": lambda content: content["closing"]["vanishing"].append(
         content["closing"]["vanishing"][0]
     ),
