@@ -10,7 +10,7 @@ import sympy as sp
 from flint import arb, arb_mat, ctx
 
 import nonsmooth as ns
-from nonsmooth.derive import Harmonic, SoftStop, oscillator
+from nonsmooth.derive import SoftStop
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.ranges.branch import checked_tiles, curve_of
 from nonsmooth.runtime.checker.ranges.branch_curve import solution
@@ -20,12 +20,14 @@ from nonsmooth.runtime.core.taylor_models import range_of
 from tests.certified import (
     believed,
     certified_over,
+    content_of,
     prove_branch,
     refused,
     refused_file,
     stating,
 )
 from tests.checker.test_mutations import written
+from tests.one_mass import one_mass
 from tests.shared import shared_file
 from tests.tables import slow
 
@@ -34,24 +36,19 @@ from tests.tables import slow
 def content():
     path = shared_file("branch of friction", prove_branch)
     assert ns.certify.check(path).claims == {"branch": "proved"}
-    return json.loads(path.read_text())
+    return content_of(path)
 
 
 @pytest.fixture(scope="module")
-def preloaded(tmp_path_factory):
+def preloaded():
     """A tile of which only narrow parts are proved to be stable: a multiplier is near 1."""
     rate = sp.symbols("Omega")
-    system = oscillator(
-        "preloaded", ["x"], mass=[[1]], damping=[["3/10"]], stiffness=[[1]],
-        forcing=[Harmonic(rate, cosine=["11/50"])],
-        elements=[SoftStop("x", at="-1/50", stiffness="71/25", damping="2/25", name="pad")],
-    )  # fmt: skip
+    pad = SoftStop("x", at="-1/50", stiffness="71/25", damping="2/25", name="pad")
+    system = one_mass("preloaded", pad, damping="3/10", forces={rate: "11/50"})
     orbit = ns.find_orbits(system, {"Omega": "0.7"}, 2, transitions=100).orbits[0].orbit
     found = certified_over(orbit, "Omega", "0.7", "0.7185", tiles=1)
     assert [tile.before for tile in found.tiles] == ["stable"]
-    path = tmp_path_factory.mktemp("preloaded") / "branch.json"
-    found.save(path)
-    return json.loads(path.read_text())
+    return content_of(found)
 
 
 @pytest.mark.slow

@@ -18,7 +18,17 @@ from nonsmooth.runtime.checker.state_sets.cones import check_cones
 from nonsmooth.runtime.checker.state_sets.sets import StateSet
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.proof.chaos.cone_conditions import ConeCondition
-from tests.certified import believed, edited, placing, refused, refused_file, saved, signed, stating
+from tests.certified import (
+    believed,
+    content_of,
+    edited,
+    placing,
+    refused,
+    refused_file,
+    saved,
+    signed,
+    stating,
+)
 from tests.horseshoes import (
     FOLDED,
     FOLDED_DATA,
@@ -202,7 +212,7 @@ def test_cones_on_a_section_of_one_coordinate(change, bend, told):
     ],
 )
 def test_cones_that_cannot_be_are_refused_before_sets_are_mapped(coned, change, told):
-    content = json.loads(coned.read_text())
+    content = content_of(coned)
     change(content["cones"])
     targets = {"A": ["A", "B"], "B": ["A"]}
     with pytest.raises(Failure, match=told):
@@ -297,7 +307,7 @@ def calls_of(content):
 @pytest.fixture(scope="module")
 def few(coned):
     """A file without cones, and the calls of its check."""
-    content = {**json.loads(coned.read_text()), "cones": None, "parts": 400}
+    content = {**content_of(coned), "cones": None, "parts": 400}
     calls, proved = calls_of(content)
     assert proved
     return content, calls

@@ -33,12 +33,16 @@ def content_named(name):
     return content
 
 
-def exchanged(content, one, other):
-    """All names and texts with two words exchanged."""
-    text = json.dumps(content)
-    for old, new in ((one, "\0"), (other, one), ("\0", other)):
-        text = text.replace(json.dumps(old), json.dumps(new))
-    return json.loads(text)
+def exchanging(one, other):
+    """A change of a file: all names and texts with two words exchanged."""
+
+    def exchanged(content):
+        text = json.dumps(content)
+        for old, new in ((one, "\0"), (other, one), ("\0", other)):
+            text = text.replace(json.dumps(old), json.dumps(new))
+        return json.loads(text)
+
+    return exchanged
 
 
 def refusal(content, path):
@@ -73,10 +77,6 @@ def no_orbit(content):
     content["statement"] = told.replace("1 admissible", "0 admissible")
 
 
-def event(content, name, value):
-    content["events"][0][name] = value
-
-
 def turned(content, quantity, name):
     """A derivative with its sign turned."""
     found = content["derivatives"][quantity][name]
@@ -102,32 +102,32 @@ FALSE = {
         "census at another parameter": census_at,
         "census in a smaller box": smaller_box,
         "census with an orbit without certificate": one_more,
-        "label of the census": lambda c: exchanged(c, STICK, "dry-friction/symmetric"),
+        "label of the census": exchanging(STICK, "dry-friction/symmetric"),
     },
     "derived": {
-        "names of the point": lambda c: exchanged(c, "x10", "x20"),
-        "velocities of the point": lambda c: exchanged(c, "v10", "v20"),
-        "dwell times of the point": lambda c: exchanged(c, "tau", "tau1"),
-        "parameters of the point": lambda c: exchanged(c, "chi", "eta"),
-        "label of the point": lambda c: exchanged(c, STICK, "dry-friction/symmetric"),
+        "names of the point": exchanging("x10", "x20"),
+        "velocities of the point": exchanging("v10", "v20"),
+        "dwell times of the point": exchanging("tau", "tau1"),
+        "parameters of the point": exchanging("chi", "eta"),
+        "label of the point": exchanging(STICK, "dry-friction/symmetric"),
         "a parameter of the point": stating("parameters", eta="1.01"),
         "chosen": stating(chosen=["chi"]),
         "a period": stating(given_period="7.87"),
         "multipliers twice": lambda c: c["multipliers"].append(c["multipliers"][0]),
     },
     "map": {
-        "names of the map": lambda c: exchanged(c, "x10", "x20"),
-        "dwell times of the map": lambda c: exchanged(c, "tau", "tau2"),
-        "parameters of the map": lambda c: exchanged(c, "V", "eta"),
-        "label of the map": lambda c: exchanged(c, STICK, "rigid-stop/one-impact"),
+        "names of the map": exchanging("x10", "x20"),
+        "dwell times of the map": exchanging("tau", "tau2"),
+        "parameters of the map": exchanging("V", "eta"),
+        "label of the map": exchanging(STICK, "rigid-stop/one-impact"),
         "chosen in the map": stating(chosen=["chi"]),
         "V of a map": stating("parameters", V="9"),
     },
     "events": {
-        "names of the events": lambda c: exchanged(c, "x10", "x20"),
-        "dwell times of the events": lambda c: exchanged(c, "tau", "tau1"),
+        "names of the events": exchanging("x10", "x20"),
+        "dwell times of the events": exchanging("tau", "tau1"),
         "V of an event": stating("events", 0, "parameters", V="9"),
-        "another kind of event": lambda c: event(c, "kind", "fold"),
+        "another kind of event": stating("events", 0, kind="fold"),
     },
     "composed": {
         "a period that is true": stating(given_period="3*pi/2"),
@@ -173,9 +173,9 @@ def test_false_files_are_refused(kind, name, tmp_path):
     ("name", "change", "told"),
     [
         ("census-derived", no_orbit, "an orbit of the box is not listed"),
-        ("derived", lambda c: exchanged(c, "dry-friction", "nowhere.py"), "unknown system 'nowher"),
+        ("derived", exchanging("dry-friction", "nowhere.py"), "unknown system 'nowher"),
         ("derived", stating(bits=128_000), "128000 bits are more than the"),
-        ("events", lambda c: event(c, "bits", 128_000), "128000 bits are more than the"),
+        ("events", stating("events", 0, bits=128_000), "128000 bits are more than the"),
     ],
 )
 def test_why_a_file_is_refused(name, change, told, tmp_path):

@@ -20,6 +20,7 @@ import nonsmooth as ns
 from nonsmooth import InputError, MissingExtra
 from nonsmooth.runtime.core.result_files import checksum_of
 from tests.cli.test_cli import run, told
+from tests.explore.test_chart_numbers import MOTIONS
 from tests.pictures import figure_in
 
 ORBIT = "dry-friction/global-stick"
@@ -453,18 +454,10 @@ def test_no_folder_is_named():
 
 def test_a_simulated_chart_goes_on_from_its_own_start(tmp_path):
     place, period = tmp_path / "S.zarr", tmp_path / "S.zarr" / "period" / "c" / "0"
-    given = {
-        "chi": 0.4,
-        "eta": 4,
-        "us1": 0.0127,
-        "ur1": 0.0255,
-        "us2": 0.5,
-        "ur2": 1,
-    }
     start = {"x1": 0, "x2": 0.1, "v1": 0.2, "v2": 0.3}
     ns.chart(
         "dry-friction", store=place, simulate=True, start=start, transitions=100, V=[0.6, 0.7],
-        **given,
+        eta=4, **MOTIONS,
     )  # fmt: skip
     before = contents(place)
     period.unlink()

@@ -7,8 +7,9 @@ import pytest
 import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth.derive import Boundary, Configuration, FirstOrder, Parameter, System, Transition
+from nonsmooth.derive import Parameter
 from nonsmooth.runtime.explore.design.quantities import multiplier_rows, radius_rows
+from tests.certified import ticking
 from tests.differences import in_digits
 from tests.explore.test_continuation_forced import branch as struck
 from tests.explore.test_continuation_forced import bump_grazing, bumped, closed_forms
@@ -186,17 +187,8 @@ def test_a_design_is_drawn():
 
 def mapped(matrix, rates, p):
     """A state that rests, and at each tick of a clock becomes (M + p R) x + 1."""
-    *states, clock = sp.symbols(f"x1:{len(matrix) + 1} clock", real=True)
     part = Parameter("p", "part", lower=-sp.oo)
-    moved = exact(matrix) + part.symbol * exact(rates)
-    kicked = moved * sp.Matrix(states) + sp.ones(len(states), 1)
-    rest = FirstOrder(sp.zeros(len(states) + 1), [*[0] * len(states), 1])
-    system = System(
-        "mapped", "a map", (*states, clock), (part,),
-        (Configuration("rest", rest, (Boundary("tick", clock - 1),)),),
-        (Transition("rest", {"tick"}, "rest", reset={**dict(zip(states, kicked, strict=True)),
-                                                     clock: 0}),),
-    )  # fmt: skip
+    system = ticking(exact(matrix) + part.symbol * exact(rates), 1, part)
     fixed = np.linalg.solve(np.eye(len(matrix)) - matrix - p * rates, np.ones(len(matrix)))
     return ns.solve(system, {"p": p}, [1, *fixed, 0], itinerary=[("rest", "tick")])
 

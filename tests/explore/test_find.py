@@ -8,10 +8,11 @@ import pytest
 import sympy as sp
 
 from nonsmooth import InputError, chart, find_orbits, load, simulate, solve
-from nonsmooth.derive import RigidStop, oscillator
+from nonsmooth.derive import RigidStop
 from tests.certified import edited as content_edited
 from tests.certified import placing, stating
 from tests.explore.listed import check_listed
+from tests.one_mass import one_mass
 from tests.places import GALLERY
 from tests.two_masses import CHAIN, RUBBING, STICKING
 
@@ -164,10 +165,8 @@ def test_a_box_reaches_twice_as_far_as_any_boundary():
 
 def test_a_load_says_how_fast_starts_fall_where_nothing_returns():
     gravity, height = sp.symbols("gravity height")
-    ball = oscillator(
-        "fallen", ["x"], mass=[[1]], stiffness=[[0]], load=[-gravity],
-        elements=[RigidStop("x", at=-height, restitution=1, side="lower", name="ground")],
-    )  # fmt: skip
+    ground = RigidStop("x", at=-height, restitution=1, side="lower", name="ground")
+    ball = one_mass("fallen", ground, stiffness=0, load=[-gravity])
     for g, h in ((9.81, 0.25), (9.81e9, 2.5e-10)):
         limits = drawn_from(ball, {"gravity": g, "height": h})
         assert limits[:, 1].tolist() == pytest.approx([2 * h, 2 * np.sqrt(g * h)], rel=1e-12)

@@ -14,14 +14,17 @@ BOTH = ("a-reaches-stop", "b-reaches-stop")
 OPEN = "the orders in which a-reaches-stop and b-reaches-stop act need not agree"
 
 
+of_laws = pytest.mark.parametrize(
+    ("law", "coupling"), [(None, "0"), ("sequence", "0"), ("moreau", "0"), ("moreau", "1/4")]
+)
+
+
 @cache
 def saved(law=None, coupling="0"):
     return content_of(ns.certify(struck_together(law, coupling)))
 
 
-@pytest.mark.parametrize(
-    ("law", "coupling"), [(None, "0"), ("sequence", "0"), ("moreau", "0"), ("moreau", "1/4")]
-)
+@of_laws
 def test_masses_that_are_struck_together_are_proved(law, coupling):
     content = saved(law, coupling)
     assert content["itinerary"] == [["free-free", "+".join(BOTH)]] * len(content["itinerary"])
@@ -93,9 +96,7 @@ def test_orders_that_do_not_agree_are_left_open():
     assert OPEN in found.reason
 
 
-@pytest.mark.parametrize(
-    ("law", "coupling"), [(None, "0"), ("sequence", "0"), ("moreau", "0"), ("moreau", "1/4")]
-)
+@of_laws
 def test_motions_of_masses_that_are_struck_together_are_proved(law, coupling):
     start = [0, 0, 1, 1, 1, 0]
     proof = ns.certify.motion(struck(law), {"c": coupling}, start, "free-free", 3)
