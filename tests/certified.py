@@ -1,5 +1,6 @@
 """Orbits to be certified: of users' systems whose numbers are known in closed form, and forced."""
 
+import copy
 import json
 import math
 import random
@@ -8,9 +9,11 @@ import sys
 import tempfile
 from dataclasses import fields
 from fractions import Fraction
-from functools import cache
+from functools import cache, reduce
 from itertools import groupby
+from operator import getitem, setitem
 from pathlib import Path
+from traceback import walk_stack
 from typing import get_type_hints
 
 import pytest
@@ -20,6 +23,7 @@ import nonsmooth as ns
 from nonsmooth.derive import (
     Boundary,
     Configuration,
+    FirstOrder,
     Harmonic,
     Parameter,
     RigidStop,
@@ -34,6 +38,7 @@ from nonsmooth.runtime.checker import CHECKS, Failure
 from nonsmooth.runtime.core.json_codec import by
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.model.kernels import load_system
+from tests.one_mass import one_mass
 
 x, v = sp.symbols("x v", real=True)
 PARAMETERS = (
@@ -55,14 +60,8 @@ def of_files(*names):
     return pytest.mark.parametrize("content", names, indirect=True)
 
 
-def between_springs(
-    name,
-    sides,
-    more,
-    parameters=(),
-    watched=(),
-):
-    """A mass with one field on the right, where more may be watched, and another on the left.
+def between_springs(name, sides, more, parameters=(), watched=(), place=0):
+    """A mass with one field right of a place, where more may be watched, and another left of it.
 
     The first transition leads from the right to the left; `more` are those behind it.
     """
@@ -73,10 +72,26 @@ def between_springs(
         (x, v),
         tuple(parameters),
         (
-            Configuration("right", right, (Boundary("falls", -x), *watched)),
-            Configuration("left", left, (Boundary("rises", x),)),
+            Configuration("right", right, (Boundary("falls", place - x), *watched)),
+            Configuration("left", left, (Boundary("rises", x - place),)),
         ),
         (Transition("right", {"falls"}, "left"), *more),
+    )
+
+
+def ticking(matrix, load, *parameters):
+    """States at rest, mapped by a matrix and a load each time that a clock comes to 1."""
+    *states, clock = sp.symbols(f"y1:{matrix.rows + 1} clock", real=True)
+    moved = matrix * sp.Matrix(states) + load * sp.ones(matrix.rows, 1)
+    rest = FirstOrder(sp.zeros(matrix.rows + 1), [*[0] * matrix.rows, 1])
+    reset = {**dict(zip(states, moved, strict=True)), clock: 0}
+    return System(
+        "ticking",
+        "states that a clock maps",
+        (*states, clock),
+        parameters,
+        (Configuration("rest", rest, (Boundary("tick", clock - 1),)),),
+        (Transition("rest", {"tick"}, "rest", (), reset),),
     )
 
 
@@ -110,23 +125,19 @@ def rooted():
     return load_system(between_springs("rooted", sides, WALL_AND_KICK, PARAMETERS[1:], [wall]))
 
 
-_SPRING = [[1]], [[1]]
 FORCED = {
-    "soft": oscillator(
-        "soft", ["x"], *_SPRING, [["1/10"]],
-        forcing=[Harmonic("13/10", ("7/10",))],
-        elements=[SoftStop("x", "1/2", stiffness=20, damping="4/5")],
+    "soft": one_mass(
+        "soft", SoftStop("x", "1/2", stiffness=20, damping="4/5"),
+        damping="1/10", forces={"13/10": "7/10"},
     ),
-    "rigid": oscillator(
-        "rigid", ["x"], *_SPRING, [["1/10"]],
-        forcing=[Harmonic("13/5", ("7/10",))], elements=[RigidStop("x", 0, "4/5")],
+    "rigid": one_mass(
+        "rigid", RigidStop("x", 0, "4/5"), damping="1/10", forces={"13/5": "7/10"}
     ),
-    "slider": oscillator(
-        "slider", ["x"], [[1]], [["1/2"]], [["1/10"]],
-        forcing=[Harmonic("9/10", ("3/5",))], elements=[Slider("x", 3, "1/5")],
+    "slider": one_mass(
+        "slider", Slider("x", 3, "1/5"), damping="1/10", stiffness="1/2", forces={"9/10": "3/5"}
     ),
     "twice": oscillator(
-        "twice", ["x"], *_SPRING, [["3/10"]],
+        "twice", ["x"], [[1]], [[1]], [["3/10"]],
         forcing=[Harmonic(1, ("7/10",)), Harmonic(2, sine=("3/10",))],
         elements=[SoftStop("x", "1/2", stiffness=20, damping="4/5")],
     ),
@@ -134,10 +145,9 @@ FORCED = {
 
 
 # what reaches nothing touches the pad where the amplitude 2/5 / |1 - Omega^2 + i Omega / 5| is 1
-PAD = oscillator(
-    "pad", ["x"], [[1]], [[1]], [["1/5"]],
-    forcing=[Harmonic(sp.Symbol("Omega"), cosine=["2/5"])],
-    elements=[SoftStop("x", at=1, stiffness="1/2", damping="1/20", name="pad")],
+PAD = one_mass(
+    "pad", SoftStop("x", at=1, stiffness="1/2", damping="1/20", name="pad"),
+    damping="1/5", forces={sp.Symbol("Omega"): "2/5"},
 )  # fmt: skip
 
 
@@ -215,11 +225,12 @@ def accepted(found, folder):
 
 
 def content_of(found):
-    """What the file of what was found holds."""
+    """What a file holds, or that of what was found."""
+    if isinstance(found, Path):
+        return json.loads(found.read_text())
     with tempfile.TemporaryDirectory() as folder:
         found.save(Path(folder) / "found.json")
-        content = json.loads((Path(folder) / "found.json").read_text())
-        return content
+        return json.loads((Path(folder) / "found.json").read_text())
 
 
 def interrupted(ask, files, within, last=math.inf):
@@ -233,7 +244,7 @@ def interrupted(ask, files, within, last=math.inf):
         nonlocal lines
         if not frame.f_code.co_filename.endswith(files):
             return None
-        if event == "line" and within & _callers(frame):
+        if event == "line" and within & {each.f_code.co_name for each, _ in walk_stack(frame)}:
             lines += 1
             if lines > last:
                 sys.settrace(before)
@@ -248,14 +259,6 @@ def interrupted(ask, files, within, last=math.inf):
         return lines, stopped.partial
     finally:
         sys.settrace(before)
-
-
-def _callers(frame):
-    found = set()
-    while frame is not None:
-        found.add(frame.f_code.co_name)
-        frame = frame.f_back
-    return found
 
 
 def told_at(found, point):
@@ -288,10 +291,21 @@ def signed(content):
 
 
 def edited(found, change):
-    """The content of a file, or of that of what was found, changed, the checksum made right."""
-    content = json.loads(found.read_text()) if isinstance(found, Path) else content_of(found)
+    """Content, or that of a file or of what was found, changed, the checksum made right."""
+    content = copy.deepcopy(found) if isinstance(found, dict) else content_of(found)
     change(content)
     return signed(content)
+
+
+def stating(*path, **entries):
+    """A change of a file: what is at a path has other entries."""
+    return lambda content: reduce(getitem, path, content).update(entries)
+
+
+def placing(*path):
+    """A change of a file: where a path leads, which the last of these stands behind, is that."""
+    *above, last, entry = path
+    return lambda content: setitem(reduce(getitem, above, content), last, entry)
 
 
 def believed(content):
@@ -319,13 +333,11 @@ def moved(entry, by=3):
 
 def refused_file(content, folder, told):
     """See a file of this content, its checksum made right, be refused for that reason."""
-    path = folder / "false.json"
-    path.write_text(json.dumps(signed(content)))
+    path = saved(content, folder / "false.json")
     try:
         difference = ns.certify.check(path).difference
     except ns.InputError as problem:
         difference = str(problem)
-    assert difference is not None
     assert told in difference, difference
 
 

@@ -25,13 +25,16 @@ from nonsmooth.runtime.core.taylor_models import TaylorModel, space_of
 from tests.certified import (
     believed,
     content_of,
+    edited,
     forced,
     loop,
     moved,
     of_files,
+    placing,
     refused,
     saved,
     signed,
+    stating,
 )
 
 STICK = "dry-friction/global-stick"
@@ -78,15 +81,12 @@ def test_centres_outside_their_enclosures_are_refused(content):
             moved(changed["enclosures"][name], by)
             refused(changed, "not in its enclosure")
     for place in range(len(content["multipliers"])):
-        changed = copy.deepcopy(content)
-        moved(changed["multipliers"][place]["re"])
+        changed = edited(content, lambda c, k=place: moved(c["multipliers"][k]["re"]))
         refused(changed, "multiplier")
 
 
 @of_files("global-stick", "symmetric", "rigid", "elastic", "kicked", "soft", "twice")
-def test_multipliers_that_are_not_stated_are_no_larger_than_is_stated(
-    content,
-):
+def test_multipliers_that_are_not_stated_are_no_larger_than_is_stated(content):
     assert content["multipliers"]
     known = [complex(*(float(m[k]["mid"]) for k in ("re", "im"))) for m in content["multipliers"]]
     zero = {"mid": "0", "rad": "1e-12"}
@@ -142,9 +142,7 @@ PROPOSAL = ("parameters", "given_period", "itinerary", "declaration", "closing",
 
 
 @of_files("global-stick", "rigid", "irrational", "soft")
-def test_the_judge_reads_the_proposal_alone_and_is_the_same_at_any_precision(
-    content,
-):
+def test_the_judge_reads_the_proposal_alone_and_is_the_same_at_any_precision(content):
     proposal = {name: content[name] for name in PROPOSAL}
     found = []
     for precision in (30, 1000):
@@ -166,9 +164,7 @@ def test_boxes_without_the_orbit_are_refused(content):
         moved(changed["box"][place])
         refused(changed)
     for radius in ("0", "-1e-20", "1e3"):
-        changed = copy.deepcopy(content)
-        changed["box"][-1]["rad"] = radius
-        refused(changed)
+        refused(edited(content, stating("box", -1, rad=radius)))
 
 
 def other_systems(declared, by, most, fixed=False):
@@ -259,12 +255,9 @@ def test_what_is_kept_is_not_taken_for_granted(content):
     for closing in ({**content["closing"], "kind": "state"}, {"kind": "state"}):
         for period in (content["given_period"], ""):
             refused({**content, "closing": closing, "given_period": period})
-    changed = copy.deepcopy(content)
-    changed["closing"]["form"][0][1] = "1"
-    refused(changed, "no symplectic form")
-    changed = copy.deepcopy(content)
-    changed["closing"]["form"] = [["0"] * 4] * 4
-    refused(changed, "no symplectic form|neither energy nor form")
+    refused(edited(content, placing("closing", "form", 0, 1, "1")), "no symplectic form")
+    none = stating("closing", form=[["0"] * 4] * 4)
+    refused(edited(content, none), "no symplectic form|neither energy nor form")
     changed = copy.deepcopy(content)
     form = changed["closing"]["form"]
     form[0][1], form[1][0] = "1", "-1"
@@ -335,23 +328,19 @@ def test_what_the_itinerary_names_is_declared(content):
     changed = copy.deepcopy(content)
     del changed["declaration"]["configurations"][phase["configuration"]]
     refused(changed, "a configuration of the itinerary is not declared")
-    changed = copy.deepcopy(content)
     row = ["1"] * (len(declared["states"]) + 1)
-    changed["declaration"]["transitions"][0]["conditions"] = [[row, "elsewhere", True]]
-    refused(changed, "along no declared configuration")
+    change = stating("declaration", "transitions", 0, conditions=[[row, "elsewhere", True]])
+    refused(edited(content, change), "along no declared configuration")
 
 
 @of_files("soft", "twice")
 def test_forcings_have_to_return(content):
-    changed = copy.deepcopy(content)
-    changed["closing"]["turns"] += 1
-    refused(changed)
-    changed = copy.deepcopy(content)
-    changed["declaration"]["forcing"] = []
-    refused(changed)
-    changed = copy.deepcopy(content)
-    changed["closing"]["kind"] = "state"
-    refused(changed)
+    for change in (
+        stating("closing", turns=content["closing"]["turns"] + 1),
+        stating("declaration", forcing=[]),
+        stating("closing", kind="state"),
+    ):
+        refused(edited(content, change))
 
 
 @of_files("perturbed", "soft")
@@ -437,17 +426,15 @@ def test_the_checker_takes_nothing_but_its_arithmetic(prove, tmp_path):
     assert others == {"core", *(f"core.{name}" for name in ARITHMETIC)}
 
 
-def with_entry(content, change):
-    """The text of a file with a change, its checksum made right."""
-    entries = json.loads(content)
-    change(entries)
-    return json.dumps(signed(entries))
+def with_entry(change):
+    """A change of the text of a file to that with an entry changed, its checksum made right."""
+    return lambda text: json.dumps(edited(json.loads(text), change))
 
 
 WRONG = [
     (lambda text: text, 0, "every claim holds", ""),
     *(
-        (lambda text, k=k: with_entry(text, lambda c: c["parameters"].update(k=k)), code, told, "")
+        (with_entry(stating("parameters", k=k)), code, told, "")
         for k, code, told in (
             ("1/0", 2, "division by zero"),
             ("sum", 2, "unknown name 'sum'"),
@@ -459,27 +446,21 @@ WRONG = [
     (lambda text: "", 2, "it cannot be read", ""),
     (lambda text: "[]", 2, "it is no certificate", "not a (certificate|saved result)"),
     (
-        lambda text: with_entry(text, lambda c: c.update(margin=c.pop("margins"))),
+        with_entry(lambda c: c.update(margin=c.pop("margins"))),
         2, "it is malformed", "missing|unknown",
     ),
     (
-        lambda text: with_entry(text, lambda c: c.update(bits="128")),
+        with_entry(stating(bits="128")),
         2, "it is malformed", "'bits' is of the wrong type",
     ),
-    (lambda text: with_entry(text, lambda c: c.update(version=9)), 2, "malformed", "version 9"),
+    (with_entry(stating(version=9)), 2, "malformed", "version 9"),
     (lambda text: text.replace('"bits": 128', '"bits": 129', 1), 1, "not proved: edited", ""),
 ]  # fmt: skip
 
 
 @pytest.mark.parametrize(("change", "code", "told", "refusal"), WRONG)
 def test_what_is_wrong_is_said_in_one_line(
-    change,
-    code,
-    told,
-    refusal,
-    tmp_path,
-    monkeypatch,
-    capsys,
+    change, code, told, refusal, tmp_path, monkeypatch, capsys
 ):
     path = tmp_path / "certificate.json"
     certificate("kicked").save(path)

@@ -14,7 +14,7 @@ from nonsmooth.runtime.checker.state_sets.basin import _motions
 from nonsmooth.runtime.checker.stated.grids import stated_grid
 from nonsmooth.runtime.core.float_sets import ManySets
 from nonsmooth.runtime.present.compare_declarations import compare
-from tests.certified import flat, prove_basin, refused_file, runs, signed
+from tests.certified import content_of, flat, prove_basin, refused_file, runs, saved
 from tests.friction_sets import DATA
 from tests.places import GALLERY
 from tests.shared import shared_file
@@ -45,12 +45,12 @@ def near(tmp_path_factory):
 
 @pytest.fixture
 def belt(near):
-    return json.loads(near.read_text())
+    return content_of(near)
 
 
 @pytest.fixture
 def content(path):
-    return json.loads(path.read_text())
+    return content_of(path)
 
 
 @pytest.mark.slow
@@ -95,10 +95,8 @@ def test_several_processes_prove_a_file_again(near, belt, tmp_path):
     check = ns.certify.check(near, workers=2, progress=lambda *done: told.append(done))
     assert check.difference is None
     assert told[-1] == (check.certificate.attracted.sum(),) * 2
-    false = tmp_path / "false.json"
     verdicts = runs([2] * len(flat(belt["verdicts"])))
-    edited = {**belt, "verdicts": verdicts}
-    false.write_text(json.dumps(signed(edited)))
+    false = saved({**belt, "verdicts": verdicts}, tmp_path / "false.json")
     assert "elsewhere" in ns.certify.check(false, workers=2).difference
 
 
@@ -209,16 +207,14 @@ def test_another_declaration_is_refused(belt, tmp_path):
     ],
 )
 def test_boxes_and_tiles_lead_to_boxes_of_smaller_ranks(tmp_path, change, told):
-    kicked = json.loads(shared_file("nonsmooth basin certificate", prove_basin).read_text())
+    kicked = content_of(shared_file("nonsmooth basin certificate", prove_basin))
     most = max(rank for rank, _ in kicked["ranks"])
     assert most > 2
     content = {**kicked, "ranks": [[change(rank, most), n] for rank, n in kicked["ranks"]]}
     if told:
         refused_file(content, tmp_path, told)
         return
-    path = tmp_path / "same.json"
-    path.write_text(json.dumps(signed(content)))
-    assert ns.certify.check(path).difference is None
+    assert ns.certify.check(saved(content, tmp_path / "same.json")).difference is None
 
 
 @pytest.mark.slow
@@ -279,8 +275,7 @@ def test_boxes_from_which_nothing_arrives_have_no_rank(tmp_path):
     system = relay("up", Z - X, 1, sp.Rational(-1, 2))
     orbit = ns.solve(system, guess=[1, 1], itinerary=itinerary)
     box = {"x": (0.25, 0.75), "z": (-0.75, 0.75)}
-    ns.certify.basin(orbit, box=box, side=0.25).save(tmp_path / "basin.json")
-    content = json.loads((tmp_path / "basin.json").read_text())
+    content = content_of(ns.certify.basin(orbit, box=box, side=0.25))
     first, exponent = (content["grid"][name][0] for name in ("first", "exponents"))
     ranks = np.array(flat(content["ranks"]))
     beyond = (first + np.arange(len(ranks))) * 2.0**exponent > 0

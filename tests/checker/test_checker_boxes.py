@@ -24,19 +24,17 @@ from tests.certified import (
     believed,
     claimed,
     content_of,
+    edited,
     loop,
     moved,
     of_files,
     refused,
     saved,
+    stating,
 )
 from tests.checker.test_checker import other_systems
 from tests.proof import test_fold_curves
 
-WRONG = (Failure, ArithmeticError, KeyError, ValueError, TypeError, IndexError)
-
-
-Box = dict[str, tuple[object, object]]
 RIGID = "rigid-stop/one-impact"
 MAPS = {
     "stick": (
@@ -77,8 +75,7 @@ def written(name):
 @pytest.fixture
 def content(request):
     """The entries of the map that a test is about."""
-    found = json.loads(written(request.param))
-    return found
+    return json.loads(written(request.param))
 
 
 def totalled(content):
@@ -232,12 +229,10 @@ def test_what_a_tile_states_is_whole(change, told):
     ("change", "told"),
     [
         (lambda content: None, None),
-        (lambda content: content.update(stability="neutral"), "stability of another kind"),
-        (lambda content: content.update(closing={"kind": "state"}), "about no declaration"),
+        (stating(stability="neutral"), "stability of another kind"),
+        (stating(closing={"kind": "state"}), "about no declaration"),
         (
-            lambda content: content["tiles"][0].update(
-                enclosures={"period": {"mid": "1", "rad": "1"}}
-            ),
+            stating("tiles", 0, enclosures={"period": {"mid": "1", "rad": "1"}}),
             "enclosures of no orbit",
         ),
     ],
@@ -310,20 +305,14 @@ def test_what_is_kept_is_not_taken_for_granted(content):
 
 @of_files("flip")
 def test_totals_follow_from_the_tiles(content):
-    changed = copy.deepcopy(content)
-    changed["claims"]["stability"] = "proved"
-    refused(changed, "stability of the box")
-    changed = copy.deepcopy(content)
-    changed["shares"]["proved"] += 1e-9
-    refused(changed, "shares")
-    for name in content["enclosures"]:
-        changed = copy.deepcopy(content)
-        rad = Fraction(changed["enclosures"][name]["rad"])
-        changed["enclosures"][name]["rad"] = f"{round(rad * 10**30 * Fraction(1, 2))}e-30"
-        refused(changed, f"{name} of the box")
-    changed = copy.deepcopy(content)
-    del changed["tiles"][0]["enclosures"]["trace"]
-    refused(changed, "enclosures of the box")
+    refused(edited(content, stating("claims", stability="proved")), "stability of the box")
+    more = content["shares"]["proved"] + 1e-9
+    refused(edited(content, stating("shares", proved=more)), "shares")
+    for name, ball in content["enclosures"].items():
+        half = f"{round(Fraction(ball['rad']) * 10**30 / 2)}e-30"
+        refused(edited(content, stating("enclosures", name, rad=half)), f"{name} of the box")
+    del content["tiles"][0]["enclosures"]["trace"]
+    refused(content, "enclosures of the box")
 
 
 @pytest.mark.parametrize("seed", range(12))
@@ -383,7 +372,6 @@ def test_a_map_is_compared_with_its_system(content, tmp_path):
     path = saved(content, tmp_path / "map.json")
     found = ns.certify.check(path)
     assert (found.difference, found.note) == (None, None)
-    assert found.certificate is not None
     assert found.certificate.to_json() == ns.load(path).to_json()
     fixed = next(name for name in content["parameters"] if name not in content["box"])
     changed = copy.deepcopy(content)
@@ -441,19 +429,15 @@ def test_a_state_of_another_system_is_not_resumed(tmp_path):
         ns.certify.box(ns.solve(f"{source}:loop"), box, resume=state)
 
 
-def test_a_map_with_tiles_of_no_orbit_passes(tmp_path):
+def test_a_map_with_tiles_of_no_orbit_passes():
     orbit = ns.solve("dry-friction/symmetric")
     found = ns.certify.box(orbit, {"V": ("0.6", "1.3"), "eta": ("3.8", "4.2")}, tiles=2)
     assert {"existence"} in [set(tile.reasons) for tile in found.tiles]
-    found.save(tmp_path / "map.json")
-    content = json.loads((tmp_path / "map.json").read_text())
+    content = content_of(found)
     believed(content)
     tile = next(t for t in content["tiles"] if t["claims"]["existence"] == "undecided")
     tile["reasons"] = {"stability": "so"}
     refused(content, "reasons for other claims")
-
-
-Place = list[tuple[int, int]]
 
 
 def ends(place):

@@ -4,51 +4,51 @@ import copy
 import json
 from fractions import Fraction
 from itertools import product
-from typing import Any
 
 import pytest
 import sympy as sp
 from flint import arb, arb_mat, ctx
 
 import nonsmooth as ns
-from nonsmooth.derive import Harmonic, SoftStop, oscillator
+from nonsmooth.derive import SoftStop
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.ranges.branch import checked_tiles, curve_of
 from nonsmooth.runtime.checker.ranges.branch_curve import solution
 from nonsmooth.runtime.checker.ranges.branch_tile import CheckedTile
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import range_of
-from tests.certified import believed, certified_over, prove_branch, refused, refused_file
+from tests.certified import (
+    believed,
+    certified_over,
+    content_of,
+    prove_branch,
+    refused,
+    refused_file,
+    stating,
+)
 from tests.checker.test_mutations import written
+from tests.one_mass import one_mass
 from tests.shared import shared_file
-
-Content = dict[str, Any]
+from tests.tables import slow
 
 
 @pytest.fixture(scope="module")
 def content():
     path = shared_file("branch of friction", prove_branch)
     assert ns.certify.check(path).claims == {"branch": "proved"}
-    found = json.loads(path.read_text())
-    return found
+    return content_of(path)
 
 
 @pytest.fixture(scope="module")
-def preloaded(tmp_path_factory):
+def preloaded():
     """A tile of which only narrow parts are proved to be stable: a multiplier is near 1."""
     rate = sp.symbols("Omega")
-    system = oscillator(
-        "preloaded", ["x"], mass=[[1]], damping=[["3/10"]], stiffness=[[1]],
-        forcing=[Harmonic(rate, cosine=["11/50"])],
-        elements=[SoftStop("x", at="-1/50", stiffness="71/25", damping="2/25", name="pad")],
-    )  # fmt: skip
+    pad = SoftStop("x", at="-1/50", stiffness="71/25", damping="2/25", name="pad")
+    system = one_mass("preloaded", pad, damping="3/10", forces={rate: "11/50"})
     orbit = ns.find_orbits(system, {"Omega": "0.7"}, 2, transitions=100).orbits[0].orbit
     found = certified_over(orbit, "Omega", "0.7", "0.7185", tiles=1)
     assert [tile.before for tile in found.tiles] == ["stable"]
-    path = tmp_path_factory.mktemp("preloaded") / "branch.json"
-    found.save(path)
-    content = json.loads(path.read_text())
-    return content
+    return content_of(found)
 
 
 @pytest.mark.slow
@@ -127,18 +127,18 @@ ATTACKS = [
     lambda c: event_of(c, "grazing").update(phase=2),
     lambda c: event_of(c, "grazing").update(also=[["flip", 1, "", ""]]),
     lambda c: c["tiles"].pop(3),
-    lambda c: c["tiles"][0].update(lower="61/100"),
+    stating("tiles", 0, lower="61/100"),
     lambda c: c["tiles"][4]["centre"][0].insert(0, c["tiles"][4]["centre"][0].pop(0) + 1e-3),
     lambda c: c["tiles"][4].update(radii=[10.0 for _ in c["tiles"][4]["radii"]]),
-    lambda c: c["tiles"][4].update(forwards=False),
-    lambda c: c["tiles"][4].update(before="undecided", after="undecided", reason="planted"),
+    stating("tiles", 4, forwards=False),
+    stating("tiles", 4, before="undecided", after="undecided", reason="planted"),
     lambda c: c["tiles"][4].update(event=copy.deepcopy(event_of(c, "flip"))),
     # no phase of this orbit begins where it ends
-    lambda c: c["tiles"][4].update(divided=1),
-    lambda c: c.update(interval=["1/2", "13/10"]),
+    stating("tiles", 4, divided=1),
+    stating(interval=["1/2", "13/10"]),
     lambda c: c.update(ends=[c["ends"][0], ""]),
     lambda c: c.update(ends=["a phase vanishes", c["ends"][1]]),
-    *(pytest.param(attack, marks=pytest.mark.slow) for attack in ON_ALL_TILES),
+    *(slow(attack) for attack in ON_ALL_TILES),
 ]
 
 

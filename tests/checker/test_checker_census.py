@@ -25,6 +25,7 @@ from nonsmooth.runtime.checker.counting.covering import Walk
 from tests.certified import (
     LOOP,
     PAD,
+    accepted,
     between_springs,
     claimed,
     content_of,
@@ -32,6 +33,7 @@ from tests.certified import (
     refused,
     refused_file,
     saved,
+    stating,
     struck,
     struck_together,
     unhashed,
@@ -106,10 +108,10 @@ def test_no_leaf_of_the_tree_can_be_changed(content, tmp_path):
     ("change", "told"),
     [
         (lambda c: c["trees"].append("-"), "too many trees"),
-        (lambda c: c.update(trees=[]), "too many trees, or too few"),
+        (stating(trees=[]), "too many trees, or too few"),
         (lambda c: c.update(trees=[c["trees"][0] + "-"]), "beside the box"),
-        (lambda c: c.update(trees=["?"]), "an orbit that is listed is not found"),
-        (lambda c: c.update(trees=["?"], orbits=[]), "other boxes are undecided"),
+        (stating(trees=["?"]), "an orbit that is listed is not found"),
+        (stating(trees=["?"], orbits=[]), "other boxes are undecided"),
         (lambda c: c.update(box=["1e-6 <= tau1 <= 3", c["box"][1]]), ""),
         (lambda c: c.update(box=["1e-6 <= tau1 <= 2", c["box"][1]]), ""),
         (lambda c: c.update(box=["0 < tau1 <= 2.5", c["box"][1]]), ""),
@@ -117,8 +119,8 @@ def test_no_leaf_of_the_tree_can_be_changed(content, tmp_path):
         *((lambda c, side=side: c.update(box=[side, c["box"][1]]), "is no bound")
           for side in ("0 <= tau1 <= 2.5", "0 <= tau1", "0.5 < tau1", "-1 <= tau1 <= 2")),
         (lambda c: c.update(box=["1 <= tau1 <= 1", c["box"][1]]), "not in order"),
-        (lambda c: c.update(largest="1000"), "other orbits are asked for"),
-        (lambda c: c.update(conditions=[]), "other orbits are asked for"),
+        (stating(largest="1000"), "other orbits are asked for"),
+        (stating(conditions=[]), "other orbits are asked for"),
         (lambda c: c["orbits"].pop(), "an orbit of the box is not listed"),
         (lambda c: c["orbits"].pop(0), "an orbit of the box is not listed"),
         (lambda c: c["orbits"].reverse(), "an orbit of the box is not listed"),
@@ -126,9 +128,9 @@ def test_no_leaf_of_the_tree_can_be_changed(content, tmp_path):
          "other boxes are undecided"),
         (lambda c: c["orbits"].append({"unique": {}, "certificate": None, "reason": "no"}),
          "an orbit that is listed is not found"),
-        (lambda c: c["orbits"][0].update(unique={"tau1": ["0", "1"], "tau2": ["0", "9"]}),
+        (stating("orbits", 0, unique={"tau1": ["0", "1"], "tau2": ["0", "9"]}),
          "not listed"),
-        (lambda c: c["parameters"].update(r="1/4"), ""),
+        (stating("parameters", r="1/4"), ""),
         (lambda c: c["declaration"]["phases"].reverse(), "itinerary is not that"),
     ],
 )  # fmt: skip
@@ -155,15 +157,15 @@ def test_orbits_that_their_system_does_not_name_are_refused(content, tmp_path):
 @pytest.mark.parametrize(
     ("change", "told"),
     [
-        (lambda c: c["orbits"][1]["certificate"]["enclosures"]["trace"].update(mid="0.5"),
+        (stating("orbits", 1, "certificate", "enclosures", "trace", mid="0.5"),
          "orbit 2: trace is not in its enclosure"),
         (lambda c: c["orbits"][0].update(certificate=c["orbits"][1]["certificate"], reason=""),
          "not where it was counted"),
-        (lambda c: c["orbits"][0]["certificate"].update(system="other"), "something else"),
+        (stating("orbits", 0, "certificate", system="other"), "something else"),
         (lambda c: c["orbits"].pop(), "is not listed"),
-        (lambda c: c["orbits"][0]["certificate"].update(declaration={}), "declaration"),
-        (lambda c: c.update(statement="exactly 7 orbits"), "not what the other entries give"),
-        (lambda c: c["orbits"][0]["certificate"]["parameters"].update(k="8"), "parameters: it"),
+        (stating("orbits", 0, "certificate", declaration={}), "declaration"),
+        (stating(statement="exactly 7 orbits"), "not what the other entries give"),
+        (stating("orbits", 0, "certificate", "parameters", k="8"), "parameters: it"),
     ],
 )  # fmt: skip
 def test_what_is_false_is_refused(content, tmp_path, change, told):
@@ -196,12 +198,11 @@ def waiting():
 
 def test_a_certificate_of_another_number_of_turns_is_refused(tmp_path):
     """An orbit that waits for one turn has the start of one that waits for two."""
-    path, phases = tmp_path / "waits.json", [("fly", "back"), ("wait", "go")]
+    phases = [("fly", "back"), ("wait", "go")]
     census = ns.certify.all(waiting(), {}, {"tau1": (1, 9), "tau2": (1, 25)}, itinerary=phases)
-    census.save(path)
-    assert ns.certify.check(path).difference is None
+    accepted(census, tmp_path)
     assert (census.count, census.admissible) == (4, 1)
-    content = json.loads(path.read_text())
+    content = content_of(census)
     (admissible,) = (
         o for o in content["orbits"] if o["certificate"]["claims"]["admissibility"] == "proved"
     )

@@ -18,7 +18,17 @@ from nonsmooth.runtime.checker.state_sets.cones import check_cones
 from nonsmooth.runtime.checker.state_sets.sets import StateSet
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.proof.chaos.cone_conditions import ConeCondition
-from tests.certified import believed, edited, refused, refused_file, saved, signed
+from tests.certified import (
+    believed,
+    content_of,
+    edited,
+    placing,
+    refused,
+    refused_file,
+    saved,
+    signed,
+    stating,
+)
 from tests.horseshoes import (
     FOLDED,
     FOLDED_DATA,
@@ -27,6 +37,7 @@ from tests.horseshoes import (
     inverted_horseshoe,
 )
 from tests.shared import shared_file
+from tests.tables import slow
 
 
 @pytest.fixture(scope="module")
@@ -118,17 +129,17 @@ def shorter_way(content):
     [
         (more_edges, "does not cover"),
         (moved_set, ""),
-        (lambda content: content["h_sets"][0]["centre"].__setitem__(0, "1e5000"), "not proved"),
+        (placing("h_sets", 0, "centre", 0, "1e5000"), "not proved"),
         (sets_that_meet, "in common"),
         (lambda content: sets_that_meet(content, Fraction(1, 4)), "in common"),
-        (lambda content: content.update(entropy="0.241"), ""),
-        (lambda content: content.update(growth="1619/1000"), ""),
-        (lambda content: content.update(growth="1" * 5000), "grows less"),
-        (lambda content: content.update(growth="1e999999"), "grows less"),
+        (stating(entropy="0.241"), ""),
+        (stating(growth="1619/1000"), ""),
+        (stating(growth="1" * 5000), "grows less"),
+        (stating(growth="1e999999"), "grows less"),
         (no_boundary, "has no boundary"),
         (shorter_way, ""),
-        (lambda content: content.update(iterates=1, entropy="0.48"), "back to the section"),
-        (lambda content: content["parameters"].update(r="0.3"), ""),  # where is no chaos
+        (stating(iterates=1, entropy="0.48"), "back to the section"),
+        (stating("parameters", r="0.3"), ""),  # where is no chaos
     ],
 )
 def test_what_is_false_is_refused(written, tmp_path, change, told):
@@ -136,7 +147,7 @@ def test_what_is_false_is_refused(written, tmp_path, change, told):
 
 
 def test_parameters_that_the_declaration_does_not_name_are_refused(written, tmp_path):
-    content = edited(written, lambda content: content["parameters"].update(unheard="1"))
+    content = edited(written, stating("parameters", unheard="1"))
     refused_file(content, tmp_path, "")
     refused(content, "not over the parameters that are named")
 
@@ -186,22 +197,22 @@ def test_cones_on_a_section_of_one_coordinate(change, bend, told):
 @pytest.mark.parametrize(
     ("change", "told"),
     [
-        (lambda cones: cones["forms"].update(A=["1", "-1"]), "positive number"),
-        (lambda cones: cones["forms"].update(A=["1"]), "positive number"),
-        (lambda cones: cones["forms"].update(C=["1", "1"]), "cones of other sets"),
+        (stating("forms", A=["1", "-1"]), "positive number"),
+        (stating("forms", A=["1"]), "positive number"),
+        (stating("forms", C=["1", "1"]), "cones of other sets"),
         (lambda cones: cones["strips"].pop(), "strips of other"),
         (lambda cones: cones["strips"].append(cones["strips"][0]), "twice"),
         (lambda cones: cones["strips"][0][2][0].reverse(), "no box"),
-        (lambda cones: cones["strips"][0][2][1].__setitem__(1, "9/8"), "no box"),
-        (lambda cones: cones.update(expansion="1"), "do not grow"),
-        (lambda cones: cones.update(contraction="0"), "do not shrink"),
-        (lambda cones: cones.update(contraction="1"), "do not shrink"),
-        (lambda cones: cones.update(exponent="1.152"), "larger"),  # log(10) / 2 = 1.15129...
-        (lambda cones: cones.update(exponent="0"), "no positive"),
+        (placing("strips", 0, 2, 1, 1, "9/8"), "no box"),
+        (stating(expansion="1"), "do not grow"),
+        (stating(contraction="0"), "do not shrink"),
+        (stating(contraction="1"), "do not shrink"),
+        (stating(exponent="1.152"), "larger"),  # log(10) / 2 = 1.15129...
+        (stating(exponent="0"), "no positive"),
     ],
 )
 def test_cones_that_cannot_be_are_refused_before_sets_are_mapped(coned, change, told):
-    content = json.loads(coned.read_text())
+    content = content_of(coned)
     change(content["cones"])
     targets = {"A": ["A", "B"], "B": ["A"]}
     with pytest.raises(Failure, match=told):
@@ -219,15 +230,9 @@ def narrower(cones, place, side):
     ("change", "told"),
     [
         (lambda cones: None, None),
-        (lambda cones: cones.update(expansion="50"), "cone condition"),
-        pytest.param(
-            lambda cones: cones.update(contraction="1/50"), "cone condition", marks=pytest.mark.slow
-        ),
-        pytest.param(
-            lambda cones: cones["forms"].update(A=["1/100", "1"]),
-            "cone condition",
-            marks=pytest.mark.slow,
-        ),
+        (stating(expansion="50"), "cone condition"),
+        slow(stating(contraction="1/50"), "cone condition"),
+        slow(stating("forms", A=["1/100", "1"]), "cone condition"),
         # what is mapped into the target from the rest is noticed
         (lambda cones: narrower(cones, 0, 0), "stretched by is not proved"),
         (lambda cones: narrower(cones, 1, 1), "stretched by is not proved"),
@@ -302,7 +307,7 @@ def calls_of(content):
 @pytest.fixture(scope="module")
 def few(coned):
     """A file without cones, and the calls of its check."""
-    content = {**json.loads(coned.read_text()), "cones": None, "parts": 400}
+    content = {**content_of(coned), "cones": None, "parts": 400}
     calls, proved = calls_of(content)
     assert proved
     return content, calls
@@ -317,12 +322,12 @@ def few(coned):
         raised,
         lambda content: first_entry(content, "100"),
         lambda content: first_entry(content, "1e9999"),
-        lambda content: content.update(iterates=64, entropy="0.001"),
-        lambda content: content.update(iterates=10**6, entropy="1e-9"),
-        lambda content: content.update(parts=10**9),
+        stating(iterates=64, entropy="0.001"),
+        stating(iterates=10**6, entropy="1e-9"),
+        stating(parts=10**9),
         lambda content: longer(content, 2),
-        pytest.param(lambda content: content["parameters"].update(w="1e9"), marks=pytest.mark.slow),
-        lambda content: content["parameters"].update(a="1e300"),
+        slow(stating("parameters", w="1e9")),
+        stating("parameters", a="1e300"),
     ],
 )
 def test_a_false_file_takes_no_more_than_several_times_the_work_of_the_true_one(few, change):
@@ -344,7 +349,7 @@ def test_a_check_encloses_few_times_as_many_images_as_the_file_states(coned, tmp
 
 @pytest.mark.parametrize("phase", [["1", "0"], ["-4/5", "3/5"], ["-1", "1"]])
 def test_another_phase_is_refused(coned, tmp_path, phase):
-    refused_file(edited(coned, lambda content: content.update(phase=phase)), tmp_path, "")
+    refused_file(edited(coned, stating(phase=phase)), tmp_path, "")
 
 
 @pytest.mark.slow

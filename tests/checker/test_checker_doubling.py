@@ -1,8 +1,6 @@
 """The check of a doubling: it proves what is so, and refuses a file that was edited."""
 
 import copy
-import json
-from typing import Any
 
 import pytest
 from flint import arb
@@ -15,11 +13,19 @@ from nonsmooth.runtime.checker.ranges.doubling import (
     JudgedDoubling,
     check_doubled,
 )
-from tests.certified import believed, prove_doubling, refused, signed
+from tests.certified import (
+    believed,
+    content_of,
+    edited,
+    placing,
+    prove_doubling,
+    refused,
+    saved,
+    stating,
+)
 from tests.shared import shared_file
 
 pytestmark = pytest.mark.compiled  # much slower without it
-Content = dict[str, Any]
 DOUBLING = "nonsmooth.runtime.checker.ranges.doubling"
 
 
@@ -27,50 +33,55 @@ DOUBLING = "nonsmooth.runtime.checker.ranges.doubling"
 def content():
     path = shared_file("nonsmooth certified doubling", prove_doubling)
     assert ns.certify.check(path).claims == {"doubling": "proved"}
-    found = json.loads(path.read_text())
-    return found
+    return content_of(path)
+
+
+def of_doubled(change):
+    """A change of what is told of the doubled orbits."""
+    return lambda content: change(content["doubled"])
+
+
+def unbent(doubled):
+    *others, last = doubled["centre"]
+    doubled["centre"] = [*others, [x * (not k) for k, x in enumerate(last)]]
 
 
 KRAWCZYK = "Krawczyk's test fails"
+SLIP = "declaration", "configurations", "slip-slip", "field", 2, 0, "-1.0001"
 EDITS = [
-    (lambda c, d: d.update(side="below"), "they are not below the flip"),
-    (lambda c, d: d.update(verdict="stable"), "at one of them it is unstable"),
-    (lambda c, d: d.update(reason="none"), "a reason of another verdict"),
-    (lambda c, d: d.update(verdict="undecided"), "the claim is another one"),
-    (lambda c, d: d.update(verdict="undecided", reason="so"), "the claim is another one"),
-    (lambda c, d: d.update(amplitude="2"), KRAWCZYK),
+    (stating("doubled", side="below"), "they are not below the flip"),
+    (stating("doubled", verdict="stable"), "at one of them it is unstable"),
+    (stating("doubled", reason="none"), "a reason of another verdict"),
+    (stating("doubled", verdict="undecided"), "the claim is another one"),
+    (stating("doubled", verdict="undecided", reason="so"), "the claim is another one"),
+    (stating("doubled", amplitude="2"), KRAWCZYK),
     # the doubled branch is right, but it does not begin in the tube
-    (lambda c, d: d.update(amplitude="1/1000"), KRAWCZYK),
-    (lambda c, d: d.update(amplitude="-1/10"), "not positive"),
-    (lambda c, d: d["centre"][-1].__setitem__(0, d["centre"][-1][0] + 1e-3), KRAWCZYK),
+    (stating("doubled", amplitude="1/1000"), KRAWCZYK),
+    (stating("doubled", amplitude="-1/10"), "not positive"),
+    (of_doubled(lambda d: d["centre"][-1].__setitem__(0, d["centre"][-1][0] + 1e-3)), KRAWCZYK),
     # a tube whose parameter would not move: the same polynomials without their bend
-    (lambda c, d: d["centre"].append([x * (not k) for k, x in enumerate(d["centre"].pop())]), None),
-    (lambda c, d: d.update(radii=[1e-40] * len(d["radii"])), KRAWCZYK),
-    (lambda c, d: d.update(radii=[1.0] * len(d["radii"])), KRAWCZYK),
-    (lambda c, d: d["rate"].update(mid="1.4e-1"), "not in its enclosure"),
-    (lambda c, d: d.update(tile=1 + [t["event"] for t in c["branch"]["tiles"]].index(None)),
+    (of_doubled(unbent), None),
+    (of_doubled(lambda d: d.update(radii=[1e-40] * len(d["radii"]))), KRAWCZYK),
+    (of_doubled(lambda d: d.update(radii=[1.0] * len(d["radii"]))), KRAWCZYK),
+    (stating("doubled", "rate", mid="1.4e-1"), "not in its enclosure"),
+    (lambda c: c["doubled"].update(tile=1 + [t["event"] for t in c["branch"]["tiles"]].index(None)),
      "there is no flip"),
-    (lambda c, d: d.update(scaled="tau1"), KRAWCZYK),
-    (lambda c, d: c.update(end="the time is over"), "though it is whole"),
-    (lambda c, d: c.update(doubled=None, claims={"doubling": "undecided"}),
+    (stating("doubled", scaled="tau1"), KRAWCZYK),
+    (stating(end="the time is over"), "though it is whole"),
+    (stating(doubled=None, claims={"doubling": "undecided"}),
      "complete without doubled orbits"),
-    (lambda c, d: c.update(doubled=None, ended="unfinished"), "the claim is another one"),
-    (lambda c, d: d.update(branch={**copy.deepcopy(c["branch"]), "start": 0}), "not passed twice"),
-    (lambda c, d: d["branch"]["parameters"].update(eta="4.001"), "the doubled branch"),
-    (lambda c, d: d["branch"]["declaration"]["configurations"]["slip-slip"]["field"][2].__setitem__(
-        0, "-1.0001"), "the doubled branch"),
+    (stating(doubled=None, ended="unfinished"), "the claim is another one"),
+    (lambda c: c["doubled"].update(branch={**copy.deepcopy(c["branch"]), "start": 0}),
+     "not passed twice"),
+    (stating("doubled", "branch", "parameters", eta="4.001"), "the doubled branch"),
+    (placing("doubled", "branch", *SLIP), "the doubled branch"),
 ]  # fmt: skip
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("edit", "told"), EDITS)
 def test_what_is_false_is_refused(content, edit, told):
-    edited = copy.deepcopy(content)
-    edit(edited, edited["doubled"])
-    refused(edited, told)
-
-
-Proved = tuple[list[Content], list[list[CheckedTile]]]
+    refused(edited(content, edit), told)
 
 
 @pytest.fixture(scope="module")
@@ -82,18 +93,14 @@ def proved(content):
     return branches, tiles
 
 
-def other_stiffness(branch):
-    branch["declaration"]["configurations"]["slip-slip"]["field"][2][0] = "-1.0001"
-
-
 @pytest.mark.parametrize(
     ("change", "told"),
     [
-        (lambda b: b.update(parameter="eta"), "another system's branch"),
-        (lambda b: b.update(parameters={}), "another system's branch"),
-        (lambda b: b.update(stability="neutral"), "another system's branch"),
-        (lambda b: b.update(closing={"kind": "forcing", "turns": 1}), "closes in another way"),
-        (other_stiffness, "the declarations differ"),
+        (stating(parameter="eta"), "another system's branch"),
+        (stating(parameters={}), "another system's branch"),
+        (stating(stability="neutral"), "another system's branch"),
+        (stating(closing={"kind": "forcing", "turns": 1}), "closes in another way"),
+        (placing(*SLIP), "the declarations differ"),
     ],
 )
 def test_a_branch_of_something_else_is_not_the_doubled_one(content, proved, change, told):
@@ -156,15 +163,14 @@ def test_another_event_on_the_tube_leaves_it_undecided(content, proved, monkeypa
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["dry-friction/global-stick", "rigid-stop/one-impact", "mine"])
 def test_the_name_of_another_orbit_is_refused(content, name, tmp_path):
-    path = tmp_path / "edited.json"
-    path.write_text(json.dumps(signed({**content, "orbit": name})))
+    path = saved({**content, "orbit": name}, tmp_path / "edited.json")
     assert name in str(ns.certify.check(path).difference)
 
 
 def test_a_file_that_was_edited_is_refused(content):
-    edited = copy.deepcopy(content)
-    edited["end"] = "."
+    changed = copy.deepcopy(content)
+    changed["end"] = "."
     with pytest.raises(Failure, match="checksum"):
-        believed(edited)
-    del edited["ended"]
-    refused(edited, "'ended' of the file is missing")
+        believed(changed)
+    del changed["ended"]
+    refused(changed, "'ended' of the file is missing")

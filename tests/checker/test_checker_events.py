@@ -32,14 +32,13 @@ from tests.certified import (
     loop,
     moved,
     of_files,
+    placing,
     refused,
     saved,
     signed,
 )
 from tests.checker.test_checker import other_systems
 from tests.explore import test_continuation_forced as impacts
-
-WRONG = (Failure, ArithmeticError, KeyError, ValueError, TypeError, IndexError)
 
 
 @cache
@@ -117,15 +116,13 @@ def written(name, folder):
 def content(request, tmp_path_factory):
     """The file of a branch's events."""
     folder = Path(tmp_path_factory.getbasetemp())
-    found = json.loads(written(request.param, folder))
-    return found
+    return json.loads(written(request.param, folder))
 
 
 def event_of(content, kind):
     """The last of a kind, alone in its file."""
     content["events"] = [event for event in content["events"] if event["kind"] == kind][-1:]
-    found = content["events"][0]
-    return found
+    return content["events"][0]
 
 
 @of_files(*BRANCHES)
@@ -170,7 +167,7 @@ def test_boxes_without_the_event_are_refused(content):
     for change in (
         lambda box: box.pop(),
         lambda box: box.append(box[0]),
-        lambda box: box[0].__setitem__("rad", "0"),
+        placing(0, "rad", "0"),
         lambda box: [side.__setitem__("rad", "1") for side in box],
         lambda box: box.insert(0, box.pop(-2)),
     ):

@@ -10,7 +10,16 @@ from nonsmooth.derive import Parameter
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.state_sets.many_sets import ManyMotions
 from nonsmooth.runtime.model.kernels import load_system
-from tests.certified import accepted, believed, claimed, flat, refused_file, runs, signed
+from tests.certified import (
+    accepted,
+    believed,
+    claimed,
+    content_of,
+    flat,
+    refused_file,
+    runs,
+    signed,
+)
 from tests.checker.test_checker_basin import X, Z, relay
 from tests.friction_sets import DATA
 from tests.horseshoes import FRICTION_DATA
@@ -33,7 +42,7 @@ def path(found, tmp_path_factory):
 
 @pytest.fixture
 def content(path):
-    return json.loads(path.read_text())
+    return content_of(path)
 
 
 @pytest.mark.slow
@@ -53,10 +62,7 @@ def test_a_region_without_an_attractor_is_compared_with_its_system_too(tmp_path)
     region = {"x": (-0.8, -0.6), "v": (0, 0.2)}
     found = ns.certify.region(system, data, {"x": -0.7, "v": 0.1}, region=region, boxes=4)
     assert found.claim == "undecided"
-    found.save(tmp_path / "region.json")
-    check = ns.certify.check(tmp_path / "region.json")
-    assert check.difference is None
-    assert check.compared
+    assert accepted(found, tmp_path).compared
 
 
 @pytest.mark.slow
@@ -133,13 +139,12 @@ def test_edges_are_stated_once_and_in_order(content, tmp_path):
     refused_file({**content, "edges": edges[::-1]}, tmp_path, "edges are not in order")
 
 
-def test_boxes_that_hold_no_state_are_no_component(tmp_path):
+def test_boxes_that_hold_no_state_are_no_component():
     start, region = {"x": 0.5, "z": -0.5}, {"z": (-0.9, -0.1)}
     rate = Parameter("k", "rate")
     system = relay("down", X - 1 + Z, rate.symbol, parameters=[rate])
     found = ns.certify.region(system, {"k": 1}, start, "up", region=region, boxes=2)
-    found.save(tmp_path / "graph.json")
-    content = json.loads((tmp_path / "graph.json").read_text())
+    content = content_of(found)
     # behind the top with z > 0 a state is beyond already: nothing leads from there
     content |= {"source": "up", "boundary": "top", "configuration": "down"}
     content |= {"grid": {"exponents": [-2], "first": [2], "counts": [2]}, "divided": [[[0, 2]]]}

@@ -2,18 +2,17 @@
 
 import copy
 import json
-from collections.abc import Callable
 from functools import cache
-from typing import Any
 
 import pytest
 
 import nonsmooth as ns
 from nonsmooth import InputError
-from tests.certified import content_of
+from tests.certified import content_of, stating
 from tests.checker.test_mutations import renewed, written
 from tests.file_shapes import KEPT, file_shapes
 from tests.proof.test_parameter_derivatives import damped_at_zero
+from tests.tables import slow
 
 STICK = "dry-friction/global-stick"
 
@@ -34,12 +33,16 @@ def content_named(name):
     return content
 
 
-def exchanged(content, one, other):
-    """All names and texts with two words exchanged."""
-    text = json.dumps(content)
-    for old, new in ((one, "\0"), (other, one), ("\0", other)):
-        text = text.replace(json.dumps(old), json.dumps(new))
-    return json.loads(text)
+def exchanging(one, other):
+    """A change of a file: all names and texts with two words exchanged."""
+
+    def exchanged(content):
+        text = json.dumps(content)
+        for old, new in ((one, "\0"), (other, one), ("\0", other)):
+            text = text.replace(json.dumps(old), json.dumps(new))
+        return json.loads(text)
+
+    return exchanged
 
 
 def refusal(content, path):
@@ -74,10 +77,6 @@ def no_orbit(content):
     content["statement"] = told.replace("1 admissible", "0 admissible")
 
 
-def event(content, name, value):
-    content["events"][0][name] = value
-
-
 def turned(content, quantity, name):
     """A derivative with its sign turned."""
     found = content["derivatives"][quantity][name]
@@ -98,44 +97,43 @@ def no_family(content):
         rates["c"] = {"mid": "0", "rad": "1000"}
 
 
-Change = Callable[[Any], Any]
 FALSE = {
     "census-derived": {
         "census at another parameter": census_at,
         "census in a smaller box": smaller_box,
         "census with an orbit without certificate": one_more,
-        "label of the census": lambda c: exchanged(c, STICK, "dry-friction/symmetric"),
+        "label of the census": exchanging(STICK, "dry-friction/symmetric"),
     },
     "derived": {
-        "names of the point": lambda c: exchanged(c, "x10", "x20"),
-        "velocities of the point": lambda c: exchanged(c, "v10", "v20"),
-        "dwell times of the point": lambda c: exchanged(c, "tau", "tau1"),
-        "parameters of the point": lambda c: exchanged(c, "chi", "eta"),
-        "label of the point": lambda c: exchanged(c, STICK, "dry-friction/symmetric"),
-        "a parameter of the point": lambda c: c["parameters"].update(eta="1.01"),
-        "chosen": lambda c: c.update(chosen=["chi"]),
-        "a period": lambda c: c.update(given_period="7.87"),
+        "names of the point": exchanging("x10", "x20"),
+        "velocities of the point": exchanging("v10", "v20"),
+        "dwell times of the point": exchanging("tau", "tau1"),
+        "parameters of the point": exchanging("chi", "eta"),
+        "label of the point": exchanging(STICK, "dry-friction/symmetric"),
+        "a parameter of the point": stating("parameters", eta="1.01"),
+        "chosen": stating(chosen=["chi"]),
+        "a period": stating(given_period="7.87"),
         "multipliers twice": lambda c: c["multipliers"].append(c["multipliers"][0]),
     },
     "map": {
-        "names of the map": lambda c: exchanged(c, "x10", "x20"),
-        "dwell times of the map": lambda c: exchanged(c, "tau", "tau2"),
-        "parameters of the map": lambda c: exchanged(c, "V", "eta"),
-        "label of the map": lambda c: exchanged(c, STICK, "rigid-stop/one-impact"),
-        "chosen in the map": lambda c: c.update(chosen=["chi"]),
-        "V of a map": lambda c: c["parameters"].update(V="9"),
+        "names of the map": exchanging("x10", "x20"),
+        "dwell times of the map": exchanging("tau", "tau2"),
+        "parameters of the map": exchanging("V", "eta"),
+        "label of the map": exchanging(STICK, "rigid-stop/one-impact"),
+        "chosen in the map": stating(chosen=["chi"]),
+        "V of a map": stating("parameters", V="9"),
     },
     "events": {
-        "names of the events": lambda c: exchanged(c, "x10", "x20"),
-        "dwell times of the events": lambda c: exchanged(c, "tau", "tau1"),
-        "V of an event": lambda c: c["events"][0]["parameters"].update(V="9"),
-        "another kind of event": lambda c: event(c, "kind", "fold"),
+        "names of the events": exchanging("x10", "x20"),
+        "dwell times of the events": exchanging("tau", "tau1"),
+        "V of an event": stating("events", 0, "parameters", V="9"),
+        "another kind of event": stating("events", 0, kind="fold"),
     },
     "composed": {
-        "a period that is true": lambda c: c.update(given_period="3*pi/2"),
+        "a period that is true": stating(given_period="3*pi/2"),
     },
     "unstable": {
-        "reasons": lambda c: c.update(reasons={}),
+        "reasons": stating(reasons={}),
     },
     "derivatives": {
         "a derivative of another sign": lambda c: turned(c, "tau", "eta"),
@@ -144,10 +142,10 @@ FALSE = {
         "a derivative of the start": lambda c: turned(c, "x20", "e1"),
         "derivatives by others": lambda c: renamed(c, "eta", "chi"),
         "derivatives by the same": lambda c: renamed(c, "e1", "ur1"),
-        "a direction that is longer": lambda c: c["directions"].update(e1={"ur1": "2"}),
-        "another direction": lambda c: c["directions"].update(e1={"us1": "-1"}),
-        "a direction of nothing": lambda c: c["directions"].update(e1={}),
-        "a direction of a period": lambda c: c["directions"].update(e1={"period": "1"}),
+        "a direction that is longer": stating("directions", e1={"ur1": "2"}),
+        "another direction": stating("directions", e1={"us1": "-1"}),
+        "a direction of nothing": stating("directions", e1={}),
+        "a direction of a period": stating("directions", e1={"period": "1"}),
         "no directions": lambda c: c.pop("directions") and c,
         "derivatives of fewer": lambda c: c["derivatives"].pop("tau") and c,
     },
@@ -159,11 +157,7 @@ FALSE = {
 
 @pytest.mark.parametrize(
     ("kind", "name"),
-    [
-        pytest.param(kind, name, marks=[pytest.mark.slow] * (kind == "census-derived"))
-        for kind in FALSE
-        for name in FALSE[kind]
-    ],
+    [slow(kind, name, when=kind == "census-derived") for kind in FALSE for name in FALSE[kind]],
 )
 def test_false_files_are_refused(kind, name, tmp_path):
     change = FALSE[kind][name]
@@ -179,9 +173,9 @@ def test_false_files_are_refused(kind, name, tmp_path):
     ("name", "change", "told"),
     [
         ("census-derived", no_orbit, "an orbit of the box is not listed"),
-        ("derived", lambda c: exchanged(c, "dry-friction", "nowhere.py"), "unknown system 'nowher"),
-        ("derived", lambda c: c.update(bits=128_000), "128000 bits are more than the"),
-        ("events", lambda c: event(c, "bits", 128_000), "128000 bits are more than the"),
+        ("derived", exchanging("dry-friction", "nowhere.py"), "unknown system 'nowher"),
+        ("derived", stating(bits=128_000), "128000 bits are more than the"),
+        ("events", stating("events", 0, bits=128_000), "128000 bits are more than the"),
     ],
 )
 def test_why_a_file_is_refused(name, change, told, tmp_path):

@@ -11,7 +11,7 @@ import sympy as sp
 from flint import arb, arb_mat, ctx
 
 import nonsmooth as ns
-from nonsmooth.derive import Boundary, Configuration, FirstOrder, Parameter, System, Transition
+from nonsmooth.derive import Parameter
 from nonsmooth.runtime.checker.orbits.stability import (
     _inside,
     multipliers,
@@ -20,7 +20,8 @@ from nonsmooth.runtime.checker.orbits.stability import (
     passing,
     stability,
 )
-from tests.certified import believed, content_of, refused
+from tests.certified import believed, content_of, refused, ticking
+from tests.tables import slow
 
 
 @pytest.fixture(autouse=True)
@@ -174,17 +175,7 @@ p, q = (Parameter(name, "what multipliers depend on", lower=-sp.oo) for name in 
 
 def branch(*rows):
     """States at rest, which are mapped by a matrix each time that a clock comes to 1: p = -1."""
-    *states, clock = sp.symbols(f"y1:{len(rows) + 1} clock", real=True)
-    field = FirstOrder(sp.zeros(len(rows) + 1), [*[0] * len(rows), 1])
-    mapped = zip(states, sp.Matrix(rows) * sp.Matrix(states), strict=True)
-    system = System(
-        "mapped",
-        "states at rest, mapped at times",
-        (*states, clock),
-        (p, q),
-        (Configuration("rest", field, (Boundary("tick", clock - 1),)),),
-        (Transition("rest", {"tick"}, "rest", (), {**dict(mapped), clock: sp.Integer(0)}),),
-    )
+    system = ticking(sp.Matrix(rows), 0, p, q)
     guess, itinerary = [1.0, *[0.0] * (len(rows) + 1)], [("rest", "tick")]
     orbit = ns.solve(system, {"p": "-9/10", "q": "1/3"}, guess, itinerary=itinerary)
     return ns.continue_orbit(orbit, "p", (-1.125, -0.875))
@@ -226,12 +217,7 @@ def ranges(kind):
         # i p and -i p
         ("flip", [["0", "-1"], ["1", "0"]], "there may be another event: neimark-sacker"),
         # 2 p and p / 2
-        pytest.param(
-            "neimark-sacker",
-            [["2", "0"], ["0", "1/2"]],
-            "two (multipliers may be|are) real",
-            marks=pytest.mark.slow,
-        ),
+        slow("neimark-sacker", [["2", "0"], ["0", "1/2"]], "two (multipliers may be|are) real"),
     ],
 )
 def test_multipliers_that_pass_the_circle_otherwise_are_another_event(kind, pair, told):

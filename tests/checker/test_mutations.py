@@ -5,17 +5,16 @@ joined by a new one, and the checksums are made right again. The check then refu
 says the very same as before: what it says nothing of are notes and hints, listed here by name.
 """
 
-from __future__ import annotations
-
 import copy
 import json
 import os
 import random
 import re
+import tempfile
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import pytest
 
@@ -34,6 +33,7 @@ from tests.certified import (
 )
 from tests.horseshoes import folded_horseshoe
 from tests.shared import shared_file
+from tests.tables import slow
 
 SAMPLE = int(os.environ.get("NONSMOOTH_MUTATIONS", "40"))  # of each file; 0 for all of them
 STICK = "dry-friction/global-stick"
@@ -143,7 +143,7 @@ REORDERED = "exchange coverings"  # who covers whom is told in the order of the 
 class Mutation(NamedTuple):
     """A change of what is at a path."""
 
-    path: tuple[Any, ...]
+    path: tuple
     what: str
 
     def __str__(self):
@@ -153,8 +153,6 @@ class Mutation(NamedTuple):
 @cache
 def written(name):
     """The file of a kind."""
-    import tempfile
-
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "file.json"
         FILES[name]().save(path)
@@ -281,7 +279,7 @@ def sampled(content, drawn, count):
 
 
 DEAR = "branch", "branch-vanishing", "census-conservative", "census-derived", "map"
-KINDS = [pytest.param(name, marks=pytest.mark.slow) if name in DEAR else name for name in FILES]
+KINDS = [slow(name) if name in DEAR else name for name in FILES]
 
 
 @pytest.mark.parametrize("name", KINDS)

@@ -1,13 +1,13 @@
 """What a certificate says, shown again in mpmath's intervals: nothing of it by FLINT's balls."""
 
-import json
 from fractions import Fraction
 
 import pytest
 from mpmath import iv, mp, workdps
 
 import nonsmooth as ns
-from tests.certified import loop
+from tests.certified import content_of, loop
+from tests.tables import slow
 
 DIGITS = 50
 ORBITS = {
@@ -19,18 +19,10 @@ ORBITS = {
 
 @pytest.fixture(
     scope="module",
-    params=[pytest.param("global-stick", marks=pytest.mark.slow), "symmetric", "kicked"],
+    params=[slow("global-stick"), "symmetric", "kicked"],
 )
-def file(request, tmp_path_factory):
-    path = tmp_path_factory.mktemp("certificates") / "certificate.json"
-    ns.certify(ORBITS[request.param]()).save(path)
-    return path
-
-
-@pytest.fixture
-def content(file):
-    found = json.loads(file.read_text("utf-8"))
-    return found
+def content(request):
+    return content_of(ns.certify(ORBITS[request.param]()))
 
 
 @pytest.fixture(autouse=True)

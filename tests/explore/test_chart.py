@@ -20,6 +20,7 @@ import nonsmooth as ns
 from nonsmooth import InputError, MissingExtra
 from nonsmooth.runtime.core.result_files import checksum_of
 from tests.cli.test_cli import run, told
+from tests.explore.test_chart_numbers import MOTIONS
 from tests.pictures import figure_in
 
 ORBIT = "dry-friction/global-stick"
@@ -300,7 +301,6 @@ def test_two_processes_on_one_store(store, tmp_path):
     )
     pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True}
     with subprocess.Popen([sys.executable, "-c", code, str(store)], **pipes) as process:
-        assert process.stdout is not None
         assert process.stdout.readline() == "held\n"
         with pytest.raises(InputError, match=f"is being computed by process {process.pid} on "):
             go_on(store)
@@ -454,18 +454,10 @@ def test_no_folder_is_named():
 
 def test_a_simulated_chart_goes_on_from_its_own_start(tmp_path):
     place, period = tmp_path / "S.zarr", tmp_path / "S.zarr" / "period" / "c" / "0"
-    given = {
-        "chi": 0.4,
-        "eta": 4,
-        "us1": 0.0127,
-        "ur1": 0.0255,
-        "us2": 0.5,
-        "ur2": 1,
-    }
     start = {"x1": 0, "x2": 0.1, "v1": 0.2, "v2": 0.3}
     ns.chart(
         "dry-friction", store=place, simulate=True, start=start, transitions=100, V=[0.6, 0.7],
-        **given,
+        eta=4, **MOTIONS,
     )  # fmt: skip
     before = contents(place)
     period.unlink()

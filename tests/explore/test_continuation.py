@@ -167,9 +167,7 @@ def test_the_docstring_of_an_event_names_its_kind():
         assert f'"{event.kind}"' in str(type(event).__doc__)
 
 
-def test_an_interrupt_while_events_are_located_loses_no_point(
-    monkeypatch,
-):
+def test_an_interrupt_while_events_are_located_loses_no_point(monkeypatch):
     """They take as long as the points; a branch that is whole is not followed again."""
     orbit, calls, median = nonsmooth.solve(STICK), list[int](), np.nanmedian
 

@@ -14,6 +14,7 @@ import nonsmooth
 from nonsmooth.derive import Parameter, RigidStop, SoftStop
 from tests.differences import in_doubles
 from tests.one_mass import one_mass
+from tests.tables import slow
 
 W, R = 2.8, 0.8
 
@@ -178,9 +179,7 @@ def bump_grazing():
     return float(np.sqrt(np.roots([4, 4 - 3200, 640_000 - 160_000]).min()))
 
 
-@pytest.mark.parametrize(
-    "seed", [2, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (5, 8))]
-)
+@pytest.mark.parametrize("seed", [2, *(slow(seed) for seed in (5, 8))])
 def test_a_branch_ends_once_where_a_phase_vanishes(seed):
     """x'' + 2 zeta x' + x = cos(w t) touches x = 1 where w^2 = 2 - 4 zeta^2, whatever the stop.
 

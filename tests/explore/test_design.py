@@ -7,12 +7,14 @@ import pytest
 import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth.derive import Boundary, Configuration, FirstOrder, Parameter, System, Transition
+from nonsmooth.derive import Parameter
 from nonsmooth.runtime.explore.design.quantities import multiplier_rows, radius_rows
+from tests.certified import ticking
 from tests.differences import in_digits
 from tests.explore.test_continuation_forced import branch as struck
 from tests.explore.test_continuation_forced import bump_grazing, bumped, closed_forms
 from tests.places import GALLERY
+from tests.tables import slow
 
 IMPACTS = f"{GALLERY / 'impact_oscillator.py'}:one-period"
 DAMPER = f"{GALLERY / 'impact_damper.py'}:struck-twice"
@@ -77,9 +79,7 @@ def test_to_maximise_is_to_minimise_the_negative():
 @pytest.mark.parametrize(
     ("quantity", "limit", "value", "sign", "over"),
     [
-        pytest.param(
-            *("peak:x1", "spectral_radius<=", 0.9, -1, {"V": (0.6, 3)}), marks=pytest.mark.slow
-        ),
+        slow(*("peak:x1", "spectral_radius<=", 0.9, -1, {"V": (0.6, 3)})),
         ("period", "multiplier=", -1, 1, {"V": (0.6, 1.5), "eta": (3.5, 4.5)}),
     ],
 )
@@ -195,17 +195,8 @@ def test_a_design_is_drawn():
 
 def mapped(matrix, rates, p):
     """A state that rests, and at each tick of a clock becomes (M + p R) x + 1."""
-    *states, clock = sp.symbols(f"x1:{len(matrix) + 1} clock", real=True)
     part = Parameter("p", "part", lower=-sp.oo)
-    moved = exact(matrix) + part.symbol * exact(rates)
-    kicked = moved * sp.Matrix(states) + sp.ones(len(states), 1)
-    rest = FirstOrder(sp.zeros(len(states) + 1), [*[0] * len(states), 1])
-    system = System(
-        "mapped", "a map", (*states, clock), (part,),
-        (Configuration("rest", rest, (Boundary("tick", clock - 1),)),),
-        (Transition("rest", {"tick"}, "rest", reset={**dict(zip(states, kicked, strict=True)),
-                                                     clock: 0}),),
-    )  # fmt: skip
+    system = ticking(exact(matrix) + part.symbol * exact(rates), 1, part)
     fixed = np.linalg.solve(np.eye(len(matrix)) - matrix - p * rates, np.ones(len(matrix)))
     return ns.solve(system, {"p": p}, [1, *fixed, 0], itinerary=[("rest", "tick")])
 
@@ -218,7 +209,7 @@ def exact(matrix):
     ("size", "seed"),
     [
         *((size, 0) for size in (1, 2, 3, 4)),
-        *(pytest.param(size, 1, marks=pytest.mark.slow) for size in (1, 2, 3, 4)),
+        *(slow(size, 1) for size in (1, 2, 3, 4)),
     ],
 )
 def test_the_least_spectral_radius_is_that_of_the_eigenvalues(size, seed):

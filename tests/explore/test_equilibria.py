@@ -6,9 +6,10 @@ import sympy as sp
 
 from nonsmooth import find_orbits
 from nonsmooth.derive import SoftStop, oscillator
+from tests.tables import slow
 
 
-@pytest.mark.parametrize("seed", [3, *(pytest.param(s, marks=pytest.mark.slow) for s in range(3))])
+@pytest.mark.parametrize("seed", [3, *(slow(s) for s in range(3))])
 def test_a_state_that_vanishes_is_zero(seed):
     """Where others are not, in coupled coordinates; velocities always."""
     random = np.random.default_rng(seed)

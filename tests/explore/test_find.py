@@ -8,9 +8,11 @@ import pytest
 import sympy as sp
 
 from nonsmooth import InputError, chart, find_orbits, load, simulate, solve
-from nonsmooth.derive import RigidStop, oscillator
+from nonsmooth.derive import RigidStop
 from tests.certified import edited as content_edited
+from tests.certified import placing, stating
 from tests.explore.listed import check_listed
+from tests.one_mass import one_mass
 from tests.places import GALLERY
 from tests.two_masses import CHAIN, RUBBING, STICKING
 
@@ -163,10 +165,8 @@ def test_a_box_reaches_twice_as_far_as_any_boundary():
 
 def test_a_load_says_how_fast_starts_fall_where_nothing_returns():
     gravity, height = sp.symbols("gravity height")
-    ball = oscillator(
-        "fallen", ["x"], mass=[[1]], stiffness=[[0]], load=[-gravity],
-        elements=[RigidStop("x", at=-height, restitution=1, side="lower", name="ground")],
-    )  # fmt: skip
+    ground = RigidStop("x", at=-height, restitution=1, side="lower", name="ground")
+    ball = one_mass("fallen", ground, stiffness=0, load=[-gravity])
     for g, h in ((9.81, 0.25), (9.81e9, 2.5e-10)):
         limits = drawn_from(ball, {"gravity": g, "height": h})
         assert limits[:, 1].tolist() == pytest.approx([2 * h, 2 * np.sqrt(g * h)], rel=1e-12)
@@ -246,9 +246,9 @@ def edited(path, edit, other):
     [
         lambda c: c.update(labels=c["labels"][:-1]),
         lambda c: c.update(labels=[99] * len(c["labels"])),
-        lambda c: c.update(starts=[["0", "0"]]),
+        stating(starts=[["0", "0"]]),
         lambda c: c["box"].pop("x1"),
-        lambda c: c.update(system="none"),
+        stating(system="none"),
     ],
 )
 def test_signed_nonsense_is_refused_too(saved, tmp_path, edit):
@@ -271,11 +271,11 @@ def renamed(content):
 
 
 NOT_OF_IT = [
-    ("orbits", lambda c: c["orbits"][0]["dwell_times"].__setitem__(0, "1.5"), "not a solution"),
+    ("orbits", placing("orbits", 0, "dwell_times", 0, "1.5"), "not a solution"),
     ("orbits", lambda c: c["orbits"][0]["dwell_times"].pop(), "do not belong together"),
     ("orbits", lambda c: c["orbits"][0]["states"].pop(), "none of the states"),
     ("orbits", lambda c: [row.pop() for row in c["orbits"][0]["states"]], "none of the states"),
-    ("orbits", lambda c: c["orbits"][0]["itinerary"][0].__setitem__(1, "none"), "none"),
+    ("orbits", placing("orbits", 0, "itinerary", 0, 1, "none"), "none"),
     ("orbits", of_first("orbits", itinerary=[]), "none of the states"),
     ("orbits", of_first("orbits", mirror=2), ""),
     ("equilibria", of_first("equilibria", configuration="none"), ""),
@@ -284,7 +284,7 @@ NOT_OF_IT = [
     ("equilibria", lambda c: c["equilibria"][0]["state"].popitem(), ""),
     ("equilibria", renamed, ""),
     ("equilibria", of_first("equilibria", mirror=2), ""),
-    ("orbits equilibria", lambda c: c["parameters"].update(chi="0.41"), ""),
+    ("orbits equilibria", stating("parameters", chi="0.41"), ""),
 ]
 
 

@@ -21,6 +21,7 @@ from nonsmooth.derive import (
 )
 from tests.differences import in_doubles
 from tests.one_mass import one_mass
+from tests.tables import slow
 from tests.unpacking import unpacked_pieces
 
 k, m, r, c = sp.symbols("k m r c")
@@ -103,7 +104,7 @@ TOLD = {
 
 @pytest.mark.parametrize(
     "case",
-    [pytest.param(n, marks=[pytest.mark.slow] * (n in ("gaps", "experiments"))) for n in TOLD],
+    [slow(n, when=n in ("gaps", "experiments")) for n in TOLD],
 )
 def test_exact_data_give_exact_parameters(case):
     data, expected, options = TOLD[case]
@@ -147,7 +148,7 @@ INFLUENCES = {
         ("events", "linear", True),
         ("series", "linear", True),
         ("series", "linear", False),
-        *(pytest.param("series", each, True, marks=pytest.mark.slow) for each in [*INFLUENCES][1:]),
+        *(slow("series", each, True) for each in [*INFLUENCES][1:]),
     ],
 )
 def test_errors_are_those_of_an_m_estimate(kind, loss, known):

@@ -21,6 +21,7 @@ from tests.explore.test_escape import (
     shaken,
 )
 from tests.one_mass import one_mass
+from tests.tables import slow
 
 pytestmark = pytest.mark.compiled
 
@@ -397,7 +398,7 @@ def test_impacts_that_follow_each_other_ever_faster_come_back_with_the_forcing()
     ("build", "data"),
     [
         *(
-            pytest.param(*case, marks=pytest.mark.slow)
+            slow(*case)
             for case in (
                 (stopped, {"zeta": 0.05, "w": 2.8, "gap": 0, "r": 0.8}),
                 (stopped, {"zeta": 0.02, "w": 2.6, "gap": 0.4, "r": 0.8}),

@@ -21,6 +21,7 @@ from nonsmooth.derive import (
 )
 from tests.explore.listed import check_listed
 from tests.explore.test_units import OF_UNITS, converter
+from tests.tables import slow
 
 pytestmark = pytest.mark.compiled
 
@@ -73,7 +74,7 @@ PROVED = 5  # orbits, with the shortest phases
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("seed", [0, slow(1)])
 @pytest.mark.parametrize("build", RANGES, ids=lambda build: build.__name__)
 def test_what_is_listed_is_true(build, seed, tmp_path):
     rng = np.random.default_rng(seed)

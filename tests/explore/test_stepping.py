@@ -11,6 +11,7 @@ import pytest
 
 import nonsmooth as ns
 from tests.explore.test_continuation_forced import R, W, branch, closed_forms, struck_at
+from tests.tables import slow
 
 D = 1e-2
 CLOSED = ("the branch is closed",) * 2
@@ -40,8 +41,7 @@ def followed(kind, stop=None, **options):
     try:
         return ns.continue_orbit(first(), "q", INTERVALS[kind], **given)
     except ns.Interrupted as stopped:
-        found = stopped.partial
-        return found
+        return stopped.partial
 
 
 @cache
@@ -81,7 +81,7 @@ def test_a_branch_goes_on_to_the_whole_from_every_point(kind):
 
 
 @pytest.mark.parametrize("left", [1, 2, 5])
-@pytest.mark.parametrize("fine", [1e-2, pytest.param(5e-4, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("fine", [1e-2, slow(5e-4)])
 def test_a_branch_does_not_pass_its_other_end(left, fine):
     """Though its first steps, when it goes on, would be longer than what is left."""
     part = followed("closed", points_of(fine) - 1 - left, step=fine)

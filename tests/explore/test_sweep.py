@@ -7,6 +7,7 @@ import sympy as sp
 from nonsmooth import InputError, simulate, solve, sweep
 from nonsmooth.derive import Parameter, RigidStop
 from tests.one_mass import one_mass
+from tests.tables import slow
 from tests.two_masses import CHAIN, PHASES, STICKING
 
 STICK = {name: value for name, value in STICKING.items() if name != "V"}
@@ -62,7 +63,7 @@ def taken(value, start, transient):
     "backend",
     [
         pytest.param("c", marks=pytest.mark.compiled),
-        pytest.param("numpy", marks=pytest.mark.slow),
+        slow("numpy"),
     ],
 )
 def test_a_sweep_is_its_single_motions(backend, monkeypatch):

@@ -21,7 +21,9 @@ from nonsmooth.derive import (
     Transition,
     oscillator,
 )
+from tests.one_mass import one_mass
 from tests.scaled_systems import DAMPING, FORCE, LENGTH, MASS, RATE, STIFFNESS
+from tests.tables import slow
 
 UNITS = [
     (Fraction(1, 10**6), 1200, 7),
@@ -108,9 +110,7 @@ def answers(name, length, rate, mass):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    "units", [UNITS[0], pytest.param(UNITS[1], marks=pytest.mark.slow)], ids=str
-)
+@pytest.mark.parametrize("units", [UNITS[0], slow(UNITS[1])], ids=str)
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_orbits_branches_and_proofs_do_not_depend_on_units(name, units):
     wanted, wanted_branch, wanted_proof = answers(name, 1, 1, 1)
@@ -137,17 +137,20 @@ def test_orbits_branches_and_proofs_do_not_depend_on_units(name, units):
 SMALL = (Fraction(1, 10**9), 10**5, 7)  # nanometres
 
 
+def stops(at, stiffness):
+    """Equal ones on both sides."""
+    return [
+        SoftStop({"x": sign}, at=at, stiffness=stiffness, name=name)
+        for name, sign in (("right", 1), ("left", -1))
+    ]
+
+
 @cache
 def bistable():
     """A mass that is pushed away from the middle, to one of two stops."""
-    return oscillator(
-        "bistable", ["x"],
-        mass=[[MASS]], stiffness=[[-STIFFNESS]], damping=[[DAMPING / 5]],
-        elements=[
-            SoftStop({"x": sign}, at=LENGTH, stiffness=4 * STIFFNESS, name=name)
-            for name, sign in (("right", 1), ("left", -1))
-        ],
-        parameters=OF_UNITS,
+    return one_mass(
+        "bistable", *stops(LENGTH, 4 * STIFFNESS),
+        mass=MASS, stiffness=-STIFFNESS, damping=DAMPING / 5, parameters=OF_UNITS,
     )  # fmt: skip
 
 
@@ -155,14 +158,10 @@ def bistable():
 def stopped():
     """A mass between two stops, that a load may push to one of them."""
     w, load = Parameter("w", "frequency of the force"), Parameter("load", "load", lower=-sp.oo)
-    return oscillator(
-        "stopped", ["x"],
-        mass=[[MASS]], stiffness=[[STIFFNESS]], damping=[[DAMPING / 10]], load=[load.symbol],
-        forcing=[Harmonic(w.symbol * RATE, cosine=[FORCE])],
-        elements=[
-            SoftStop({"x": sign}, at=LENGTH / 2, stiffness=9 * STIFFNESS, name=name)
-            for name, sign in (("right", 1), ("left", -1))
-        ],
+    return one_mass(
+        "stopped", *stops(LENGTH / 2, 9 * STIFFNESS),
+        mass=MASS, stiffness=STIFFNESS, damping=DAMPING / 10, load=[load.symbol],
+        forces={w.symbol * RATE: FORCE},
         parameters=(*OF_UNITS, w, load),
     )  # fmt: skip
 

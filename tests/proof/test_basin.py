@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth.derive import Harmonic, SoftStop, oscillator
+from nonsmooth.derive import SoftStop
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
@@ -18,6 +18,7 @@ from nonsmooth.runtime.proof.sets.certify_basin import next_tiles
 from nonsmooth.runtime.proof.sets.section_choice import section_of as basin_section
 from tests.certified import accepted
 from tests.friction_sets import DATA, arrival, section_of
+from tests.one_mass import one_mass
 from tests.places import GALLERY
 
 BOX = {"x1": (2, 3), "x2": (6, 7), "v1": (-1, 0.5), "v2": (-1, 0.5)}
@@ -265,10 +266,8 @@ def test_parameters_that_an_orbit_leaves_open_are_asked_for():
 
 def test_a_linear_response_has_a_section_at_every_frequency():
     """A turn of the forcing and the motion over one are the same, but for rounding."""
-    far = oscillator(
-        "far", ["x"], [[1]], [[1]], [["1/5"]], forcing=[Harmonic(sp.Symbol("w"), cosine=[1])],
-        elements=[SoftStop("x", at=10, stiffness=10, name="stop")],
-    )  # fmt: skip
+    stop = SoftStop("x", at=10, stiffness=10, name="stop")
+    far = one_mass("far", stop, damping="1/5", forces={sp.Symbol("w"): 1})
     for w in np.arange(20, 31) / 10:
         orbit = ns.solve(far, {"w": w}, [2 * np.pi / w], itinerary=[("free", "forcing-phase")])
         with flint_precision(128):

@@ -130,20 +130,20 @@ def corner(push):
     lags = [[-1, 0], [1, -1]]
     warm, cold = Boundary("warm", B - WIDTH), Boundary("cold", -B - WIDTH)
     return System(
-        name="corner",
-        description="two lags and a relay with a second stage; nondimensional",
-        states=(A, B),
-        parameters=(THRESHOLD,),
-        configurations=(
+        "corner",
+        "two lags and a relay with a second stage; nondimensional",
+        (A, B),
+        (THRESHOLD,),
+        (
             Configuration("on", FirstOrder(lags, [1, 0]), (warm, HOT)),
             Configuration("push", FirstOrder(lags, [1 + push, 0]), (warm,)),
             Configuration("off", FirstOrder(lags, [-1, 0]), (cold,)),
         ),
-        transitions=(
-            Transition("on", frozenset({"warm"}), "off"),
-            Transition("on", frozenset({"hot"}), "push"),
-            Transition("push", frozenset({"warm"}), "off"),
-            Transition("off", frozenset({"cold"}), "on"),
+        (
+            Transition("on", {"warm"}, "off"),
+            Transition("on", {"hot"}, "push"),
+            Transition("push", {"warm"}, "off"),
+            Transition("off", {"cold"}, "on"),
         ),
     )
 

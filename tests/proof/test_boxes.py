@@ -16,6 +16,7 @@ from nonsmooth import InputError
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from tests.certified import accepted, interrupted, loop
 from tests.explore import test_continuation_forced as impacts
+from tests.tables import slow
 
 STICK = "dry-friction/global-stick"
 SYMMETRIC = "dry-friction/symmetric"
@@ -103,7 +104,6 @@ def test_closed_forms_over_boxes():
 def test_conservative_orbits_are_neutral_over_boxes(name, parameter):
     orbit = ns.solve(name)
     middle = orbit.given[parameter].exact
-    assert middle is not None
     box = {parameter: (middle * Fraction(999, 1000), middle * Fraction(1001, 1000))}
     found = ns.certify.box(orbit, box)
     assert found.proved
@@ -206,7 +206,6 @@ def test_narrow_boxes_show_the_derived_slope_of_the_trace(parameter):
     orbit = ns.solve(STICK)
     width = Fraction(1, 10**5)
     middle = orbit.given[parameter].exact
-    assert middle is not None
     found = ns.certify.box(orbit, {parameter: (middle - width, middle + width)})
     trace = found.enclosures["trace"]
     slope = abs(orbit.derivatives(parameter).trace[0])
@@ -276,7 +275,6 @@ def test_a_narrow_box_says_what_its_point_does_and_its_file_is_proved_again(
 ):
     orbit = ns.solve(name, point)
     middle = orbit.given[axis].exact
-    assert middle is not None
     ends = (str(middle * (1 - width)), str(middle * (1 + width)))
     found, alone = ns.certify.box(orbit, {axis: ends}, tiles=1), ns.certify(orbit)
     (tile,) = found.tiles
@@ -297,9 +295,7 @@ def lines():
     return interrupted(asked, ("certify_box.py",), {"look", "stated"})[0]
 
 
-@pytest.mark.parametrize(
-    "share", [0.01, 0.7, *(pytest.param(x, marks=pytest.mark.slow) for x in (0.0, 0.3, 0.95, 0.99))]
-)
+@pytest.mark.parametrize("share", [0.01, 0.7, *(slow(x) for x in (0.0, 0.3, 0.95, 0.99))])
 def test_an_interruption_anywhere_leaves_tiles_that_fill_the_box(share, tmp_path):
     """Also in the check that ends a map, which asks about tiles that were not looked at."""
     _, state = interrupted(asked, ("certify_box.py",), {"look", "stated"}, share * lines())

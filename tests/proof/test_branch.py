@@ -1,6 +1,5 @@
 """Certified branches: what is proved, against the integrator, the events' certificates, attacks."""
 
-import json
 import random
 from dataclasses import replace
 from fractions import Fraction
@@ -15,7 +14,7 @@ from flint import arb, fmpq
 
 import nonsmooth as ns
 from nonsmooth import InputError, certify
-from nonsmooth.derive import Harmonic, SoftStop, oscillator
+from nonsmooth.derive import SoftStop
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.orbits.motion import Border, time_of_touch
 from nonsmooth.runtime.checker.ranges.branch import checked_tiles
@@ -29,10 +28,13 @@ from tests.certified import (
     certified_over,
     content_of,
     edited,
+    placing,
     prove_branch,
     refused,
+    stating,
 )
 from tests.explore import test_continuation_forced as impacts
+from tests.one_mass import one_mass
 from tests.shared import shared_file
 
 FINISHED, VANISHED = "end of the interval", "a phase vanishes"
@@ -52,7 +54,7 @@ def found():
 def tile_near():
     """The tile of the branch that holds a value, as the checker knows it."""
     path = shared_file("branch of friction", prove_branch)
-    checked = checked_tiles(json.loads(path.read_text()))
+    checked = checked_tiles(content_of(path))
     return lambda value: next(tile for tile in checked if tile.low <= value <= tile.high)
 
 
@@ -78,9 +80,7 @@ def test_events_are_those_of_their_certificates(branch, found):
         assert event.upper - event.lower < Fraction(1, 10**30)
 
 
-def test_orbits_solved_anywhere_are_in_their_tubes_with_the_verdict(
-    found,
-):
+def test_orbits_solved_anywhere_are_in_their_tubes_with_the_verdict(found):
     draw = random.Random(1)
     for tile in found.tiles:
         value = draw.uniform(float(tile.lower), float(tile.upper))
@@ -287,11 +287,8 @@ def test_an_undecided_tile_is_never_part_of_a_complete_branch(found):
 @pytest.mark.slow
 def test_a_fold_is_passed_by_another_coordinate(tmp_path):
     force, rate = sp.symbols("F Omega")
-    system = oscillator(
-        "bump-stop", ["x"], mass=[[2]], damping=[[2]], stiffness=[[800]],
-        forcing=[Harmonic(rate, cosine=[force])],
-        elements=[SoftStop("x", at="0.005", stiffness=8000, damping=5, name="rubber")],
-    )  # fmt: skip
+    rubber = SoftStop("x", at="0.005", stiffness=8000, damping=5, name="rubber")
+    system = one_mass("bump-stop", rubber, mass=2, damping=2, stiffness=800, forces={rate: force})
     orbit = ns.find_orbits(system, {"F": 2, "Omega": 26}, 50, transitions=500).orbits[0].orbit
     branch = ns.continue_orbit(orbit, "Omega", (25.5, 30), step=0.05)
     found = ns.certify.branch(branch, interval=("25.5", "30"))
@@ -358,13 +355,11 @@ def call_it_admissible(content):
 
 
 ATTACKS = {
-    "not divided": lambda content: content["tiles"][0].update(divided=None),
-    "divided by another": lambda content: content["tiles"][0].update(divided=2),
-    "divided by none that is there": lambda content: content["tiles"][0].update(divided=3),
-    "a turn in another phase": lambda content: content["tiles"][0]["event"]["also"][-1].__setitem__(
-        1, 2
-    ),
-    "it vanishes at the other end": lambda content: content.update(ends=[FINISHED, VANISHED]),
+    "not divided": stating("tiles", 0, divided=None),
+    "divided by another": stating("tiles", 0, divided=2),
+    "divided by none that is there": stating("tiles", 0, divided=3),
+    "a turn in another phase": placing("tiles", 0, "event", "also", -1, 1, 2),
+    "it vanishes at the other end": stating(ends=[FINISHED, VANISHED]),
     "no tangency": without("tangent"),
     "no turn": without("fold"),
     "admissible": call_it_admissible,

@@ -39,15 +39,15 @@ def relay(
     lags = [[-1, 0], [1, -1]]
     heats, cools = FirstOrder(lags, [1, 0]), FirstOrder(lags, [-1, 0])
     return System(
-        name="relay",
-        description="two lags and a relay; nondimensional",
-        states=(A, B),
-        parameters=(threshold,),
-        configurations=(
+        "relay",
+        "two lags and a relay; nondimensional",
+        (A, B),
+        (threshold,),
+        (
             Configuration("on", heats, (Boundary("warm", B - WIDTH), *on)),
             Configuration("off", cools, (Boundary("cold", -B - WIDTH), *off)),
         ),
-        transitions=(
+        (
             *before,
             Transition("on", {"warm"}, "off", reset=reset or {}, conditions=when),
             Transition("off", {"cold"}, "on"),
@@ -180,11 +180,11 @@ def shrinking():
     """A phase that lasts p, and would pass another boundary after 1/100."""
     full = Boundary("full", A - LENGTH.symbol), Boundary("hot", A - sp.Rational(1, 100))
     system = System(
-        name="saw",
-        description="a saw with a pause; nondimensional",
-        states=(A, B),
-        parameters=(LENGTH,),
-        configurations=(
+        "saw",
+        "a saw with a pause; nondimensional",
+        (A, B),
+        (LENGTH,),
+        (
             Configuration("on", FirstOrder([[0, 0], [0, -1]], [1, 0]), full),
             Configuration(
                 "off",
@@ -192,7 +192,7 @@ def shrinking():
                 (Boundary("cold", B - sp.Rational(1, 2)),),
             ),
         ),
-        transitions=(
+        (
             Transition("on", {"full"}, "off"),
             Transition("off", {"cold"}, "on", reset={A: 0, B: 0}),
             Transition("on", {"hot"}, "off", reset={A: 7}),

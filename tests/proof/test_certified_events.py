@@ -6,11 +6,12 @@ import sympy as sp
 
 import nonsmooth as ns
 from nonsmooth import InputError
-from nonsmooth.derive import Friction, oscillator
+from nonsmooth.derive import Friction
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from tests.certified import kicked, loop
 from tests.checker.test_checker_events import followed as branch
 from tests.explore import test_continuation_forced as impacts
+from tests.one_mass import one_mass
 
 STICK = "dry-friction/global-stick"
 SYMMETRIC = "dry-friction/symmetric"
@@ -114,10 +115,8 @@ def test_an_event_that_is_elsewhere_is_not_proved():
 
 def test_where_no_multiplier_differs_from_zero_a_fold_is_undecided_and_says_why():
     """A branch with rest at a belt turns where the force limit is touched: no multiplier is 1."""
-    slider = oscillator(
-        "slider", ["x"], [[1]], [["19/8"]], [["81/256"]],
-        elements=[Friction("x", kinetic="1/4", static="7/8", velocity=sp.Symbol("p") / 4)],
-    )  # fmt: skip
+    belt = Friction("x", kinetic="1/4", static="7/8", velocity=sp.Symbol("p") / 4)
+    slider = one_mass("slider", belt, stiffness="19/8", damping="81/256")
     itinerary = [("slip", "x-reaches-belt"), ("stick", "x-breaks-forward")]
     orbit = ns.solve(slider, {"p": "1.07"}, [3.324, 1.068], itinerary=itinerary)
     found = ns.continue_orbit(orbit, "p", (1.06, 1.1))

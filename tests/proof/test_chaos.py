@@ -122,7 +122,6 @@ def test_wrong_input_is_told():
 
 
 def test_neighbours_part_as_the_cones_say(chaos, returned):
-    assert chaos.cones is not None
     assert float(chaos.exponent) > 0.1
     rate, sets = float(Fraction(chaos.cones.expansion)), {s.name: s for s in chaos.h_sets}
     scales = {name: float(Fraction(a)) for name, (a,) in chaos.cones.forms.items()}

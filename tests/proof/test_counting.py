@@ -31,6 +31,7 @@ from tests.cli.test_cli import run
 from tests.friction_sets import DATA
 from tests.places import GALLERY
 from tests.proof.test_fold_curves import fold_at, velocities
+from tests.tables import slow
 
 STICK = "dry-friction/global-stick"
 BELT = f"{GALLERY / 'mass_on_belt.py'}:stick-slip"
@@ -42,8 +43,7 @@ TWO = [("slip-slip", "second-reaches-belt"), ("slip-stick", "second-breaks-forwa
 def times(census):
     """Certified dwell times, an orbit in each row."""
     certificates = [orbit.certificate for orbit in census.orbits]
-    assert all(c is not None for c in certificates)
-    return np.array([[float(c.enclosures[n]) for n in c.dwell_names] for c in certificates if c])
+    return np.array([[float(c.enclosures[n]) for n in c.dwell_names] for c in certificates])
 
 
 def over(centre, slopes, sides, largest=0.0):
@@ -67,7 +67,6 @@ def test_a_root_is_unique_only_inside_the_very_numbers_of_a_box():
                 arb_mat([[middles_of(((low, high),))[0] - root]]), [arb_mat([[1]])], ((low, high),)
             )
             found = contract(linear, [], ((low, high),))
-            assert found is not None
             assert found.unique == (ulps * into > 0)
             seen.add((found.unique, found.empty))
             assert contract(replace(linear, trivial=True), [], ((low, high),)) is None
@@ -104,7 +103,6 @@ def test_a_root_that_is_a_little_too_large_is_not_polished_away():
     equations = Line("1.00001")
     with flint_precision(64):
         found = CoveringBox(equations, ((-0.001, 0.0015),)).root
-        assert found is not None
         (low, high), (q,) = found.sides[0], found.coordinates
         assert low <= 0 <= high
         assert q.contains(arb("1.00001"))
@@ -140,7 +138,6 @@ def test_all_orbits_of_the_paper_in_a_box():
     assert told == sorted(told)
     assert 0 < told[-1] <= 1 + 1e-9
     (admissible,) = (o.certificate for o in census.orbits if o.admissible)
-    assert admissible is not None
     assert admissible.enclosures["tau"].contains(ns.refine(ns.solve(STICK), 30).unknowns["tau"])
     bounded = ns.certify.all(STICK, box={**box, "ta": (1, 2)})
     assert bounded.decided
@@ -354,14 +351,10 @@ def test_equations_over_boxes_enclose_those_at_points():
             whole, between = (problem.linear(sides, between=each) for each in (False, True))
             coordinates = random.uniform(-3, 3, len(problem.setting.places)).tolist()
             starts = problem.starts(sides, coordinates)
-            assert whole is not None
-            assert between is not None
             ends = [random.uniform(*np.transpose(sides)) for _ in range(4)]
             points = [problem.linear(tuple((float(u), float(u)) for u in end)) for end in ends]
             middles = [float(m) for m in middles_of(sides)]
             for end, at, before, other in zip(ends, points, points[1:], ends[1:], strict=False):
-                assert at is not None
-                assert before is not None
                 assert touch(whole.over, at.centre)
                 pairs = (whole, middles, whole.centre), (between, other, before.centre)
                 for linear, first, value in pairs:
@@ -464,9 +457,7 @@ def whole():
     return interrupted(searched, *SEARCHING)
 
 
-@pytest.mark.parametrize(
-    "share", [pytest.param(x, marks=[pytest.mark.slow] * (x not in (0.3, 0.99))) for x in SHARES]
-)
+@pytest.mark.parametrize("share", [slow(x, when=x not in (0.3, 0.99)) for x in SHARES])
 def test_an_interrupted_census_loses_no_orbit(share):
     lines, found = whole()
     _, partial = interrupted(searched, *SEARCHING, share * lines)
@@ -474,7 +465,6 @@ def test_an_interrupted_census_loses_no_orbit(share):
     assert found.count == 1
     boxes = [orbit.unique for orbit in partial.orbits] + [part.bounds for part in partial.undecided]
     for certificate in (orbit.certificate for orbit in found.orbits):
-        assert certificate is not None
         assert any(
             all(
                 float(low) <= float(certificate.enclosures[name]) <= float(high)

@@ -9,12 +9,13 @@ import pytest
 import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth.derive import Friction, Harmonic, Itinerary, Parameter, RigidStop, oscillator
+from nonsmooth.derive import Friction, Itinerary, Parameter, RigidStop, oscillator
 from nonsmooth.derive.codegen.emit import emit_system
 from nonsmooth.derive.declaration.real_numbers import number_text
 from nonsmooth.runtime.core.values import parse
 from nonsmooth.runtime.model.piecewise import piecewise
 from tests.certified import believed, content_of
+from tests.one_mass import one_mass
 
 X = sp.Symbol("x")
 POOL = [
@@ -36,14 +37,12 @@ def drawn(rng):
 
 
 def stopped(numbers, parameters=()):
-    return oscillator(
+    return one_mass(
         "stopped",
-        ["x"],
-        mass=[[1]],
-        stiffness=[[numbers["k"]]],
-        damping=[[numbers["d"]]],
-        forcing=[Harmonic(numbers["w"], cosine=[numbers["f"]])],
-        elements=[RigidStop("x", numbers["gap"], numbers["r"], name="stop")],
+        RigidStop("x", numbers["gap"], numbers["r"], name="stop"),
+        stiffness=numbers["k"],
+        damping=numbers["d"],
+        forces={numbers["w"]: numbers["f"]},
         parameters=parameters,
     )
 
@@ -130,10 +129,8 @@ def test_what_roots_make_zero_is_zero():
 
 
 def test_kernels_and_documents_hold_the_numbers():
-    belt = oscillator(
-        "belt", ["x"], [[sp.sqrt(2)]], [[sp.pi]],
-        elements=[Friction("x", sp.sqrt(3) / 2, sp.sqrt(3), sp.GoldenRatio / 2, name="belt")],
-    )  # fmt: skip
+    friction = Friction("x", sp.sqrt(3) / 2, sp.sqrt(3), sp.GoldenRatio / 2, name="belt")
+    belt = one_mass("belt", friction, mass=sp.sqrt(2), stiffness=sp.pi)
     phases = [("stick", "belt-breaks-forward", "ts"), ("slip", "belt-reaches-belt", "tau")]
     orbit = Itinerary("stick-slip", belt, phases)
     emitted = emit_system(belt, [orbit], "test")

@@ -32,7 +32,6 @@ def found(branch):
 @pytest.mark.slow
 def test_the_papers_flip_is_subcritical(found):
     doubling = found.doubled
-    assert doubling is not None
     assert found.claims == {"doubling": "proved"}
     assert (found.kind, doubling.side, doubling.verdict) == ("subcritical", "above", "unstable")
     assert str(found.flip.enclosures["V"]).startswith("[1.0805880741771120197670640")
@@ -71,9 +70,7 @@ def test_doubled_orbits_by_newton_are_where_the_rate_says(branch, found):
 
 
 @pytest.mark.slow
-def test_motions_leave_the_unstable_doubled_orbit_and_settle_on_the_stable_one(
-    found,
-):
+def test_motions_leave_the_unstable_doubled_orbit_and_settle_on_the_stable_one(found):
     """Just above the flip the orbit is stable; inside the doubled ones motions return to it."""
     orbit = ns.solve("dry-friction/symmetric", {"V": "1.083"})
     tables = orbit.problem.by_tables(orbit, {"us1": 1, "us2": 1})

@@ -4,8 +4,6 @@ All of them carry x from -1 to 0 and set it back, where y takes another value: o
 behind that y = 0 is a stable orbit, for most y.
 """
 
-import json
-
 import numpy as np
 import pytest
 import sympy as sp
@@ -20,7 +18,7 @@ from nonsmooth.derive import (
     System,
     Transition,
 )
-from tests.certified import signed
+from tests.certified import content_of, saved
 
 X, Y = sp.symbols("x y", real=True)
 
@@ -42,12 +40,12 @@ def loop(low, high, place, *transitions, boundaries=(), more=()):
         Transition("loop", {"end"}, "loop", (), {X: -1, Y: place}),
     ]
     system = System(
-        name="loop",
-        description="a loop",
-        states=(X, Y),
-        parameters=(),
-        configurations=configurations,
-        transitions=(*again, *transitions),
+        "loop",
+        "a loop",
+        (X, Y),
+        (),
+        configurations,
+        (*again, *transitions),
     )
     return Itinerary("round", system, (("loop", "end", "tau"),))
 
@@ -70,13 +68,10 @@ def rank_of(found, place):
 
 def with_rank(found, place, rank, path):
     """The file of a basin in which the box around a place has another rank."""
-    found.save(path)
-    content = json.loads(path.read_text())
     ranks = found.ranks.tolist()
     ranks[box_around(found, place)] = rank
-    content["ranks"] = [[value, 1] for value in ranks]
-    path.write_text(json.dumps(signed(content)))
-    return ns.certify.check(path).difference
+    content = content_of(found) | {"ranks": [[value, 1] for value in ranks]}
+    return ns.certify.check(saved(content, path)).difference
 
 
 @pytest.fixture(scope="module")

@@ -4,8 +4,9 @@ from functools import partial
 
 import pytest
 
-from tests.certified import believed, content_of, refused, signed
+from tests.certified import believed, content_of, placing, refused, signed, stating
 from tests.proof import test_common_curves, test_fold_curves, test_regions, test_torus_curves
+from tests.tables import slow
 
 BEYOND = test_fold_curves.BEYOND
 MAPS = {
@@ -20,8 +21,7 @@ MAPS = {
 def event_in(content):
     """The event of the largest tile that a curve passes near its middle."""
     tiles = [t for t in content["tiles"] if t["event"] and abs(t["event"]["centre"][0]) < 0.9]
-    found = min(tiles, key=lambda t: sum(level for _, level in t["place"]))["event"]
-    return found
+    return min(tiles, key=lambda t: sum(level for _, level in t["place"]))["event"]
 
 
 def exchanged(event):
@@ -62,61 +62,61 @@ DIVIDED = {
     "other sides of a grazing": ("grazing", exchanged, "other verdicts|admissibility"),
     "another curve": ("grazing", partial(moved, away=0.01), "beside its band"),
     "a curve that is moved": ("flip", partial(moved, away=0.01), "beside its band"),
-    "too narrow": ("grazing", lambda e: e.update(radius=1e-19), "beside its band"),
-    "no width": ("grazing", lambda e: e.update(radius=0.0), "without width"),
-    "negative width": ("grazing", lambda e: e.update(radius=-1e-3), "without width"),
-    "too wide": ("flip", lambda e: e.update(radius=1e-3), "too wide"),
+    "too narrow": ("grazing", stating(radius=1e-19), "beside its band"),
+    "no width": ("grazing", stating(radius=0.0), "without width"),
+    "negative width": ("grazing", stating(radius=-1e-3), "without width"),
+    "too wide": ("flip", stating(radius=1e-3), "too wide"),
     "wide enough for a curve that is moved": ("flip", wide, "too wide"),
-    "without bounds": ("flip", lambda e: e.update(radius=float("inf")), "wrong type"),
-    "another kind": ("flip", lambda e: e.update(kind="neimark-sacker"), "happen twice|beside the"),
-    "a fold": ("flip", lambda e: e.update(kind="fold"), "fold"),
-    "another boundary": ("grazing", lambda e: e.update(boundary="falls"), "event|boundary"),
-    "another phase": ("grazing", lambda e: e.update(phase=2), "boundary|configuration"),
-    "no phase": ("grazing", lambda e: e.update(phase=None), "no phase"),
-    "no such phase": ("grazing", lambda e: e.update(phase=9), "no such phase"),
-    "no window": ("grazing", lambda e: e.update(window=[]), "window"),
+    "without bounds": ("flip", stating(radius=float("inf")), "wrong type"),
+    "another kind": ("flip", stating(kind="neimark-sacker"), "happen twice|beside the"),
+    "a fold": ("flip", stating(kind="fold"), "fold"),
+    "another boundary": ("grazing", stating(boundary="falls"), "event|boundary"),
+    "another phase": ("grazing", stating(phase=2), "boundary|configuration"),
+    "no phase": ("grazing", stating(phase=None), "no phase"),
+    "no such phase": ("grazing", stating(phase=9), "no such phase"),
+    "no window": ("grazing", stating(window=[]), "window"),
     "another window": (
-        "grazing", lambda e: e.update(window=["0", "1/100"]), "time of a grazing|outside|admissib"
+        "grazing", stating(window=["0", "1/100"]), "time of a grazing|outside|admissib"
     ),
-    "another axis": ("flip", lambda e: e.update(axis=2), "happen twice|known|band"),
-    "no parameter": ("flip", lambda e: e.update(axis=3), "no plane"),
-    "several parts": ("flip", lambda e: e.update(centre=[0.9, 0.0, 0.5]), "several parts"),
+    "another axis": ("flip", stating(axis=2), "happen twice|known|band"),
+    "no parameter": ("flip", stating(axis=3), "no plane"),
+    "several parts": ("flip", stating(centre=[0.9, 0.0, 0.5]), "several parts"),
     "a border twice": (
-        "grazing", lambda e: e.update(also=[["grazing", 1, "wall", "inside"]]), "border twice"
+        "grazing", stating(also=[["grazing", 1, "wall", "inside"]]), "border twice"
     ),
 }  # fmt: skip
 FOLDED = {
     "other sides": (exchanged, "a verdict on the side of no orbits"),
     "a curve that is moved": (moved, "beside the band"),
-    "too narrow": (lambda e: e.update(radius=1e-13), "beside the band"),
-    "too wide": (lambda e: e.update(radius=1e-3), "too wide"),
+    "too narrow": (stating(radius=1e-13), "beside the band"),
+    "too wide": (stating(radius=1e-3), "too wide"),
     "another verdict": (lambda e: own(e, "unstable"), "beside the fold"),
     "not admissible": (lambda e: own(e, "not admissible"), "beside the fold"),
     "none on both sides": (lambda e: own(e, BEYOND), "no verdict on the side"),
     "another verdict of the other orbit": (
-        lambda e: e["fold"].update(other="proved"), "beside the fold"),
+        stating("fold", other="proved"), "beside the fold"),
     "the other sheet": (other_sheet, "beside the fold"),
-    "no sheets": (lambda e: e.update(fold=None), "without its orbits"),
-    "another unknown": (lambda e: e["fold"].update(coordinate="tau1"), "singular|Kraw|near|bent"),
-    "no unknown": (lambda e: e["fold"].update(coordinate="U"), "no such unknown"),
+    "no sheets": (stating(fold=None), "without its orbits"),
+    "another unknown": (stating("fold", coordinate="tau1"), "singular|Kraw|near|bent"),
+    "no unknown": (stating("fold", coordinate="U"), "no such unknown"),
     "a tube that ends in the tile": (
         lambda e: e["fold"].update(half=e["fold"]["half"] / 2), "ends in the tile"),
-    "a tube without width": (lambda e: e["fold"].update(half=0.0), "without width"),
+    "a tube without width": (stating("fold", half=0.0), "without width"),
     "a tube beside the fold": (
         lambda e: e["fold"]["centre"].__setitem__(0, e["fold"]["centre"][0] + e["fold"]["half"]),
         "meet|band|ends|near|Krawczyk"),
     "another parameter across": (
         lambda e: e.update(axis=3 - e["axis"]),
         "band|ends|near|wide|parts|Kraw"),
-    "a phase": (lambda e: e.update(phase=1), "a phase"),
-    "a flip": (lambda e: e.update(kind="flip"), "fold"),
+    "a phase": (stating(phase=1), "a phase"),
+    "a flip": (stating(kind="flip"), "fold"),
 }  # fmt: skip
 TOGETHER = {
     "a condition is left out": (lambda e: e["also"].pop(), "admissibility"),
     "an entry is left out": (lambda e: e["also"].pop(0), "admissibility"),
-    "of another phase": (lambda e: e["also"][0].__setitem__(1, 4), "event|boundary|admissib"),
-    "another condition": (lambda e: e["also"][1].__setitem__(2, "1.1"), "band|event|condition"),
-    "no such condition": (lambda e: e["also"][1].__setitem__(2, "9.1"), "condition|admissib"),
+    "of another phase": (placing("also", 0, 1, 4), "event|boundary|admissib"),
+    "another condition": (placing("also", 1, 2, "1.1"), "band|event|condition"),
+    "no such condition": (placing("also", 1, 2, "9.1"), "condition|admissib"),
     "another curve": (lambda e: e["centre"].__setitem__(0, e["centre"][0] + 1e-3), "its band"),
     "other sides": (
         lambda e: e.update(below=e["above"], above=e["below"]), "verdicts|admissibility"
@@ -129,7 +129,7 @@ CASES = [
     (
         "another kind of torus",
         "torus",
-        lambda e: e.update(kind="flip"),
+        stating(kind="flip"),
         "there may be another event",
     ),
     ("other sides of a torus", "torus", exchanged, "other verdicts|beside"),
@@ -152,9 +152,7 @@ def test_false_curves_are_refused(kind, change, told):
     refused(content, told)
 
 
-@pytest.mark.parametrize(
-    "kind", [pytest.param(k, marks=[pytest.mark.slow] * (k not in SOON)) for k in MAPS]
-)
+@pytest.mark.parametrize("kind", [slow(k, when=k not in SOON) for k in MAPS])
 def test_true_curves_pass_and_a_wider_band_is_true(kind):
     content = content_of(MAPS[kind]())
     believed(content)

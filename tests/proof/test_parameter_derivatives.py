@@ -8,11 +8,8 @@ import sympy as sp
 import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.derive import (
-    Boundary,
-    Configuration,
     Parameter,
     SecondOrder,
-    System,
     Transition,
 )
 from nonsmooth.runtime.core.arithmetic import exact_ball
@@ -20,6 +17,7 @@ from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import load_system
 from tests.certified import (
     LOOP,
+    SPRING_OF_FOUR,
     accepted,
     between_springs,
     content_of,
@@ -28,6 +26,7 @@ from tests.certified import (
     struck_together,
 )
 from tests.places import GALLERY
+from tests.tables import slow
 
 STICK = "dry-friction/global-stick"
 BUILT_IN = (STICK, "dry-friction/symmetric", "rigid-stop/one-impact", "elastic-stop/one-contact")
@@ -115,7 +114,7 @@ IRRATIONAL = {
     [
         *BUILT_IN,
         *IRRATIONAL,
-        pytest.param("backlash_gear.py:rattle", marks=pytest.mark.slow),
+        slow("backlash_gear.py:rattle"),
         "brake_pad.py:pressed",
         "den_hartog.py:without-rest",
         "impact_damper.py:struck-twice",
@@ -153,20 +152,10 @@ def test_closed_forms():
 
 def _damped():
     """Conservative at c = 0 alone; its period changes with the energy."""
-    x, v = sp.symbols("x v", real=True)
     c = Parameter("c", "damping", lower="-1/2", upper="1/2")
-    place = sp.Rational(1, 10)
-    return load_system(
-        System(
-            "damped", "a mass between two springs", (x, v), (c,),
-            (
-                Configuration("right", SecondOrder([[1]], [[1]], damping=[[c.symbol]]),
-                              (Boundary("falls", place - x),)),
-                Configuration("left", SecondOrder([[1]], [[4]]), (Boundary("rises", x - place),)),
-            ),
-            (Transition("right", {"falls"}, "left"), Transition("left", {"rises"}, "right")),
-        )
-    )  # fmt: skip
+    springs = SecondOrder([[1]], [[1]], damping=[[c.symbol]]), SPRING_OF_FOUR
+    rises = Transition("left", {"rises"}, "right")
+    return load_system(between_springs("damped", springs, [rises], [c], place=sp.Rational(1, 10)))
 
 
 def damped_at_zero():

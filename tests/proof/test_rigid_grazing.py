@@ -9,20 +9,19 @@ import sympy as sp
 from flint import ctx
 
 import nonsmooth as ns
-from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
+from nonsmooth.derive import Friction, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.checker.orbits.points import JudgedOrbit
 from nonsmooth.runtime.checker.orbits.stability import outside_if_reached
 from nonsmooth.runtime.core.arithmetic import exact_ball
-from tests.certified import accepted, certified_over, content_of, refused
+from tests.certified import accepted, certified_over, content_of, refused, stating
+from tests.one_mass import one_mass
 from tests.proof.test_beyond_borders import along, fewer, forged, judged, only
 
 GAP = Parameter("sigma", "position of the stop", lower=-sp.oo)
 SIGMA, W, R = sp.symbols("sigma w r")
-STRIKER = oscillator(
-    "striker", ["x"], mass=[[1]], damping=[["1/10"]], stiffness=[[1]],
-    forcing=[Harmonic(W, cosine=[1])],
-    elements=[RigidStop("x", at=SIGMA, restitution=R, name="wall")],
-    parameters=[GAP],
+STRIKER = one_mass(
+    "striker", RigidStop("x", at=SIGMA, restitution=R, name="wall"),
+    damping="1/10", forces={W: 1}, parameters=[GAP],
 )  # fmt: skip
 FREE, IMPACT = ("free", "forcing-phase"), ("free", "wall-reaches-stop")
 
@@ -169,9 +168,7 @@ def test_a_motion_that_is_no_function_of_time(tmp_path):
 
 
 @pytest.mark.slow
-def test_where_a_motion_grazes_twice_the_branch_ends_and_nothing_is_said_beyond(
-    tmp_path,
-):
+def test_where_a_motion_grazes_twice_the_branch_ends_and_nothing_is_said_beyond(tmp_path):
     """One impact in two periods, as slow as may be: the motion touches the stop each period."""
     given = {"w": "4.4", "r": "0.8", "sigma": "0.053"}
     orbit = ns.solve(STRIKER, given, [4 * np.pi / 4.4], itinerary=[IMPACT])
@@ -210,7 +207,7 @@ FORGERIES = {
     "the verdict": (lambda beyond: judged(beyond, "stable"), "it is unstable"),
     "the event": (earlier, "no event between"),
     "the restitution": (
-        lambda beyond: beyond["branch"]["parameters"].update(r="7/10"), "other parameters"
+        stating("branch", "parameters", r="7/10"), "other parameters"
     ),
     "the departure": (lambda beyond: fewer(beyond, "tangent", "start"), "but for the event"),
     "the condition": (lambda beyond: fewer(beyond, "condition", "end"), "but for the event"),

@@ -8,10 +8,15 @@ import pytest
 
 import nonsmooth as ns
 from nonsmooth.runtime.checker.orbits.points import JudgedOrbit
-from tests.certified import believed, content_of, refused, struck, struck_together
+from tests.certified import believed, content_of, placing, refused, struck, struck_together
 
 BOTH = ("a-reaches-stop", "b-reaches-stop")
 OPEN = "the orders in which a-reaches-stop and b-reaches-stop act need not agree"
+
+
+of_laws = pytest.mark.parametrize(
+    ("law", "coupling"), [(None, "0"), ("sequence", "0"), ("moreau", "0"), ("moreau", "1/4")]
+)
 
 
 @cache
@@ -19,9 +24,7 @@ def saved(law=None, coupling="0"):
     return content_of(ns.certify(struck_together(law, coupling)))
 
 
-@pytest.mark.parametrize(
-    ("law", "coupling"), [(None, "0"), ("sequence", "0"), ("moreau", "0"), ("moreau", "1/4")]
-)
+@of_laws
 def test_masses_that_are_struck_together_are_proved(law, coupling):
     content = saved(law, coupling)
     assert content["itinerary"] == [["free-free", "+".join(BOTH)]] * len(content["itinerary"])
@@ -66,9 +69,9 @@ FALSE = {
     "an order leads elsewhere": elsewhere,
     "nothing vanishes": lambda content: content["closing"].pop("vanishing"),
     "one vanishes alone": lambda content: content["closing"]["vanishing"].pop(),
-    "another sum": lambda content: content["closing"]["vanishing"][0].__setitem__(1, "1"),
-    "not at zero": lambda content: content["closing"]["vanishing"][0].__setitem__(6, "1"),
-    "a mass is at rest": lambda content: content["closing"]["vanishing"][1].__setitem__(3, "0"),
+    "another sum": placing("closing", "vanishing", 0, 1, "1"),
+    "not at zero": placing("closing", "vanishing", 0, 6, "1"),
+    "a mass is at rest": placing("closing", "vanishing", 1, 3, "0"),
     "twice": lambda content: content["closing"]["vanishing"].append(
         content["closing"]["vanishing"][0]
     ),
@@ -93,9 +96,7 @@ def test_orders_that_do_not_agree_are_left_open():
     assert OPEN in found.reason
 
 
-@pytest.mark.parametrize(
-    ("law", "coupling"), [(None, "0"), ("sequence", "0"), ("moreau", "0"), ("moreau", "1/4")]
-)
+@of_laws
 def test_motions_of_masses_that_are_struck_together_are_proved(law, coupling):
     start = [0, 0, 1, 1, 1, 0]
     proof = ns.certify.motion(struck(law), {"c": coupling}, start, "free-free", 3)
