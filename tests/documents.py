@@ -2,7 +2,6 @@
 
 from functools import cache
 
-import pytest
 import sympy as sp
 
 from nonsmooth.derive import DerivationError, System, derive_equations
@@ -23,6 +22,7 @@ from tests.declared_documents import (
 from tests.latex_reader import ORBITS, Written, written_of
 from tests.places import GALLERY
 from tests.shared import shared_value
+from tests.tables import slow
 
 
 @cache
@@ -94,7 +94,7 @@ def marked(listed, *long):
     seen = set()
     for name in listed:
         system, _, orbit = name.partition("/")
-        slow = {name, system} & {*LARGE, *long} or (orbit and system in seen)
-        cases.append(pytest.param(name, marks=[pytest.mark.slow] if slow else []))
+        dear = {name, system} & {*LARGE, *long} or (orbit and system in seen)
+        cases.append(slow(name, when=bool(dear)))
         seen |= {system} if orbit else set()
     return cases

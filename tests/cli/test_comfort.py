@@ -13,6 +13,7 @@ import pytest
 
 from tests.cli.test_cli import run, told
 from tests.places import GALLERY
+from tests.tables import slow
 from tests.user_systems import declare
 
 COMMAND = Path(sys.executable).with_name("nonsmooth")
@@ -56,7 +57,7 @@ def home(tmp_path_factory):
 @pytest.mark.parametrize(
     ("words", "completed"),
     [
-        pytest.param("nonsmooth doc", {"doctor"}, marks=pytest.mark.slow),
+        slow("nonsmooth doc", {"doctor"}),
         ("nonsmooth solve dry-friction/g", {"dry-friction/global-stick"}),
         ("nonsmooth solve --unkn", {"--unknown"}),
         ("nonsmooth solve nowhere", set()),
@@ -65,7 +66,7 @@ def home(tmp_path_factory):
         ("nonsmooth certify check kep", {"kept.json"}),
         ("nonsmooth solve dry-friction/global-stick us", {"us1=", "us2="}),
         ("nonsmooth certify dry-friction/global-stick us1 = 1 us", {"us2="}),
-        pytest.param("nonsmooth sweep rigid-stop k", {"k1=", "k2="}, marks=pytest.mark.slow),
+        slow("nonsmooth sweep rigid-stop k", {"k1=", "k2="}),
         ("nonsmooth solve mi", {"mine.py"}),
         ("nonsmooth solve mine.py : lo", {"loop"}),  # as bash breaks it
     ],

@@ -12,6 +12,7 @@ import nonsmooth as ns
 from tests.cli.test_cli import PROGRAM, refused, run
 from tests.places import CHECKOUT
 from tests.present.test_saved import sealed
+from tests.tables import slow
 from tests.user_systems import KICKED, declare
 
 ORBIT = "dry-friction/global-stick"
@@ -147,9 +148,7 @@ def test_branches_that_were_forged_are_refused(tmp_path, monkeypatch):
             assert "forged.json: " in refused(*command.split())
 
 
-@pytest.mark.parametrize(
-    "words", ["list", pytest.param("list --json", marks=pytest.mark.slow), "--help"]
-)
+@pytest.mark.parametrize("words", ["list", slow("list --json"), "--help"])
 def test_a_closed_pipe_is_quiet(words):
     """The reader is gone before the first line: the exit code is that of a closed pipe."""
     reading, writing = os.pipe()

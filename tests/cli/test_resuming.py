@@ -17,6 +17,7 @@ from tests.cli.terminal import on_terminal
 from tests.cli.test_cli import COMMANDS, run
 from tests.places import GALLERY
 from tests.present.test_saved import sealed
+from tests.tables import slow
 
 pytestmark = pytest.mark.compiled  # much slower without it
 
@@ -131,9 +132,9 @@ def answer(file):
     return content
 
 
-def marked(*slow):
+def marked(*dear):
     """Each kind of question, with a mark of those that are slow."""
-    return [pytest.param(k, marks=[pytest.mark.slow] * (k in slow)) for k in QUESTIONS]
+    return [slow(k, when=k in dear) for k in QUESTIONS]
 
 
 SLOW = "basin", "branch", "doubling"

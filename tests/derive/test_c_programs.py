@@ -16,6 +16,7 @@ from nonsmooth.derive.codegen.c import c_kernel
 from nonsmooth.derive.codegen.emit import emit_library
 from nonsmooth.derive.systems import SYSTEMS
 from tests.places import CHECKOUT
+from tests.tables import slow
 from tests.user_systems import DAMPED, KICKED
 
 GENERATED = CHECKOUT / "generated"
@@ -25,7 +26,7 @@ VECTORS = ["-O3", "-fopenmp-simd", "-DNONSMOOTH_OPENMP_SIMD"]
 COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]
 
 pytestmark = pytest.mark.skipif(not COMPILERS, reason="there is no C compiler")
-others = [pytest.param(name, marks=pytest.mark.slow) for name in COMPILERS[1:]]
+others = [slow(name) for name in COMPILERS[1:]]
 each_compiler = pytest.mark.parametrize("compiler", [*COMPILERS[:1], *others])
 
 

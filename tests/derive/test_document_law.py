@@ -26,6 +26,7 @@ from tests.documents import GALLERY, document_of, marked, names
 from tests.documents import declarations as all_declarations
 from tests.formulas.cycle_law import CycleLaw, Orbit
 from tests.formulas.law import Facts, SystemLaw, drawn
+from tests.tables import slow
 
 SECTIONS = ("The system", "Configurations", "Modal analysis", "Transitions", "Contacts")
 SYSTEMS = list(names(System))
@@ -88,7 +89,7 @@ def test_what_the_document_of_a_system_says_is_true(name):
 
 @pytest.mark.parametrize(
     "seed",  # stops and sliders, which systems of the gallery have too, take long
-    [2, 3, 4, 11, *(pytest.param(s, marks=pytest.mark.slow) for s in (0, 1, 5))],
+    [2, 3, 4, 11, *(slow(s) for s in (0, 1, 5))],
 )
 def test_what_the_document_of_a_random_system_says_is_true(seed):
     system = random_system(seed)

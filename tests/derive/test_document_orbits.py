@@ -14,6 +14,7 @@ from nonsmooth.derive.document.blocks import Formula, Paragraph
 from tests.declared import itinerary_of
 from tests.documents import derived, marked
 from tests.latex_reader import ORBITS, Written, reading, text_of, value_of, written_of
+from tests.tables import slow
 
 TIME = sp.Symbol("t", real=True)
 
@@ -47,7 +48,7 @@ def described(name):
     return found
 
 
-SLOW = [pytest.param(name, marks=pytest.mark.slow) for name in (*VARIANTS, *GALLERY)]
+SLOW = [slow(name) for name in (*VARIANTS, *GALLERY)]
 
 
 # of the paper's orbits one of each system

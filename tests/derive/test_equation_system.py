@@ -8,10 +8,11 @@ import nonsmooth as ns
 from nonsmooth.derive import DerivationError
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from tests.latex_reader import written_of
+from tests.tables import slow
 
 ORBITS = {f"{name}/{orbit.name}": orbit for name in SYSTEMS for orbit in declaration(name).orbits}
 QUICK = "rigid-stop/one-impact", "dry-friction/global-stick"
-EACH = [name if name in QUICK else pytest.param(name, marks=pytest.mark.slow) for name in ORBITS]
+EACH = [name if name in QUICK else slow(name) for name in ORBITS]
 
 
 def equations_of(name):

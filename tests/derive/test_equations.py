@@ -31,6 +31,7 @@ from nonsmooth.derive.codegen.kernels import orbit_kernels, spectrum_kernel
 from nonsmooth.runtime.core.arithmetic import Mpmath
 from tests.compiled_c import executed, library_of, needs_compiler, pointer
 from tests.declared import elastic_stop, rigid_stop
+from tests.tables import slow
 
 LIB = Mpmath(60)
 MP = LIB.mp
@@ -296,7 +297,7 @@ SLOW = ("symmetric", "solution-ii", "one-contact")
 def started(*first):
     """Give each example with each start, of some with the first alone."""
     cases = [
-        pytest.param(name, k, marks=[pytest.mark.slow] * (name in (*SLOW, "dry-friction", "pair")))
+        slow(name, k, when=name in (*SLOW, "dry-friction", "pair"))
         for name, example in EXAMPLES.items()
         for k in range(1 if name in first else len(example.itinerary().phases))
     ]
@@ -382,9 +383,7 @@ def in_c(orbit, folder):
 
 
 @needs_compiler
-@pytest.mark.parametrize(
-    "name", ["belt", *(pytest.param(n, marks=pytest.mark.slow) for n in ("pair", "one-contact"))]
-)
+@pytest.mark.parametrize("name", ["belt", *(slow(n) for n in ("pair", "one-contact"))])
 def test_the_solver_in_c_finds_the_orbit(name, tmp_path):
     """And tells of a dwell time that is negative, though it is no unknown: the period's rest."""
     example = solved(name)

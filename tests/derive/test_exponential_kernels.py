@@ -14,6 +14,7 @@ from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.runtime.core.arithmetic import FLOATS
 from tests.compiled_c import executed, library_of, needs_compiler
 from tests.exponentials import UNIT, error, exact, forced, largest_root, periods, repeated
+from tests.tables import slow
 
 FLAGS = [
     *("-Wconversion", "-Wshadow", "-pedantic"),
@@ -108,7 +109,7 @@ def test_resonance_has_no_pole_and_the_slow_root_keeps_its_digits(compiled):
 
 
 @needs_compiler
-@pytest.mark.parametrize("shape", [*SHAPES[:-1], pytest.param("66w2", marks=pytest.mark.slow)])
+@pytest.mark.parametrize("shape", [*SHAPES[:-1], slow("66w2")])
 def test_every_shape_is_numpy(compiled, shape):
     symbols, factors = numbers_of(shape)
     values = {symbol: 0.7 + 0.9 * place % 1.3 for place, symbol in enumerate(symbols)}

@@ -34,6 +34,7 @@ from nonsmooth.derive.codegen.kernels import flow_kernels, spectrum_kernel
 from nonsmooth.derive.flows.modal import derive_flows
 from nonsmooth.runtime.core.arithmetic import FLOATS, Mpmath
 from tests.compiled_c import COMPILER, executed, library_of, pointer
+from tests.tables import slow
 
 UNIT, DIGITS = 2.0**-53, 50
 property_test = settings(max_examples=8, phases=[Phase.generate])
@@ -250,9 +251,7 @@ DRAWN = {
 
 @property_test
 @given(st.data(), PERIODS, STATES)
-@pytest.mark.parametrize(
-    "name", [n if n == "field" else pytest.param(n, marks=pytest.mark.slow) for n in SYSTEMS]
-)
+@pytest.mark.parametrize("name", [n if n == "field" else slow(n) for n in SYSTEMS])
 def test_the_error_of_a_flow_is_bounded(library, name, data, periods, state):
     numbers, most = DRAWN[name]
     assert worst(library(name), name, data.draw(numbers), periods, state) <= most

@@ -9,6 +9,7 @@ from nonsmooth.derive.codegen.kernels import period_map_kernel
 from nonsmooth.derive.equations.program import evaluate
 from tests.compiled_c import executed
 from tests.latex_reader import written_of
+from tests.tables import slow
 
 NAME = "dry-friction/global-stick"
 DATA = [{}, {"V": "0.9", "eta": "1.05", "chi": "0.48"}]
@@ -49,7 +50,7 @@ def solved(orbit, equations, kernel, guess):
     return times, values(*times)[1]
 
 
-@pytest.mark.parametrize("by", [1, *(pytest.param(k, marks=pytest.mark.slow) for k in (0, 2, 3))])
+@pytest.mark.parametrize("by", [1, *(slow(k) for k in (0, 2, 3))])
 def test_other_starts_have_maps_of_their_own(by):
     """Behind phase 1 the section ties the positions; behind phase 2 a velocity is sought."""
     orbit = refined()

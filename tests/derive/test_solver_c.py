@@ -18,6 +18,7 @@ from nonsmooth.runtime.model.kernels import load_orbit
 from tests.compiled_c import library_of, needs_compiler, pointer
 from tests.declared import random_points, rigid_stop
 from tests.places import CHECKOUT
+from tests.tables import slow
 
 ORBIT = "dry-friction/global-stick"
 SOLVE, DIRECTIONS = (f"dry_friction_global_stick_{kind}" for kind in ("solve", "directions"))
@@ -115,9 +116,7 @@ def test_every_status_is_met(expected, expected_directions):
 
 
 @pytest.mark.parametrize("size", [1, 3, 8, 16, 17, 64])
-@pytest.mark.parametrize(
-    "build", ["baseline", *(pytest.param(b, marks=pytest.mark.slow) for b in ("avx2", "avx512f"))]
-)
+@pytest.mark.parametrize("build", ["baseline", *(slow(b) for b in ("avx2", "avx512f"))])
 def test_a_point_has_the_same_bits_in_every_group(
     source, data, expected, expected_directions, build, size
 ):

@@ -10,6 +10,7 @@ from scipy.sparse import csc_array
 
 import nonsmooth.derive as nd
 from nonsmooth.derive import dry_friction
+from tests.tables import slow
 
 X, A = sp.symbols("x a")
 ORBIT = dry_friction.orbits[0]
@@ -231,9 +232,7 @@ def public():
     }
 
 
-@pytest.mark.parametrize(
-    "name", [pytest.param(n, marks=[pytest.mark.slow] * (n in LONG)) for n in public()]
-)
+@pytest.mark.parametrize("name", [slow(n, when=n in LONG) for n in public()])
 @pytest.mark.filterwarnings("ignore::sympy.utilities.exceptions.SymPyDeprecationWarning")
 def test_wrong_values_are_refused_in_one_line(name, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)

@@ -11,6 +11,7 @@ from stressing_search import FAMILIES, random_sums, search, verdicts
 from nonsmooth.runtime.events.crossings_and_maxima import first_crossing
 from nonsmooth.runtime.model.kernels import compiled_engine
 from tests.sums import plain_sum
+from tests.tables import slow
 
 pytestmark = [
     pytest.mark.compiled,
@@ -45,7 +46,7 @@ def in_python(sums, until, reached):
 
 @pytest.mark.parametrize("reached", [False, True], ids=["exceeded", "reached"])
 @pytest.mark.parametrize("family", FAMILIES)
-@pytest.mark.parametrize("engine", ["c", pytest.param("numpy", marks=pytest.mark.slow)])
+@pytest.mark.parametrize("engine", ["c", slow("numpy")])
 def test_no_zero_is_missed_and_none_invented(engine, family, reached, monkeypatch):
     rng = np.random.default_rng([*family.encode(), reached])
     if engine == "numpy":

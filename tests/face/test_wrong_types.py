@@ -18,6 +18,7 @@ from numpy.testing import assert_array_equal
 import nonsmooth as ns
 from nonsmooth.runtime.core.values import parse
 from tests.places import records
+from tests.tables import slow
 from tests.two_masses import STICKING
 
 STICK = "dry-friction/global-stick"
@@ -223,7 +224,7 @@ def never_right():
 
 
 def marked(names):
-    return [pytest.param(n, marks=pytest.mark.slow) if n in SLOW else n for n in names]
+    return [slow(n) if n in SLOW else n for n in names]
 
 
 @pytest.mark.parametrize("name", marked(FUNCTIONS))

@@ -7,6 +7,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from nonsmooth import solve
 from nonsmooth.runtime.model.kernels import backend, load_orbit, orbit_names
 from tests.declared import random_points, single
+from tests.tables import slow
 
 ORBIT = "dry-friction/global-stick"
 COUNT = 300 if backend() == "c" else 40
@@ -41,7 +42,7 @@ SLOW = "dry-friction/symmetric", "dry-friction/solution-ii"
 
 @pytest.fixture(
     scope="module",
-    params=[pytest.param(n, marks=[pytest.mark.slow] * (n in SLOW)) for n in orbit_names()],
+    params=[slow(n, when=n in SLOW) for n in orbit_names()],
 )
 def name(request):
     return request.param

@@ -19,6 +19,7 @@ from nonsmooth.runtime.model.loading.load import load_path, many_points_key
 from nonsmooth.runtime.orbits.solve import declared_kernels
 from tests.one_mass import one_mass
 from tests.places import GALLERY
+from tests.tables import slow
 
 pytestmark = pytest.mark.skipif(background.lacking() is not None, reason=str(background.lacking()))
 
@@ -181,7 +182,7 @@ def two_stops():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("backend", [pytest.param("", marks=pytest.mark.slow), "numpy"])
+@pytest.mark.parametrize("backend", [slow(""), "numpy"])
 def test_parameters_that_decide_nothing_have_domains_and_names_of_functions_in_c(
     backend, monkeypatch
 ):

@@ -8,6 +8,7 @@ import nonsmooth as ns
 from nonsmooth import InputError
 from tests.differences import in_digits, in_doubles
 from tests.places import GALLERY
+from tests.tables import slow
 
 KERNELS = (
     "dry-friction/global-stick",
@@ -42,12 +43,7 @@ def quantities(orbit):
         *(pytest.param(name, ((), {}), id=name.split("/")[-1]) for name in (*KERNELS, BORDER)),
         *(pytest.param(KERNELS[0], exchange, id="-".join(exchange[0])) for exchange in EXCHANGED),
         *(
-            pytest.param(
-                name,
-                ((), {}),
-                id=name.split("/")[-1],
-                marks=[pytest.mark.slow] if name.endswith(("both-ways", "both-stick")) else [],
-            )
+            slow(name, ((), {}), when=name.endswith(("both-ways", "both-stick")))
             for name in DECLARED
         ),
     ],
@@ -213,7 +209,7 @@ def test_margins_tell_of_the_next_grazing():
     [
         *KERNELS,
         # their kernels are compiled first
-        *(pytest.param(name, marks=pytest.mark.slow) for name in (DECLARED[0], DECLARED[4])),
+        *(slow(name) for name in (DECLARED[0], DECLARED[4])),
         DECLARED[5],
     ],
 )

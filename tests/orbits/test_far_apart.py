@@ -10,6 +10,7 @@ import sympy as sp
 import nonsmooth as ns
 from nonsmooth import NoConvergence
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
+from tests.tables import slow
 
 VARIED = {
     "rigid-stop/one-impact": ("m1", "m2", "k1", "k2"),
@@ -23,7 +24,7 @@ VARIED = {
 @pytest.fixture(
     params=[
         pytest.param("c", marks=pytest.mark.compiled),
-        pytest.param("numpy", marks=pytest.mark.slow),
+        slow("numpy"),
     ]
 )
 def backend(request, monkeypatch):

@@ -10,6 +10,7 @@ import nonsmooth as ns
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
 from tests.differences import in_doubles
 from tests.places import GALLERY
+from tests.tables import slow
 
 DATA = {"m": 2.0, "F": 1.0, "w": 1.3, "g": 0.1, "r": 0.6, "d": 0.3}
 COUPLED = sp.Rational(1, 4)
@@ -56,7 +57,7 @@ def lost(orbit):
 
 
 @pytest.mark.parametrize("place", ["x2", {"x2": 1, "x1": -1}], ids=["wall", "between"])
-@pytest.mark.parametrize("coupled", [False, pytest.param(True, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("coupled", [False, slow(True)])
 def test_friction_and_impacts_add_up(place, coupled):
     """To what the work balance over a period tells."""
     rub = Friction("x1", sp.Rational(1, 10), sp.Rational(1, 10), name="rub")

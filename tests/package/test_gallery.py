@@ -12,6 +12,7 @@ from numpy.testing import assert_allclose
 import nonsmooth as ns
 from tests.cli.test_cli import run
 from tests.places import CHECKOUT, GALLERY
+from tests.tables import slow
 
 FORCED = {"x": "-x", "v": "-v", "c1": "-c1", "s1": "-s1"}  # half a period of the forcing later
 ORBITS = [
@@ -95,10 +96,7 @@ DEAR = {  # whose commands are given for other systems too
     ),
     *("nonsmooth design docs/gallery/impact_damper.py", "nonsmooth fit "),
 }
-COMMANDS = [
-    pytest.param(line, marks=[pytest.mark.slow] * line.startswith(tuple(DEAR)))
-    for line in commands()
-]
+COMMANDS = [slow(line, when=line.startswith(tuple(DEAR))) for line in commands()]
 
 
 @pytest.mark.parametrize("command", COMMANDS)
@@ -125,9 +123,7 @@ def test_the_python_of_the_index_runs(monkeypatch, capsys):
 LONG = "two_belts:second-sticks"
 
 
-@pytest.mark.parametrize(
-    "name", [pytest.param(each, marks=[pytest.mark.slow] * (each == LONG)) for each in ORBITS]
-)
+@pytest.mark.parametrize("name", [slow(each, when=each == LONG) for each in ORBITS])
 def test_declared_orbits_are_motions(name):
     file, orbit = name.split(":")
     found = solved(file, orbit)

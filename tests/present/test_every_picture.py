@@ -24,6 +24,7 @@ from matplotlib.text import Text
 from tests.pictures import figure_in, figure_of, figure_of_saved, with_multipliers
 from tests.places import GALLERY
 from tests.shared import FOLDER
+from tests.tables import slow
 from tests.two_masses import STICKING
 
 STICK = "dry-friction/global-stick"
@@ -258,9 +259,7 @@ SLOW = {  # whose kinds are drawn of other results too
 }
 
 
-@pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=[pytest.mark.slow] * (name in SLOW)) for name in CASES]
-)
+@pytest.mark.parametrize("name", [slow(name, when=name in SLOW) for name in CASES])
 def test_labels_stand_apart_and_legends_tell_apart(name):
     drawn = CASES[name]()
     assert not list(faults(drawn if isinstance(drawn, Figure) else figure_of(drawn)))

@@ -11,6 +11,7 @@ from nonsmooth import simulate
 from nonsmooth.derive import RigidStop
 from tests.engines import ENGINES, with_both, with_engine
 from tests.one_mass import one_mass
+from tests.tables import slow
 
 
 def stopped(
@@ -54,7 +55,7 @@ def followed(system, start, until):
 @pytest.mark.compiled
 @pytest.mark.parametrize(
     "name",
-    [pytest.param(n, marks=[pytest.mark.slow] * (n == "approaches the stop")) for n in CASES],
+    [slow(n, when=n == "approaches the stop") for n in CASES],
 )
 def test_every_motion_ends_and_both_engines_say_how(name):
     system, start, until, status = CASES[name]

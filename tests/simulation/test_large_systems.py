@@ -16,6 +16,7 @@ from nonsmooth.runtime.simulation.engines import run_motions
 from nonsmooth.runtime.simulation.simulate import follow
 from tests.engines import ENGINES, with_both, with_engine
 from tests.large_systems import RESTITUTION, chain, integrated, masses_apart
+from tests.tables import slow
 
 pytestmark = pytest.mark.compiled
 
@@ -36,8 +37,8 @@ def start_of(count, seed):
         (30, None, 12),
         (10, 4, 40),
         (30, 12, 40),
-        pytest.param(100, None, 12, marks=pytest.mark.slow),
-        pytest.param(100, 40, 30, marks=pytest.mark.slow),
+        slow(100, None, 12),
+        slow(100, 40, 30),
     ],
 )
 def test_chains_follow_matrix_exponentials(count, rubbing, transitions, factored):

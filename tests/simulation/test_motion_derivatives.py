@@ -9,6 +9,7 @@ from nonsmooth.derive import Friction, Parameter, RigidStop
 from tests.differences import in_doubles
 from tests.moved_motions import check_reverse, compared_at_random
 from tests.one_mass import one_mass
+from tests.tables import slow
 
 DATA = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 0.5}
 START = [0, 0, 1.5, 0.3]
@@ -113,9 +114,7 @@ def test_phases_of_forcings_move_on_their_circle():
     assert_allclose(found[0, 1], (-np.sin(1) + np.sin(2) / 2) / 3, rtol=1e-13)
 
 
-@pytest.mark.parametrize(
-    "seed", [2, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (4, 5))]
-)
+@pytest.mark.parametrize("seed", [2, *(slow(seed) for seed in (4, 5))])
 def test_random_oscillators_agree_with_differences_in_fifty_digits(seed):
     found = compared_at_random(np.random.default_rng([7, seed]), f"random-{seed}", 30)
     assert found is None or found < 1e-11

@@ -19,6 +19,7 @@ from nonsmooth.derive import (
 from tests.derive.test_building import FULL, SPRINGS
 from tests.newton import Newton
 from tests.one_mass import one_mass
+from tests.tables import slow
 from tests.two_masses import STICKING, SYSTEMS
 
 pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
@@ -103,9 +104,7 @@ def declared(name):
 QUICK = ("falling", "carried to a stop", "slider")
 
 
-@pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=[pytest.mark.slow] * (name not in QUICK)) for name in CASES]
-)
+@pytest.mark.parametrize("name", [slow(name, when=name not in QUICK) for name in CASES])
 def test_motions_obey_newtons_law_and_the_laws_of_contact(name):
     system, newton = declared(name)
     rng, size, seen = np.random.default_rng(len(name)), len(newton.names), set()

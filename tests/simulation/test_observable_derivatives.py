@@ -5,6 +5,7 @@ import pytest
 
 import nonsmooth as ns
 from tests.moved_motions import random_oscillator
+from tests.tables import slow
 
 STEP = 1e-6
 
@@ -27,7 +28,7 @@ def _values(found):
 @pytest.mark.slow
 @pytest.mark.parametrize("end", [{"until": 15.0}, {"transitions": 9}], ids=["time", "transition"])
 @pytest.mark.parametrize(  # slider and soft stop, friction, both stops
-    "seed", [*(pytest.param(seed, marks=pytest.mark.slow) for seed in (0, 1)), 6]
+    "seed", [*(slow(seed) for seed in (0, 1)), 6]
 )
 def test_observables_follow_all_parameters(seed, end):
     system, data, start = random_oscillator(np.random.default_rng([7, seed]), f"random-{seed}")

@@ -10,6 +10,7 @@ import pytest
 import nonsmooth as ns
 from tests.engines import ENGINES, with_both, with_engine
 from tests.scaled_systems import random_scaled
+from tests.tables import slow
 
 # units of length, inverse units of time, units of mass
 POWERS_OF_TWO = [
@@ -55,7 +56,7 @@ def compare(found, rate, wanted, wanted_rate=1):
     np.testing.assert_allclose(times, expected, rtol=0, atol=1e-8)
 
 
-SEEDS = [*(pytest.param(k, marks=[pytest.mark.slow] * (k not in (0, 3))) for k in range(10))]
+SEEDS = [*(slow(k, when=k not in (0, 3)) for k in range(10))]
 
 
 @pytest.mark.slow
