@@ -167,6 +167,7 @@ SWEEP, PROOF, BRANCH = "nonsmooth sweep", "nonsmooth certificate", "nonsmooth br
         (PROOF, "itinerary/0", ["x"], "'itinerary/1' is no list of 2"),
         (PROOF, "box/0", {"name": ""}, "'box/1/mid' is missing"),
         (BRANCH, "multipliers/0/0", "1 2 3", "'multipliers/1/1' is '1 2 3', not a number"),
+        ("nonsmooth basin certificate", "widest", math.inf, "'widest' is of the wrong type"),
         (BRANCH, "orbit/tables", 1, "'orbit/tables' is of the wrong type"),
     ],
 )
