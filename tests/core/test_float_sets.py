@@ -282,7 +282,6 @@ def test_no_sets_at_no_times_have_no_states():
     assert way.sides.shape == (0, 2, 4)
 
 
-@pytest.mark.slow
 def test_each_processor_finds_the_same_sets():
     """By whatever kernels of linear algebra and instructions it has: a verdict rests on them."""
     instructions = np.show_config(mode="dicts")["SIMD Extensions"].get("found", [])

@@ -14,6 +14,7 @@ from nonsmooth.runtime.events.quasi_polynomials import ConfigurationTable
 from nonsmooth.runtime.model.modes.numeric_modes import numeric_modes
 from tests.large_systems import by_tables
 from tests.places import CHECKOUT
+from tests.tables import slow
 
 compiler = shutil.which("gcc") or shutil.which("cc")
 SUPPORT = CHECKOUT / "derive/codegen/support"
@@ -123,8 +124,9 @@ def exactly(motion, row, times):
         ctx.prec = before
 
 
-def test_maxima_are_attained_and_not_exceeded(search):
-    for motion, rows in motions(15, 1):
+@pytest.mark.parametrize("count", [15, slow(40)])
+def test_maxima_are_attained_and_not_exceeded(search, count):
+    for motion, rows in motions(count, 1):
         found = search(motion, rows, [-math.inf] * len(rows))
         for row, value, time, error, rises in zip(rows, *found, strict=True):
             *values, there = exactly(motion, row, [*np.linspace(0, motion.duration, 60), time])

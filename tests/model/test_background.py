@@ -28,7 +28,7 @@ def asked(folder, source, flags):
     """A process that has kernels compiled into a folder: it prints what it is told by them."""
     code = (
         "import sys; import nonsmooth as ns;"
-        "found = ns.solve(sys.argv[1], dict(k=[1, 2, 0.7]));"
+        "found = ns.solve(sys.argv[1], dict(k=[0.5 + place / 9 for place in range(20)]));"
         "print(found.problem.kernels.system.compiled is not None, found.trace.tobytes().hex())"
     )
     environment = {"NONSMOOTH_CACHE": str(folder), "NONSMOOTH_BACKEND": "c", "CFLAGS": flags}

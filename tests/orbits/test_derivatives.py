@@ -62,7 +62,7 @@ def test_derivatives_are_those_of_orbits_of_sixty_digits(name, exchange):
             orbit.derivatives(unknown)
 
 
-@pytest.mark.parametrize("name", [KERNELS[0], BORDER, DECLARED[1]])
+@pytest.mark.parametrize("name", [KERNELS[0], BORDER, DECLARED[1], slow(DECLARED[5])])
 def test_a_refined_orbit_has_derivatives_of_its_own_digits(name):
     orbit = ns.solve(name)
     precise = ns.refine(orbit, 30).derivatives(one_sided=True)

@@ -20,7 +20,7 @@ def test_the_ball_of_the_closed_form_is_the_one_that_is_simulated():
 
 
 # a free bar in SI units: its motion as a whole beside vibrations of 1e6 radians a second
-@pytest.mark.parametrize("elements", [2, slow(12)])
+@pytest.mark.parametrize("elements", [2, slow(4), slow(12)])
 def test_elements_touch_as_long_as_the_first_zero_of_their_reaction_says(elements):
     _, _, times, kept = peers.our_bar(elements, None)
     expected = peers.contact_of_elements(elements)

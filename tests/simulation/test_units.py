@@ -78,7 +78,6 @@ def test_motions_do_not_depend_on_units(seed, backend):
         compare(motion(scaled, *units), units[1], wanted)
 
 
-@pytest.mark.slow
 @pytest.mark.compiled
 @pytest.mark.parametrize("seed", SEEDS)
 def test_engines_agree(seed):
