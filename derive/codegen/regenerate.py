@@ -113,7 +113,7 @@ def differences(folder: Path, wanted: Mapping[str, str]) -> tuple[str, ...]:
         if not path.is_file():
             missing.append(f"{name}: missing")
             continue
-        existing = path.read_text(encoding="utf-8", errors="replace")
+        existing = path.read_bytes().decode("utf-8", "replace")  # with its ends of lines
         unstamped = [_STAMP.sub(r"\1-", each) for each in (existing, text)]
         lines, derived = map(str.splitlines, unstamped)
         if lines != derived:

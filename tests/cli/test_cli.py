@@ -1,6 +1,7 @@
 """The command line: answers, JSON, exit codes, and one clear line for wrong input."""
 
 import json
+import math
 import os
 import re
 import shlex
@@ -18,6 +19,7 @@ from typer.testing import CliRunner
 
 import nonsmooth
 from nonsmooth.derive.codegen import regenerate as generation
+from nonsmooth.runtime.cli.application import print_json
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.model.kernels import load_orbit, orbit_names
 from tests.cli.terminal import Ended, all_commands
@@ -67,7 +69,12 @@ def told(*arguments, code=0):
     """Give the one JSON document on stdout; nothing else may be there."""
     found, out, err = run(*arguments, "--json")
     assert found == code, err
-    return json.loads(out)
+    return json.loads(out, parse_constant=no_json)
+
+
+def no_json(constant):
+    """What is not known is null for every reader."""
+    raise AssertionError(f"{constant} is no JSON")
 
 
 def answered(*arguments):
@@ -93,6 +100,12 @@ def refused_alike(*arguments, code=2):
     error = told(*arguments, code=code)["error"]
     assert line == "nonsmooth: " + "error: " * (code == 2) + error
     return line
+
+
+def test_what_is_not_known_is_printed_as_null(capsys):
+    print_json({"trace": "nan", "rates": [math.nan, math.inf, 0.5, {"name": "nan"}]})
+    found = json.loads(capsys.readouterr().out, parse_constant=no_json)
+    assert found == {"trace": None, "rates": [None, "inf", 0.5, {"name": None}]}
 
 
 # --- help

@@ -1,6 +1,5 @@
 """`nonsmooth fit`: its answer, its files, and one line for what is wrong."""
 
-import json
 import shlex
 import shutil
 from pathlib import Path
@@ -19,10 +18,6 @@ TRUTH = {"c": 0.05, "h": 0.2, "w": 2.1, "k": 2.5, "r": 0.8}
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path, monkeypatch):
-    enter(tmp_path, monkeypatch)
-
-
-def enter(tmp_path, monkeypatch):
     for name in ("identification.py", "impacts.csv"):
         shutil.copy(GALLERY / name, tmp_path)
     monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path / "cache"))
@@ -30,7 +25,20 @@ def enter(tmp_path, monkeypatch):
 
 
 def told(command):
-    return json.loads(test_cli.answered(*shlex.split(command), "--json"))
+    return test_cli.told(*shlex.split(command))
+
+
+def test_an_error_that_is_not_known_is_null():
+    """A parameter that ends at its bound has no standard error."""
+    found = told(f"fit identification.py impacts.csv {KNOWN} k=2.6:2.7 r=0.7:1"
+                 " --from x=-0.6,v=0.1 --save fit.json")  # fmt: skip
+    assert found["standard_errors"][0] is None
+    assert float(found["standard_errors"][1]) > 0
+    # the file keeps what the record holds, and gives the same answer
+    kept = ns.load("fit.json")
+    assert {*found["estimates"]} <= {*map(repr, kept.estimates.tolist())}
+    assert np.isnan(kept.standard_errors[0])
+    assert kept.to_json()["standard_errors"] == found["standard_errors"]
 
 
 @pytest.mark.slow
