@@ -263,8 +263,10 @@ def test_fields_of_any_numbers_have_modes_or_are_refused(seed, capfd):
         shape = 4, size, size + 1
         wide = rng.normal(size=shape) * 10.0 ** rng.uniform(-250, 250, shape)
         chosen = rng.choice([0, 1, -1, 1e-8, 1e8, 1e-12, 1e300, -1e300, 1e-300], size=shape)
-        groups = grouped_modes(np.concatenate([wide, chosen]), rng.normal(size=(8, 2, size + 1)))
-        assert sorted(place for group in groups for place in group.places) == [*range(8)]
+        resting = rng.choice([0, 1, -1, 1e-3, 2], size=shape) * 1e-310
+        fields, rows = np.concatenate([wide, chosen, resting]), rng.normal(size=(12, 2, size + 1))
+        groups = grouped_modes(fields, rows)
+        assert sorted(place for group in groups for place in group.places) == [*range(12)]
     assert capfd.readouterr() == ("", "")
 
 
