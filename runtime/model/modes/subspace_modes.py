@@ -96,7 +96,7 @@ def _basis(
     aside = _ASIDE * outside * (1j if turns else 1)
     inverse = np.linalg.inv(shifted - aside * np.eye(len(matrix)))
     # nearly the subspace that a power of B - mu makes smallest; its unit keeps it finite
-    unit = math.ldexp(1.0, -math.frexp(np.abs(shifted).max())[1])
+    unit = math.ldexp(1.0, min(-math.frexp(np.abs(shifted).max())[1], 1000))
     power = np.linalg.matrix_power(shifted * unit, len(group))
     basis = np.linalg.svd(power)[2][-len(group) :].conj().T
     for _ in range(_ITERATIONS):
