@@ -155,7 +155,6 @@ def test_the_page_builds_with_the_flags_of_the_package():
 def test_the_program_of_the_page_has_the_numbers_of_the_orbit(tmp_path):
     tool = "cmake" if shutil.which("cmake") else "cc"  # the site runs the page's cells, with cc
     (tmp_path / "main.c").write_text(CELLS["main.c"])
-    # the same numbers in a third of the time
     (tmp_path / "CMakeLists.txt").write_text(CELLS["CMakeLists.txt"])
     kernels = tmp_path / "kernels"
     kernels.mkdir()

@@ -68,6 +68,13 @@ def test_tick_labels_stand_apart_and_say_all(middle, width):
         assert numbers == pytest.approx(list(axis.get_majorticklocs()), abs=width / 50, rel=0)
 
 
+def test_numbers_that_are_written_as_formulas_take_no_more_room():
+    plain = drawn(1.0, 0.03)[1].get_xticks()
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    with pyplot.rc_context({"axes.formatter.use_mathtext": True}):
+        assert drawn(1.0, 0.03)[1].get_xticks().tolist() == plain.tolist()
+
+
 def test_tick_labels_stand_apart_at_every_draw():
     """Of a figure that is made narrower, and whose numbers are written longer, once drawn."""
     figure, axes = drawn(0, 0.5)

@@ -582,9 +582,8 @@ def _quiet_outcomes(
     elif response is not None and not response.converged:
         normals = system.rows[list(structure.constraints[configuration])]
         rows = np.concatenate([system.fields[configuration][own], normals])[:, own]
-        sizes = np.linalg.svd(rows, compute_uv=False)
         # singular where a part can rest at any position, as a mass that sticks
-        if response.status == SINGULAR or sizes[-1] <= _NOTHING * sizes[0]:
+        if response.status == SINGULAR or np.linalg.cond(rows) >= 1 / _NOTHING:
             staying = Outcome.FAMILY
     labels = np.where(drifts, int(Outcome.DRIFTING), int(Outcome.RESTING))
     labels[moving] = staying

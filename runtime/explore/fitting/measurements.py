@@ -207,8 +207,10 @@ def measured(
     the experiment and the column.
     """
     data = experiment.data
-    with naming(data if isinstance(data, str | os.PathLike) else name):
+    told = os.fspath(data) if isinstance(data, str | os.PathLike) else name
+    with naming(told):
         table = read_table(data)
+    try:
         steady = {
             column: responses.get(column, column)
             for column in table
@@ -238,18 +240,20 @@ def measured(
             raise InputError(f"parameter {both[0]} is a column and given")
         series = [each for each in series if len(each.values)]
         if not series:
-            told = "responses" if steady else "outputs or of event times"
-            raise InputError(f"nothing is measured: no column of {told} has a number")
-        itinerary = experiment.itinerary
-        return Measured(
-            name=name,
-            parameters={**known, **experiment.parameters},
-            start=experiment.start,
-            offset=experiment.offset,
-            series=tuple(series),
-            points=points,
-            itinerary=None if itinerary is None else tuple((c, b) for c, b in itinerary),
-        )
+            what = "responses" if steady else "outputs or of event times"
+            raise InputError(f"nothing is measured: no column of {what} has a number")
+    except InputError as problem:
+        raise InputError(f"{told}: {problem}") from None
+    itinerary = experiment.itinerary
+    return Measured(
+        name=name,
+        parameters={**known, **experiment.parameters},
+        start=experiment.start,
+        offset=experiment.offset,
+        series=tuple(series),
+        points=points,
+        itinerary=None if itinerary is None else tuple((c, b) for c, b in itinerary),
+    )
 
 
 def _motion(

@@ -8,6 +8,7 @@ as they were written, and a checksum covers the content.
 
 from __future__ import annotations
 
+import csv
 import io
 import json
 import math
@@ -192,7 +193,10 @@ def _from_csv(found: bytes) -> tuple[dict[str, Any], MotionHeader, _Table]:
             raise InputError(f"cut, or not JSON: line {line[:40]!r}") from None
     header = MOTION.check_entries(entries)
     names = _columns(header.states)
-    rows = [line.split(",") for line in lines[count:]]
+    try:
+        rows = list(csv.reader(lines[count:]))
+    except csv.Error as problem:
+        raise InputError(f"cut, or no table: {problem}") from None
     if len(rows) < 2 or rows[0] != names or any(len(row) != len(names) for row in rows):
         raise InputError(f"cut, or its columns are not {','.join(names)}")
     columns = list(zip(*rows[1:], strict=True))

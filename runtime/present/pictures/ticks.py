@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,7 @@ from matplotlib.ticker import AutoLocator, MaxNLocator, ScalarFormatter
 
 # of labels, in units of their size: between two, of a letter, from line to line
 _GAP, _WIDTH, _HEIGHT = 0.5, 0.62, 1.2
+_MARKUP = re.compile(r"\\[a-z]+|[${}]")  # of a label as a formula
 _MOST = 9  # intervals between labels
 
 
@@ -80,9 +82,8 @@ class _Apart(MaxNLocator):
         if upright:
             needed = np.full(max(len(shown) - 1, 0), _HEIGHT)
         else:
-            widths = [
-                _WIDTH * len(label) for label in axis.get_major_formatter().format_ticks(shown)
-            ]
+            labels = axis.get_major_formatter().format_ticks(shown)
+            widths = [_WIDTH * len(_MARKUP.sub("", label)) for label in labels]
             needed = (np.array(widths[:-1]) + widths[1:]) / 2 + _GAP
         room = (box.height if upright else box.width) / (high - low)
         return bool((np.diff(shown) * room >= needed * letter).all())
