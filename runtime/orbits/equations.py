@@ -136,7 +136,6 @@ class OrbitEquations(ABC):
     def dwell(self, z: np.ndarray) -> np.ndarray:
         """Dwell times (k, p) of the phases that take time, affine in z (k, n + q)."""
 
-    @abstractmethod
     def unevenness(self, z: np.ndarray) -> list[np.ndarray]:
         """Differences (N,) of each repeated part of the itinerary from the first, at z (n + q,).
 
@@ -144,6 +143,7 @@ class OrbitEquations(ABC):
         a difference is zero the branch meets that of the part, and comes back with the parts
         exchanged.
         """
+        return []
 
     @abstractmethod
     def waves(self, z: np.ndarray) -> list[tuple[np.ndarray, list[PhaseWaves]]]:
@@ -152,24 +152,25 @@ class OrbitEquations(ABC):
         Each group is an integer array of the places of its points, and a list of their phases.
         """
 
-    @abstractmethod
     def conditions(self, z: np.ndarray) -> np.ndarray:
         """Numbers (k, c) at z (k, n + q) that keep their sign while transitions lead where they do.
 
-        Each is the lowest derivative along a flow that is not zero there.
+        Each is the lowest derivative along a flow that is not zero there. None are asked where a
+        phase that begins where the one before it ends shows them.
         """
+        return np.empty((len(z), 0))
 
     @property
-    @abstractmethod
     def condition_places(self) -> Sequence[int]:
         """Number of the phase at whose end each of these conditions is asked."""
+        return ()
 
-    @abstractmethod
     def taken(self, conditions: np.ndarray) -> np.ndarray:
         """Number of the transition that each phase takes (k, p), from its conditions (k, c).
 
         It is -1 where a phase takes none.
         """
+        return np.zeros((len(conditions), len(self.phases)), dtype=int)
 
     @abstractmethod
     def multipliers(self, z: np.ndarray) -> np.ndarray:
@@ -221,8 +222,6 @@ class OrbitEquations(ABC):
 class KernelEquations(OrbitEquations):
     """The equations of an orbit with kernels."""
 
-    condition_places: Sequence[int] = ()
-
     def __init__(self, orbit: Orbit, *parameters: str, lengths: Any = 1.0) -> None:
         self._kernels = kernels = orbit.kernels
         table, names = kernels.table, (*kernels.unknowns, *kernels.parameter_names)
@@ -254,10 +253,6 @@ class KernelEquations(OrbitEquations):
         """See `OrbitEquations`."""
         return dwell_times(self._kernels, self._full(z), self._timed)
 
-    def unevenness(self, z: np.ndarray) -> list[np.ndarray]:
-        """See `OrbitEquations`."""
-        return []
-
     def waves(self, z: np.ndarray) -> list[tuple[np.ndarray, list[PhaseWaves]]]:
         """See `OrbitEquations`."""
         # trigonometric sums
@@ -282,15 +277,6 @@ class KernelEquations(OrbitEquations):
             asked = position, names, leaving, np.stack(rows, 1), frequencies[0], dwell[:, position]
             phases.append(_phase_waves(*asked))
         return [(np.arange(len(z)), phases)]
-
-    def conditions(self, z: np.ndarray) -> np.ndarray:
-        """See `OrbitEquations`."""
-        # a phase that begins where the one before it ends shows them
-        return np.empty((len(z), 0))
-
-    def taken(self, conditions: np.ndarray) -> np.ndarray:
-        """See `OrbitEquations`."""
-        return np.zeros((len(conditions), len(self.phases)), dtype=int)
 
     def multipliers(self, z: np.ndarray) -> np.ndarray:
         """See `OrbitEquations`."""

@@ -29,7 +29,12 @@ from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, grown
 from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.parameters import number_of, system_parameters
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
-from nonsmooth.runtime.model.structure import FORCING_PHASE, Structure, structure_of
+from nonsmooth.runtime.model.structure import (
+    FORCING_PHASE,
+    Structure,
+    TransitionShape,
+    structure_of,
+)
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
 from nonsmooth.runtime.orbits.problem import OrbitProblem, labelled, orbit_of
 from nonsmooth.runtime.shooting.closure_conditions import closing
@@ -393,9 +398,9 @@ def with_routes(kernels: SystemKernels, itinerary: _Phases) -> SystemKernels:
     structure = structure_of(kernels)
     if structure.unvisited:
         return _visited(kernels, structure, itinerary)
-    if structure.law is None or not _missing(structure, itinerary):
-        return kernels
     law = structure.law
+    if law is None or not any(_unlisted(structure, itinerary)):
+        return kernels
     return _listed(kernels, itinerary, lambda place, event, target: _shortest(law, event, target))
 
 
@@ -405,14 +410,18 @@ def _visited(kernels: SystemKernels, structure: Structure, itinerary: _Phases) -
     wanted = [
         (source, names)
         for source, names, _ in _steps(itinerary)
-        if source not in known or (len(names) > 1 and not _is_listed(structure, source, names))
+        if source not in known or (len(names) > 1 and not _listed_at(structure, source, names)[1])
     ]
     return grown(kernels, wanted) if wanted else kernels
 
 
-def _is_listed(structure: Structure, source: str, names: tuple[str, ...]) -> bool:
+def _listed_at(
+    structure: Structure, source: str, names: tuple[str, ...]
+) -> tuple[int, Sequence[TransitionShape]]:
+    """Return the number of a configuration, and what is listed for boundaries reached in it."""
     here = structure.configuration(source)
-    return bool(structure.listed(here, frozenset(structure.boundary(here, n) for n in names)))
+    reached = frozenset(structure.boundary(here, name) for name in names)
+    return here, structure.listed(here, reached)
 
 
 def with_routes_at(
@@ -457,14 +466,15 @@ def _shortest(law: Law, event: ContactEvent, target: int) -> Path:
     )  # fmt: skip
 
 
-def _missing(structure: Structure, itinerary: _Phases) -> bool:
-    """Return whether a transition of the itinerary is not listed."""
-    for source, names, target in _steps(itinerary):
-        here, there = structure.configuration(source), structure.configuration(target)
-        reached = frozenset(structure.boundary(here, name) for name in names)
-        if all(t.target != there for t in structure.listed(here, reached)):
-            return True
-    return False
+def _unlisted(
+    structure: Structure, itinerary: _Phases
+) -> Iterator[tuple[int, int, tuple[str, ...], int]]:
+    """Yield place, source, boundaries and target of each transition that is not listed."""
+    for place, (source, names, target) in enumerate(_steps(itinerary)):
+        here, listed = _listed_at(structure, source, names)
+        there = structure.configuration(target)
+        if all(t.target != there for t in listed):
+            yield place, here, names, there
 
 
 def _steps(itinerary: _Phases) -> list[tuple[str, tuple[str, ...], str]]:
@@ -483,12 +493,9 @@ def _listed(
     structure = structure_of(unfolded(kernels, ()))
     law, routes = structure.law, []
     assert law is not None
-    for place, (source, names, target) in enumerate(_steps(itinerary)):
-        here, there = structure.configuration(source), structure.configuration(target)
-        reached = frozenset(structure.boundary(here, name) for name in names)
+    for place, here, names, there in _unlisted(structure, itinerary):
         event = law.event(here, names)
-        if event is None or not law.leads(event, there):
-            continue
-        if all(t.target != there for t in structure.listed(here, reached)):
+        if event is not None and law.leads(event, there):
+            source, target = structure.configurations[here], structure.configurations[there]
             routes.append(Route(source, names, target, path(place, event, there)))
     return unfolded(kernels, routes)

@@ -8,7 +8,8 @@ sections to itself has no multiplier that is zero for this reason; the others ar
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from itertools import accumulate
 from typing import Any
 
 import numpy as np
@@ -128,18 +129,24 @@ def stroboscopic_maps(
     return np.asarray(whole[:, states][:, :, states])
 
 
+def _carried(maps: Iterable[Any], basis: Any, size_of: Any, lib: Any) -> list[Any]:
+    """A basis (N, k) of directions, and those (N, ...) of what remains behind each of the maps.
+
+    The bases are orthonormal in units of the states' sizes.
+    """
+    return [
+        *accumulate(maps, lambda b, m: orthonormal(_scaled(m, size_of) @ b, lib), initial=basis)
+    ]
+
+
 def _remaining(maps: Sequence[Any], size_of: Any, lib: Any) -> list[Any]:
     """Bases (N, k) of the directions that remain at the start of each phase.
 
-    They remain after passages under the local maps, repeated until no passage loses a dimension;
-    the bases are orthonormal in units of the states' sizes.
+    They remain after passages under the local maps, repeated until no passage loses a dimension.
     """
     basis = np.eye(len(size_of), dtype=maps[0].dtype)
     while True:
-        bases = []
-        for matrix in maps:
-            bases.append(basis)
-            basis = orthonormal(_scaled(matrix, size_of) @ basis, lib)
+        *bases, basis = _carried(maps, basis, size_of, lib)
         if bases[0].shape[1] == basis.shape[1]:
             return bases
 
@@ -150,12 +157,9 @@ def smallest_section(maps: Sequence[Any], size_of: Any) -> tuple[int, int]:
     The map from there has that many multipliers other than zero, and zero is not a defective
     one. `maps` are those of `local_maps`, and `size_of` (N,) is as `sizes` gives it.
     """
-    ranks = []
-    for first in range(len(maps)):
-        basis = np.eye(len(size_of))
-        for matrix in (*maps[first:], *maps[:first]):
-            basis = orthonormal(_scaled(matrix, size_of) @ basis, np)
-        ranks.append(basis.shape[1])
+    turned = ((*maps[first:], *maps[:first]) for first in range(len(maps)))
+    bases = (_carried(each, np.eye(len(size_of)), size_of, np)[-1] for each in turned)
+    ranks = [basis.shape[1] for basis in bases]
     return ranks.index(min(ranks)), min(ranks)
 
 

@@ -231,18 +231,20 @@ def stepped_tables(
     every = stepped(points[:, None], steps, lib).reshape(len(points) * len(steps), len(points.T))
     if lib is None:
         return Numbers(*tables_at(kernels, every))
-    parts: list[list[Any]] = [[], [], []]
     size = len(kernels.table["states"])
-    for row in every:
-        for part, kernel in zip(parts, ("fields", "rows", "resets"), strict=True):
-            found = kernels.source(kernel)(row.tolist(), lib=lib)
-            part.append([[lib.mp.convert(x) for x in line] for line in found])
-    shapes = [(-1, size, size + 1), (-1, size + 1), (-1, size, size + 1)]
-    fields, rows, resets = (
-        np.array(part, dtype=object).reshape(len(every), *shape)
-        for part, shape in zip(parts, shapes, strict=True)
+    shapes = {
+        "fields": (-1, size, size + 1),
+        "rows": (-1, size + 1),
+        "resets": (-1, size, size + 1),
+    }
+    convert = np.frompyfunc(lib.mp.convert, 1, 1)
+    parts = ([kernels.source(kernel)(row.tolist(), lib=lib) for row in every] for kernel in shapes)
+    return Numbers(
+        *(
+            convert(np.array(part, dtype=object)).reshape(len(every), *shape)
+            for part, shape in zip(parts, shapes.values(), strict=True)
+        )
     )
-    return Numbers(fields, rows, resets)
 
 
 def finite_at(cycle: ItineraryShape, flat: np.ndarray) -> np.ndarray:

@@ -129,16 +129,20 @@ def symmetry_of(system: PiecewiseLinear, given: Any, error: float = _SAME) -> Sy
     return Symmetry(matrix, order, tuple(found[c] for c in every), boundaries)
 
 
-def _seen_in_images(matrix: np.ndarray, map_: np.ndarray) -> np.ndarray:
-    """An affine map (N, N + 1) of states as it acts on their images under the symmetry."""
-    found = matrix @ map_
-    return np.concatenate([found[:, :-1] @ matrix.T, found[:, -1:]], axis=1)
+def _of_images(matrix: np.ndarray, functions: np.ndarray) -> np.ndarray:
+    """Affine functions (..., N + 1) of states as functions of the states' images."""
+    return np.concatenate([functions[..., :-1] @ matrix.T, functions[..., -1:]], axis=-1)
 
 
 def _same_maps(first: np.ndarray, second: np.ndarray, error: float = _SAME) -> bool:
     """Whether two maps of one shape are equal, up to an error relative to the first's entries."""
-    largest = max(abs(x) for x in first.ravel())
-    return bool(all(abs(x) <= error * largest for x in (first - second).ravel()))
+    return bool((abs(first - second) <= error * abs(first).max()).all())
+
+
+def _units(rows: np.ndarray) -> np.ndarray:
+    """Rows (R, N + 1) in units of their largest entries; zero ones stay zero."""
+    sizes = abs(rows).max(axis=1, keepdims=True)
+    return rows / np.where(sizes == 0, 1, sizes)
 
 
 def _matched(
@@ -156,15 +160,14 @@ class _Images:
     """Candidates for the image of each configuration, with the images of their boundaries."""
 
     def __init__(self, system: PiecewiseLinear, matrix: np.ndarray, error: float) -> None:
-        self.system, self.structure = system, system.structure
-        self.matrix, self.error = matrix, error
-        self.boundaries: dict[tuple[int, int], tuple[int, ...]] = {}
+        self.system, self.structure, self.error = system, system.structure, error
+        self.rows, self.images = _units(system.rows), _units(_of_images(matrix, system.rows))
+        self.fields, self.resets = (
+            matrix @ _of_images(matrix, part) for part in (system.fields, system.resets)
+        )
         every = range(len(self.structure.configurations))
-        for c in every:
-            for image in every:
-                found = self._correspondence(c, image)
-                if found is not None:
-                    self.boundaries[c, image] = found
+        pairs = {(c, image): self._correspondence(c, image) for c in every for image in every}
+        self.boundaries = {pair: found for pair, found in pairs.items() if found is not None}
 
     def bijections(self, chosen: dict[int, int]) -> Iterator[dict[int, int]]:
         """Yield the maps of configurations that complete `chosen` and suit the transitions."""
@@ -186,31 +189,25 @@ class _Images:
 
     def _correspondence(self, c: int, image: int) -> tuple[int, ...] | None:
         """Images of a configuration's boundaries in another one; None if it is not its image."""
-        structure, system, matrix = self.structure, self.system, self.matrix
-        own, other = structure.boundaries[c], structure.boundaries[image]
-        field = _seen_in_images(matrix, system.fields[c])
-        if not self._equal(field, system.fields[image]):
+        if not self._equal(self.fields[c], self.system.fields[image]):
             return None
-        constraints = structure.constraints[c], structure.constraints[image]
-        if _matched(*constraints, lambda row, r: self._row_maps(row, r, signed=False)) is None:
+        (held, others), (own, their) = (
+            (part[c], part[image])
+            for part in (self.structure.constraints, self.structure.boundaries)
+        )
+        if _matched(held, others, self._holds_with) is None:
             return None
         return _matched(
-            own, other, lambda b, r: r.reached == b.reached and self._row_maps(b.row, r.row)
+            own, their, lambda b, r: r.reached == b.reached and self._row_maps(b.row, r.row)
         )
 
-    def _row_maps(self, row: int, other: int, *, signed: bool = True) -> bool:
-        """Whether the image of a row is a multiple of another row, a positive one if `signed`."""
-        mapped, wanted = self._image_of_row(row), self.system.rows[other]
-        sizes = [max(abs(x) for x in function) for function in (mapped, wanted)]
-        if sizes[0] == 0 or sizes[1] == 0:
-            return bool(sizes[0] == sizes[1])
-        mapped, wanted = mapped / sizes[0], wanted / sizes[1]
-        same = self._equal(mapped, wanted)
-        return same or (not signed and self._equal(-mapped, wanted))
+    def _row_maps(self, row: int, other: int) -> bool:
+        """Whether the image of a row is a positive multiple of another row."""
+        return self._equal(self.images[row], self.rows[other])
 
-    def _image_of_row(self, row: int) -> np.ndarray:
-        function = self.system.rows[row]
-        return np.concatenate([self.matrix @ function[:-1], function[-1:]])
+    def _holds_with(self, row: int, other: int) -> bool:
+        """Whether the image of a row is a multiple of another row: both are zero together."""
+        return self._row_maps(row, other) or self._equal(-self.images[row], self.rows[other])
 
     def _equal(self, first: np.ndarray, second: np.ndarray) -> bool:
         return _same_maps(first, second, self.error)
@@ -270,8 +267,7 @@ class _Images:
     ) -> bool:
         if chosen[transition.target] != other.target:
             return False
-        resets = self.system.resets[[transition.reset, other.reset]]
-        if not self._equal(_seen_in_images(self.matrix, resets[0]), resets[1]):
+        if not self._equal(self.resets[transition.reset], self.system.resets[other.reset]):
             return False
         if len(transition.conditions) != len(other.conditions):
             return False
@@ -319,8 +315,8 @@ def whole_shape(system: PiecewiseLinear, symmetry: Symmetry, part: Any) -> Itine
     cycle = itinerary_shape(system.structure, whole_itinerary(system.structure, symmetry, part))
     for place, transition in enumerate(cycle.transitions):
         image = place - len(part)
-        resets = system.resets[[transition.reset, cycle.transitions[image].reset]]
-        if not _same_maps(_seen_in_images(symmetry.matrix, resets[0]), resets[1]):
+        reset, wanted = system.resets[[transition.reset, cycle.transitions[image].reset]]
+        if not _same_maps(symmetry.matrix @ _of_images(symmetry.matrix, reset), wanted):
             names = " and ".join(cycle.itinerary[k][1] for k in (place, image))
             raise InputError(f"symmetry: {names}, its image, reset the state in different ways")
     return cycle
