@@ -26,12 +26,16 @@ from nonsmooth.runtime.events.leading_derivative import derivatives, leading
 from nonsmooth.runtime.model.factored_flows import FactoredFlows
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at, tables_at
 from nonsmooth.runtime.model.time_functions import functions_at
-from nonsmooth.runtime.orbits.admissible import NEITHER, kernels_allow, trigonometric_rows
+from nonsmooth.runtime.orbits.admissible import (
+    NEITHER,
+    kernels_allow,
+    limits_at,
+    trigonometric_rows,
+)
 from nonsmooth.runtime.orbits.kernel_problem import has_reciprocal_pair
 from nonsmooth.runtime.orbits.motion import Motion
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
 from nonsmooth.runtime.orbits.problem import labelled_as, motion_along
-from nonsmooth.runtime.orbits.table_admissible import limits_at
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.shooting.closure_conditions import closed_cycle, closing
 from nonsmooth.runtime.shooting.kernel_newton import (

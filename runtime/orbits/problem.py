@@ -30,12 +30,11 @@ from nonsmooth.runtime.model.piecewise import (
     piecewise_in,
 )
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.admissible import Admissibility
+from nonsmooth.runtime.orbits.admissible import Admissibility, assess_cycle
 from nonsmooth.runtime.orbits.directions import Directions, table_directions
 from nonsmooth.runtime.orbits.motion_derivatives import OrbitMotionDerivatives
 from nonsmooth.runtime.orbits.orbit import GUARD, PERIOD, Orbit
 from nonsmooth.runtime.orbits.refine import refine_tables
-from nonsmooth.runtime.orbits.table_admissible import assess_cycle
 from nonsmooth.runtime.shooting.closure_conditions import closing, closure_equations
 from nonsmooth.runtime.shooting.multipliers import Stability
 from nonsmooth.runtime.shooting.newton import CONVERGED, LEAST, SINGULAR, message_of

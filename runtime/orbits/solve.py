@@ -26,8 +26,8 @@ from nonsmooth.runtime.model.kernels import (
 )
 from nonsmooth.runtime.model.loading.declared import DeclaredOrbit, DeclaredSystem
 from nonsmooth.runtime.model.parameters import parameter_points
+from nonsmooth.runtime.orbits.directions import derivatives_of_many
 from nonsmooth.runtime.orbits.kernel_solve import CHUNK, KernelPoints, solve_kernels
-from nonsmooth.runtime.orbits.many_derivatives import derivatives_of_many
 from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit, Orbits, changed, reshaped
 from nonsmooth.runtime.orbits.refine import check_digits, refine
 from nonsmooth.runtime.orbits.table_many import Arrays, TablePoints, solve_itineraries

@@ -18,10 +18,9 @@ from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable, System
 from nonsmooth.runtime.model.parameters import parameter_points
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.admissible import NO_ORBIT
+from nonsmooth.runtime.orbits.admissible import NO_ORBIT, first_limits
 from nonsmooth.runtime.orbits.orbit import Orbit, Orbits, reshaped
 from nonsmooth.runtime.orbits.problem import OrbitProblem
-from nonsmooth.runtime.orbits.table_admissible import first_limits
 from nonsmooth.runtime.orbits.table_solve import unknowns_of, with_routes
 from nonsmooth.runtime.shooting.closure_conditions import closed_cycle
 from nonsmooth.runtime.shooting.multipliers import margins as margins_of

@@ -18,9 +18,8 @@ from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import FORCING_PHASE, structure_of
-from nonsmooth.runtime.orbits.admissible import NEITHER
+from nonsmooth.runtime.orbits.admissible import NEITHER, limits_at
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.orbits.table_admissible import limits_at
 from nonsmooth.runtime.orbits.table_many import solve_itineraries
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.shooting.newton import CONVERGED, SINGULAR
