@@ -44,6 +44,7 @@ extensions = [
     "docstring_references",
     "failing_commands",
     "file_schemas",
+    "forked_kernels",
     "mathjax_files",
     "notebook_download",
     "typer_commands",

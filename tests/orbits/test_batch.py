@@ -10,7 +10,7 @@ from tests.declared import random_points, single
 from tests.tables import slow
 
 ORBIT = "dry-friction/global-stick"
-COUNT = 300 if backend() == "c" else 40
+COUNT = 300 if backend() == "c" else 32
 WIDE = [0.15, 0.3, 0.3, 1.5, 0.1], [0.85, 3, 1.5, 5, 1.5]
 every_orbit = pytest.mark.parametrize("name", orbit_names())
 
@@ -118,8 +118,8 @@ def test_memory_order_and_strides_do_not_matter_and_arguments_are_left_alone(nam
 @pytest.mark.parametrize("threads", [1, 2, 8, None])
 @pytest.mark.parametrize("chunk", [1, 7, 64, 10**6])
 def test_threads_and_chunks_change_no_bit(name, points, many, threads, chunk):
-    if backend() == "numpy" and chunk < 7:
-        chunk = 3
+    if backend() == "numpy":  # a call takes half a second, whatever it solves
+        chunk = {1: 8, 7: 20}.get(chunk, chunk)
     assert_same_bits(many, solve(name, points, threads=threads, chunk=chunk))
 
 

@@ -7,7 +7,7 @@ from nonsmooth import NoConvergence, solve
 
 RIGID, ELASTIC = "rigid-stop/one-impact", "elastic-stop/one-contact"
 RATIONAL = {"m1": 1, "m2": 2, "k1": 2, "k2": 4}  # frequencies 1 and 2
-STIFFNESSES = np.geomspace(1e2, 1e8, 13)
+STIFFNESSES = np.geomspace(1e2, 1e8, 7)
 
 
 @pytest.mark.parametrize("turns", ["2", "4", "6", "10", "100"])
@@ -51,7 +51,7 @@ def test_the_elastic_orbit_tends_to_the_rigid_one():
         "trace": abs(many.trace - rigid.trace),
     }
     for name, found in errors.items():
-        rate, _ = np.polyfit(np.log(STIFFNESSES[6:]), np.log(found[6:]), 1)
+        rate, _ = np.polyfit(np.log(STIFFNESSES[3:]), np.log(found[3:]), 1)
         assert rate == pytest.approx(-0.5, abs=0.02), name
         assert found[-1] < 1e-3
     half_swings = many.unknowns["tau"] * np.sqrt(STIFFNESSES) / np.pi
