@@ -281,7 +281,9 @@ def emitted(
     from nonsmooth.runtime.model.loading.folder import COMMAND
 
     if not path.is_file():
-        raise InputError(f"there is no file {path}")
+        raise InputError(
+            f"there is no file {path}: kernels are generated of all that FILE.py declares"
+        )
     declared: Any = declaration_in(path)
     from nonsmooth.derive.codegen.emit import emit_package, emit_system
 

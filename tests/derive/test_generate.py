@@ -115,6 +115,7 @@ def test_a_foreign_folder_is_left_alone(place):
     ("arguments", "message"),
     [
         (("none.py", "--out", "kernels"), "there is no file none.py"),
+        (("mine.py:one", "--out", "kernels"), "no file mine.py:one: kernels are generated of all"),
         (("broken.py", "--out", "kernels"), "broken.py, line 1: NameError"),
         (("mine.py", "--out", "kernels", "--check", "--compile"), "leave out --compile"),
     ],

@@ -1,6 +1,7 @@
 """Basins as charts: where single starts lead, whatever the chunks, and resumed."""
 
 from dataclasses import replace
+from itertools import product
 
 import numpy as np
 import pytest
@@ -82,8 +83,14 @@ def test_a_picture_has_the_colours_of_the_legend(found, tmp_path):
         here = plane.attractor.values == number
         assert share == f"{100 * here.mean():.1f} %)"
         np.testing.assert_allclose(shown[here], [handle.get_facecolor()[0]] * here.sum())
-    ns.chart(str(found), x1=STARTS["x1"], store=tmp_path / "line.zarr")
-    assert figure_in(tmp_path / "line.zarr").axes[0].lines
+    line = ns.chart(str(found), x1=STARTS["x1"], store=tmp_path / "line.zarr")
+    axes = figure_in(tmp_path / "line.zarr").axes[0]
+    (mesh,) = (each for each in axes.collections if hasattr(each, "get_coordinates"))
+    numbers = mesh.get_array().reshape(2, 11)
+    for i, j in product(range(11), repeat=2):
+        same = line.attractor.values[i] == line.attractor.values[j]
+        assert (numbers[:, i] == numbers[:, j]).all() == same
+    assert len(axes.get_yticks()) == 0
 
 
 def test_no_more_basins_than_can_be_told_apart(found, tmp_path):
@@ -134,6 +141,7 @@ def test_bits_are_the_same_for_any_chunks_and_threads_and_after_a_stop(found, tm
         ({"Omega": [1.0, 2.0]}, "unknown state 'Omega'.*charted over states.*:1 is its first"),
         ({"x1": [0.0, 1.0], "v1": 1.0}, "v1 has one value.*--from gives the other states"),
         ({"x1": [0.0, 1.0], "start": {"q": 1}}, "unknown state 'q'"),
+        ({"x1": [0.0, 1.0], "start": {"x1": 0}}, "x1 is charted: --from gives the other states"),
         ({"x1": [0.0, 1.0], "start": {"c1": 0}}, r"c1\^2 \+ s1\^2 is 0, not 1"),
         ({"x1": [0.0, 1.0], "start": {"x1": 0}, "simulate": True}, "without simulate"),
         ({}, "nothing to chart"),

@@ -708,6 +708,8 @@ def basin_problem(
                 f"{known}: the basins of {file} are charted over states; {file}:1 is its first"
                 " orbit"
             )
+        if isinstance(start, Mapping) and name in start:
+            raise InputError(f"{name} is charted: --from gives the other states")
     for name in given:
         raise InputError(
             f"{name} has one value: the parameters are those of {file}, and --from gives the"

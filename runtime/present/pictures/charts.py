@@ -80,14 +80,26 @@ def _colors(parts: list[Part]) -> list[str]:
 
 
 def _draw_map(axes: Axes, chart: Dataset, parts: list[Part], colors: list[str]) -> None:
+    across, up = map(str, chart.sizes)
+    x, y = chart[across].values, chart[up].values
+    _draw_cells(axes, x, y, parts, colors)
+    for part, color in zip(parts, colors, strict=True):
+        _label(axes, x, y, part, color)
+    axes.set_xlabel(_named(chart, across))
+    axes.set_ylabel(_named(chart, up))
+
+
+def _draw_cells(
+    axes: Axes, x: np.ndarray, y: np.ndarray, parts: list[Part], colors: list[str]
+) -> None:
+    """Draw cells around x (n,) and y (m,): parts (n, m) or (n,) have colours and outlines."""
     from matplotlib.collections import LineCollection
     from matplotlib.colors import ListedColormap
 
-    across, up = map(str, chart.sizes)
-    x, y = chart[across].values, chart[up].values
-    labels = np.zeros(chart.status.shape, dtype=int)
+    labels = np.zeros(parts[0].where.shape, dtype=int)
     for number, part in enumerate(parts):
         labels[part.where] = number
+    labels = np.broadcast_to(labels.reshape(len(x), -1), (len(x), len(y)))
     axes.pcolormesh(
         x,
         y,
@@ -99,10 +111,6 @@ def _draw_map(axes: Axes, chart: Dataset, parts: list[Part], colors: list[str]) 
         rasterized=True,
     )
     axes.add_collection(LineCollection(list(_outlines(labels, x, y)), colors="0.1", linewidths=0.7))
-    for part, color in zip(parts, colors, strict=True):
-        _label(axes, x, y, part, color)
-    axes.set_xlabel(_named(chart, across))
-    axes.set_ylabel(_named(chart, up))
 
 
 def _outlines(labels: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
@@ -151,7 +159,12 @@ def _label(axes: Axes, x: np.ndarray, y: np.ndarray, part: Part, color: str) -> 
 def _draw_line(axes: Axes, chart: Dataset, parts: list[Part], colors: list[str]) -> None:
     (name,) = map(str, chart.sizes)
     x = chart[name].values
-    shown = next(name for name in ("trace", "period", "attractor") if name in chart)
+    axes.set_xlabel(_named(chart, name))
+    shown = next((name for name in ("trace", "period") if name in chart), None)
+    if shown is None:  # basins, which have names alone
+        _draw_cells(axes, x, np.arange(2.0), parts, colors)
+        axes.set_yticks([])
+        return
     y = chart[shown].values
     for part, color in zip(parts, colors, strict=True):
         edge = color if color != "#FFFFFF" else "0.2"
@@ -159,7 +172,6 @@ def _draw_line(axes: Axes, chart: Dataset, parts: list[Part], colors: list[str])
     if shown == "trace":
         for level in (-1.0, 1.0):
             axes.axhline(level, color="0.3", linewidth=0.9, linestyle=":")
-    axes.set_xlabel(_named(chart, name))
     axes.set_ylabel(with_unit(shown, str(chart[shown].attrs.get("units", ""))))
 
 
