@@ -107,3 +107,11 @@ def test_a_constant_is_drawn_as_one():
         low, high = figure.axes[0].get_ylim()
         assert low < 1.95
         assert high > 2.05
+
+
+def test_values_without_samples_have_a_place():
+    sweep = ns.load(file_of("nonsmooth sweep"))
+    samples = sweep.samples.copy()
+    samples[-2:] = np.nan
+    low, high = replace(sweep, samples=samples).plot().axes[0].get_xlim()
+    assert low < sweep.values.min() < sweep.values.max() < high

@@ -97,6 +97,8 @@ def _draw_diagram(axes: Axes, diagram: Sweep) -> None:
         **mark_style(0),
     )
     units = units_of(diagram.system)
+    ends = diagram.values[[0, -1]]  # values without samples are shown too
+    axes.update_datalim(np.stack([ends, ends], axis=-1), updatey=False)
     axes.margins(0.02, 0.05)
     widen(axes)
     title = f"{shown_name(diagram.system)}: {diagram.state} {diagram.when}"
