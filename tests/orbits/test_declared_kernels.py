@@ -1,5 +1,6 @@
 """Declared orbits that are composed are found at many points by compiled kernels of their own."""
 
+import os
 import shutil
 from functools import cache
 from pathlib import Path
@@ -12,10 +13,8 @@ import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.derive import Itinerary, Parameter, Reference, RigidStop
 from nonsmooth.runtime.explore.charting.chart import chart_problem
-from nonsmooth.runtime.model.kernels import load_orbit
+from nonsmooth.runtime.model.kernels import key_of_many, load_orbit
 from nonsmooth.runtime.model.loading import background
-from nonsmooth.runtime.model.loading.caching import cache_folder
-from nonsmooth.runtime.model.loading.load import load_path, many_points_key
 from nonsmooth.runtime.orbits.solve import declared_kernels
 from tests.one_mass import one_mass
 from tests.places import GALLERY
@@ -226,8 +225,7 @@ def test_wrong_arrays_are_refused_in_the_same_words(values, message, monkeypatch
 def test_kernels_whose_tables_went_are_made_again(tmp_path, monkeypatch):
     """The cache is kept small file by file: one of the two may go alone."""
     assert declared_kernels(load_orbit(ONE_PERIOD)) is not None
-    loaded = load_path(Path(ONE_PERIOD.rpartition(":")[0]), "one-period", compiled=False)
-    key, folder = many_points_key(loaded.module), cache_folder()
+    key, folder = key_of_many(load_orbit(ONE_PERIOD)), Path(os.environ["NONSMOOTH_CACHE"])
     for path in folder.glob(f"{key}*"):
         shutil.copy2(path, tmp_path)
     monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path))
