@@ -290,23 +290,16 @@ def solved(name, rotation=0):
     return Solved(name, rotation)
 
 
-# two masses take long
-SLOW = ("symmetric", "solution-ii", "one-contact")
-
-
-def started(*first):
-    """Give each example with each start, of some with the first alone."""
-    cases = [
-        slow(name, k, when=name in (*SLOW, "dry-friction", "pair"))
+# two masses take long: the starts from which they are derived by other code
+STARTS = {"symmetric": [0], "one-contact": [0], "dry-friction": [0, 2], "solution-ii": [0, 2]}
+every_start = pytest.mark.parametrize(
+    ("name", "rotation"),
+    [
+        slow(name, k, when=name in (*STARTS, "pair"))
         for name, example in EXAMPLES.items()
-        for k in range(1 if name in first else len(example.itinerary().phases))
-    ]
-    return pytest.mark.parametrize(("name", "rotation"), cases)
-
-
-every_start = started()
-# of the paper's orbits one start is enough for derivatives
-most_starts = started(*SLOW, "one-impact")
+        for k in STARTS.get(name, range(len(example.itinerary().phases)))
+    ],
+)
 
 
 def close(found, expected, digits):
@@ -383,7 +376,7 @@ def in_c(orbit, folder):
 
 
 @needs_compiler
-@pytest.mark.parametrize("name", ["belt", *(slow(n) for n in ("pair", "one-contact"))])
+@pytest.mark.parametrize("name", ["belt", slow("pair")])
 def test_the_solver_in_c_finds_the_orbit(name, tmp_path):
     """And tells of a dwell time that is negative, though it is no unknown: the period's rest."""
     example = solved(name)
@@ -407,7 +400,7 @@ def check_jacobians(run, values, at):
     assert has_slopes(moved, lambda p: run("residual", p, at), values)
 
 
-@most_starts
+@every_start
 def test_derivatives_against_differences(name, rotation):
     """Total ones by the parameters, and those of the spectrum, on which they rest."""
     example = solved(name, rotation)
@@ -468,7 +461,7 @@ class Independent:
         return list(y)[: len(state)]
 
 
-@most_starts
+@every_start
 def test_orbit_and_poincare_jacobian_against_an_independent_map(name, rotation):
     example = solved(name, rotation)
     second, section = Independent(example), example.orbit.chain.section
