@@ -81,11 +81,18 @@ def names(kind):
 
 
 # systems and orbits whose documents take seconds each, of kinds that smaller ones show too
-LARGE = {
-    *("backlash_gear", "beam/one-contact", "brake_pad/lifting", "chain", "impact_damper"),
-    *("jenkins/yielding-both-ways", "piecewise_stiffness", "three_masses", "two_belts"),
-    "undamped-rattle",
+LARGE = "backlash_gear", "chain", "jenkins/yielding-both-ways", "three_masses", "undamped-rattle"
+# further ones, in which no line of the derivation and of the document is of their own
+REPEATING = {
+    *("beam/one-contact", "brake_pad/lifting", "brake_pad/pressed", "impact_damper", "rattle"),
+    *("impact_oscillator/three-periods", "piecewise_stiffness", "two_belts", "two_stops/broken"),
+    *(f"piecewise_stiffness/{orbit}" for orbit in ("one-contact", "doubled", "subharmonic")),
 }
+
+
+def distinct(listed, *more):
+    """Names without those of documents that repeat what others say, and `more` of them."""
+    return [name for name in listed if name not in {*REPEATING, *more}]
 
 
 def marked(listed, *long):
@@ -94,7 +101,7 @@ def marked(listed, *long):
     seen = set()
     for name in listed:
         system, _, orbit = name.partition("/")
-        dear = {name, system} & {*LARGE, *long} or (orbit and system in seen)
+        dear = {name, system} & {*LARGE, *REPEATING, *long} or (orbit and system in seen)
         cases.append(slow(name, when=bool(dear)))
         seen |= {system} if orbit else set()
     return cases

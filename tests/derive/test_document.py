@@ -16,7 +16,7 @@ from nonsmooth.derive.document.hypertext import to_markdown
 from nonsmooth.derive.document.latex import to_latex
 from tests.cli.test_cli import told
 from tests.declared_documents import drop
-from tests.documents import declarations, document_of, marked, names
+from tests.documents import declarations, distinct, document_of, marked, names
 from tests.formulas.pages import on_pages, page_of, texts_of
 from tests.latex_reader import ORBITS, written_of
 
@@ -25,11 +25,15 @@ needs_latex = pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdfla
 
 
 # closed forms of two masses, and the longest of declared ones
-LONG = "dry-friction/symmetric", "elastic-stop/one-contact", "two_stops/symmetric"
-LONG = *LONG, "beam", "den_hartog/without-rest", "rattle"
+LONG = "dry-friction/symmetric", "elastic-stop/one-contact", "two_stops/symmetric", "beam"
 
 
-@pytest.fixture(params=marked(declarations(), *LONG))
+# of these the laws of other tests show more
+OTHERS = "chain", "den_hartog/without-rest", "jenkins/yielding-both-ways", "three_masses"
+OTHERS = *OTHERS, "backlash_gear/rattle", "two_belts/both-stick"
+
+
+@pytest.fixture(params=marked(distinct(declarations(), *OTHERS), *LONG))
 def document(request):
     return document_of(str(request.param))
 

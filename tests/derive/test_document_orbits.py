@@ -21,21 +21,15 @@ TIME = sp.Symbol("t", real=True)
 
 VARIANTS = {
     "with full closure": lambda: replace(itinerary_of("elastic-stop/one-contact"), reversor={}),
-    "from the second phase": lambda: itinerary_of("dry-friction/symmetric").rotated(1),
-    "from the third phase": lambda: itinerary_of("dry-friction/global-stick").rotated(2),
     "behind the collision": lambda: itinerary_of("dry-friction/solution-ii").rotated(1),
 }
 
 
-GALLERY = ("mass_on_belt/stick-slip", "two_belts/both-stick", "two_belts/second-sticks")
+GALLERY = ("mass_on_belt/stick-slip", "two_belts/second-sticks")
 FORCED = (
     "impact_oscillator/one-period",
-    "jenkins/yielding-both-ways",
-    "brake_pad/lifting",
-    "piecewise_stiffness/doubled",
     # matrices with entries that stand below them
     "impact_damper/struck-twice",
-    "beam/one-contact",
 )
 
 

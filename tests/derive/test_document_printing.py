@@ -109,7 +109,7 @@ def test_every_symbol_has_a_name_of_its_own():
 
 
 @pytest.mark.slow
-@settings(max_examples=80)
+@settings(max_examples=30)
 @example(sp.sin(STATES[0] * sp.cos(1)))
 @given(EXPRESSIONS)
 def test_what_is_printed_is_the_expression(expression):
@@ -126,7 +126,7 @@ def test_what_is_printed_is_the_expression(expression):
 
 
 @pytest.mark.slow
-@settings(max_examples=40)
+@settings(max_examples=20)
 @given(st.lists(st.tuples(NUMBERS, st.lists(st.sampled_from(LETTERS), max_size=4)), max_size=5))
 def test_a_polynomial_that_is_put_in_order_is_the_polynomial(
     terms,
@@ -139,7 +139,7 @@ def test_a_polynomial_that_is_put_in_order_is_the_polynomial(
 
 
 @pytest.mark.slow
-@settings(max_examples=20)
+@settings(max_examples=8)
 @given(st.lists(EXPRESSIONS, min_size=4, max_size=4))
 def test_a_matrix_is_its_entries(entries):
     if all(map(is_tame, entries)):

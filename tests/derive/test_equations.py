@@ -290,23 +290,16 @@ def solved(name, rotation=0):
     return Solved(name, rotation)
 
 
-# two masses take long
-SLOW = ("symmetric", "solution-ii", "one-contact")
-
-
-def started(*first):
-    """Give each example with each start, of some with the first alone."""
-    cases = [
-        slow(name, k, when=name in (*SLOW, "dry-friction", "pair"))
+# two masses take long: the starts from which they are derived by other code
+STARTS = {"symmetric": [0], "one-contact": [0], "dry-friction": [0, 2], "solution-ii": [0, 2]}
+every_start = pytest.mark.parametrize(
+    ("name", "rotation"),
+    [
+        slow(name, k, when=name in (*STARTS, "pair"))
         for name, example in EXAMPLES.items()
-        for k in range(1 if name in first else len(example.itinerary().phases))
-    ]
-    return pytest.mark.parametrize(("name", "rotation"), cases)
-
-
-every_start = started()
-# of the paper's orbits one start is enough for derivatives
-most_starts = started(*SLOW, "one-impact")
+        for k in STARTS.get(name, range(len(example.itinerary().phases)))
+    ],
+)
 
 
 def close(found, expected, digits):
@@ -364,38 +357,22 @@ def test_the_monodromy_matrix_keeps_the_field_and_has_all_multipliers(name):
 # --- the solver in C --------------------------------------------------------------------
 
 
-def in_c(orbit, folder):
-    """The emitted solver, compiled: status and unknowns from parameters and a guess."""
-    system, name = orbit.system.name.replace("-", "_"), orbit.itinerary.name.replace("-", "_")
-    for file, text in emit_library(orbit.itinerary.system, [orbit.itinerary], "tests").items():
-        (folder / file).write_text(text, encoding="utf-8")
-    solver = library_of(folder / f"{system}.c", include=folder)[f"{system}_{name}_solve"]
-
-    def solve(*given):
-        taken = [np.array(numbers, dtype=float) for numbers in given if len(numbers)]
-        unknowns = np.zeros(len(orbit.unknowns))
-        codes = np.zeros((2, 1), np.int32)
-        arrays = (*taken, unknowns, np.zeros(1), np.zeros(1), *codes)
-        solver(ctypes.c_ssize_t(1), *map(pointer, arrays))
-        return int(codes[1, 0]), unknowns.tolist()
-
-    return solve
-
-
+@pytest.mark.slow
 @needs_compiler
-@pytest.mark.parametrize("name", ["belt", *(slow(n) for n in ("pair", "one-contact"))])
-def test_the_solver_in_c_finds_the_orbit(name, tmp_path):
-    """And tells of a dwell time that is negative, though it is no unknown: the period's rest."""
-    example = solved(name)
-    solve = in_c(example.orbit, tmp_path)
-    status, unknowns = solve(example.values, [u * MP.mpf("1.1") for u in example.reduced])
-    assert status == 0
-    assert unknowns == pytest.approx([float(u) for u in example.unknowns], rel=1e-12, abs=1e-13)
-    if name == "one-contact":
-        values = dict(m1=1, m2=2, k1=1, k2=5, k3=1, T=6)
-        status, unknowns = solve([values[n] for n in example.derived.names], [24.4])
-        assert status == 3
-        assert unknowns[-1] > 6
+def test_c_tells_of_a_dwell_time_that_is_negative(tmp_path):
+    """Though it is no unknown: the period's rest."""
+    example = solved("one-contact")
+    for file, text in emit_library(elastic_stop.system, elastic_stop.orbits, "tests").items():
+        (tmp_path / file).write_text(text, encoding="utf-8")
+    library = library_of(tmp_path / "elastic_stop.c", include=tmp_path)
+    values = dict(m1=1, m2=2, k1=1, k2=5, k3=1, T=6)
+    point, guess = np.array([float(values[n]) for n in example.derived.names]), np.array([24.4])
+    unknowns, trace, largest = np.zeros(len(example.unknowns)), np.zeros(1), np.zeros(1)
+    steps, status = np.zeros((2, 1), np.int32)
+    arrays = (point, guess, unknowns, trace, largest, steps, status)
+    library.elastic_stop_one_contact_solve(ctypes.c_ssize_t(1), *map(pointer, arrays))
+    assert status == 3
+    assert unknowns[-1] > 6
 
 
 # --- derivatives ------------------------------------------------------------------------
@@ -407,7 +384,7 @@ def check_jacobians(run, values, at):
     assert has_slopes(moved, lambda p: run("residual", p, at), values)
 
 
-@most_starts
+@every_start
 def test_derivatives_against_differences(name, rotation):
     """Total ones by the parameters, and those of the spectrum, on which they rest."""
     example = solved(name, rotation)
@@ -468,7 +445,7 @@ class Independent:
         return list(y)[: len(state)]
 
 
-@most_starts
+@every_start
 def test_orbit_and_poincare_jacobian_against_an_independent_map(name, rotation):
     example = solved(name, rotation)
     second, section = Independent(example), example.orbit.chain.section

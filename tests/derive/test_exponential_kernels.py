@@ -18,7 +18,7 @@ from tests.tables import slow
 
 FLAGS = [
     *("-Wconversion", "-Wshadow", "-pedantic"),
-    *("-O2", "-fno-math-errno", "-fno-trapping-math", "-fopenmp-simd"),
+    *("-fno-math-errno", "-fno-trapping-math", "-fopenmp-simd"),
 ]
 # degrees of the factors; a zero is s, a w is s^2 + c
 SHAPES = ["2", "20", "200", "2w", "w2", "1", "10", "000", "21", "22", "22w", "2ww", "202",

@@ -33,36 +33,37 @@ from tests.compiled_c import library_of, needs_compiler, pointer
 
 
 def hopping(names):
-    """A ball on a spring that falls onto a place and is thrown back, faster by a push."""
-    position, velocity, place, push, dwell, spring = [*names.split(), "k"][:6]
+    """A ball on a spring that falls onto a place and is thrown back, faster by some pushes."""
+    position, velocity, place, push, dwell, spring, *more = names.split()
     x, v = sp.symbols([position, velocity], real=True)
-    parameters = tuple(Parameter(name, "", lower=-sp.oo) for name in (place, push))
+    parameters = tuple(Parameter(name, "", lower=-sp.oo) for name in (place, push, *more))
+    ground, *pushes = (p.symbol for p in parameters)
     parameters += (Parameter(spring, ""),)
-    ground, faster, stiffness = (p.symbol for p in parameters)
+    stiffness = parameters[-1].symbol
     motion = SecondOrder(sp.Matrix([[1]]), sp.Matrix([[stiffness]]), load=(-1,))
     air = Configuration("air", motion, (Boundary("lands", ground - x),))
-    back = Transition("air", frozenset({"lands"}), "air", (), {v: -v / 2 + faster})
+    back = Transition("air", frozenset({"lands"}), "air", (), {v: -v / 2 + sum(pushes)})
     ball = System("ball", "", (x, v), parameters, (air,), (back,))
     hop = Itinerary("hop", ball, (Phase("air", "lands", dwell),), start={velocity: f"{velocity}0"})
     return derive_equations(hop)
 
 
-PLAIN = hopping("x v a b tau")
+# by how many names it has
+PLAIN = {
+    len(names.split()): hopping(names)
+    for names in ("x v a b tau k", "x v a b tau k c d e f g h i j l m n o p q")
+}
 NAMES = {
-    "a parameter as a state behind a phase": "x v x_1 v_1_reset tau",
-    "a parameter as a function of time": "x v cos_tau half_tau tau",
-    "a parameter as a spectral one": "x v omega1 omega1_by_k tau omega2",
-    "a parameter as a derivative": "x v x_1_by_tau v_1_by_v0 tau",
-    "a parameter of linear equations": "x v determinant coefficient11 tau",
-    "a parameter of the first return": "x v rate_tau amplitude_tau tau",
-    "a parameter with a coefficient": "x v x_times_v v0_slope tau",
-    "a state behind a phase": "x_1 x a b tau",
-    "a state behind a transition": "x_1_reset x a b tau",
-    "a derivative": "x_by_tau x a b tau",
-    "what a flow carries": "carried_x x a b tau",
-    "what is on a boundary": "x_1_on_boundary x a b tau",
-    "a time of delay": "x v delay_tau b tau",
-    "a dwell time": "x v a b half_x_1",
+    "parameters as what a derivation makes": (
+        "x v x_1 v_1_reset tau k cos_tau half_tau omega1 omega1_by_k x_1_by_tau v_1_by_v0 omega2"
+        " determinant coefficient11 rate_tau amplitude_tau x_times_v v0_slope delay_tau"
+    ),
+    "a state behind a phase": "x_1 x a b tau k",
+    "a state behind a transition": "x_1_reset x a b tau k",
+    "a derivative": "x_by_tau x a b tau k",
+    "what a flow carries": "carried_x x a b tau k",
+    "what is on a boundary": "x_1_on_boundary x a b tau k",
+    "a dwell time": "x v a b half_x_1 k",
     "names in another order": "z A y Cc B D",
 }
 
@@ -70,14 +71,15 @@ NAMES = {
 @pytest.mark.parametrize("names", NAMES.values(), ids=NAMES)
 def test_equations_do_not_depend_on_what_the_user_calls_things(names):
     equations = hopping(names)
+    plain = PLAIN[len(names.split())]
     mine, theirs = (
         (*e.system.states, *(p.symbol for p in e.system.parameters), *e.unknowns)
-        for e in (PLAIN, equations)
+        for e in (plain, equations)
     )
     renamed = dict(zip(theirs, mine, strict=True))
     for quantity in ("residual", "jacobian", "map"):
         found = sp.Matrix(equations.expand(quantity)).xreplace(renamed)
-        difference = (found - sp.Matrix(PLAIN.expand(quantity))).applyfunc(sp.expand)
+        difference = (found - sp.Matrix(plain.expand(quantity))).applyfunc(sp.expand)
         assert difference.is_zero_matrix, quantity
 
 
@@ -95,23 +97,25 @@ def test_different_symbols_are_written_differently(names):
 
 # beside those above: names that Python, C, the kernels or their printers have for something else
 WORDS = {
-    "arrays of the kernels": "unknowns trace parameters spectrum time residual",
-    "what kernels call": "abs fabs sin cos sqrt M_PI",
-    "what Python calls": "np lib outputs lambda_ print json",
-    "words of C": "int double const static bool default",
+    "arrays and common terms of kernels, and what SymPy has": (
+        "unknowns trace parameters spectrum time residual t0 t1 t2 t3 t4 t5 E S N pi zoo Q"
+    ),
+    "what kernels and Python call, and C names itself": (
+        "abs fabs sin cos sqrt M_PI np lib outputs lambda_ print json lane lanes fixed wave_0 main"
+        " count"
+    ),
+    "words and macros of C, and of the header": (
+        "int double const static bool default I NULL NAN DBL_EPSILON SIZE_MAX NONSMOOTH_SIMD"
+        " BALL_H NONSMOOTH_BALL_H BALL_CONVERGED"
+    ),
     "words of C and what takes their place": "int int_ x_1 x_1_ int__ int___",
-    "what C names itself": "lane lanes fixed wave_0 main count",
-    "macros": "I NULL NAN DBL_EPSILON SIZE_MAX NONSMOOTH_SIMD",
-    "what the header names": "BALL_H x NONSMOOTH_BALL_H BALL_CONVERGED tau k",
-    "numbers and functions of SymPy": "E S N pi zoo Q",
-    "common terms": "t0 t1 t2 t3 t4 t5",
     "derivatives": "x dx dx_1 dx_1_by_tau tau x_1_by_dx_1",
     "time": "s x time_ s0 tau t_",
     "letters that Python reads as one": "\u00b5 x \u03bc \u03bc_ tau k",
     "what begins another name": "x v x_ v_ tau_ _k",
 }
 
-QUICK = ("a parameter as a state behind a phase", "words of C and what takes their place")
+QUICK = "parameters as what a derivation makes", "words of C and what takes their place"
 
 
 @needs_compiler

@@ -193,8 +193,8 @@ def test_the_modes_sum_up_to_the_exponential(name):
 
 SMALL = (
     0.0,
-    *10.0 ** -np.arange(16, -0.1, -4),
-    *10.0 ** np.random.default_rng(3).uniform(-16, 0, 3),
+    *10.0 ** -np.arange(16, -0.1, -8),
+    *10.0 ** np.random.default_rng(3).uniform(-16, 0, 2),
 )
 
 

@@ -50,7 +50,8 @@ def points(name, count, decades):
 @pytest.mark.parametrize("name", VARIED)
 def test_the_digits_of_one_orbit_are_those_of_fifty(name, backend):
     solved, fewer = 0, backend == "numpy" and "friction" in name  # a search of seconds
-    for point in [*points(name, 3, 8)][1:] if fewer else points(name, 12, 8):
+    every = [*points(name, 12 if backend == "c" else 5, 8)]
+    for point in every[:3:2] if fewer else every:
         try:
             orbit = ns.solve(name, point)
         except NoConvergence:
@@ -91,12 +92,12 @@ def test_what_is_beyond_doubles_is_told(tiny, backend):
     assert "beyond double precision" in found.message(found.status.item()) or tiny < 1e-300
     assert np.isnan(found.trace)
     for name in ("rigid-stop/one-impact", "elastic-stop/one-contact"):
-        for varied in VARIED[name]:
-            point = dict.fromkeys(VARIED[name], 1.0) | {varied: tiny, "T": 3.0}
-            many = ns.solve(name, {**point, "T": [3.0]})
-            if many.converged:
-                exact = ns.refine(ns.solve(name, point), 50)
-                assert many.trace == pytest.approx(float(exact.stability.trace), abs=1e-6)
+        ones = dict.fromkeys(VARIED[name], 1.0) | {"T": 3.0}
+        every = [ones | {varied: tiny} for varied in VARIED[name]]
+        many = ns.solve(name, {key: np.array([p[key] for p in every]) for key in ones})
+        for i in np.flatnonzero(many.converged):
+            exact = ns.refine(ns.solve(name, every[i]), 50)
+            assert many.trace[i] == pytest.approx(float(exact.stability.trace), abs=1e-6)
 
 
 # composed from tables: two masses with damping and a stop, kicked by a forcing

@@ -13,6 +13,7 @@ from tests.places import GALLERY
 from tests.tables import slow
 
 DATA = {"m": 2.0, "F": 1.0, "w": 1.3, "g": 0.1, "r": 0.6, "d": 0.3}
+BETWEEN = {"x2": 1, "x1": -1}
 COUPLED = sp.Rational(1, 4)
 
 
@@ -56,8 +57,11 @@ def lost(orbit):
     return total
 
 
-@pytest.mark.parametrize("place", ["x2", {"x2": 1, "x1": -1}], ids=["wall", "between"])
-@pytest.mark.parametrize("coupled", [False, slow(True)])
+@pytest.mark.parametrize(
+    ("place", "coupled"),
+    [("x2", False), (BETWEEN, False), slow(BETWEEN, True)],
+    ids=["wall", "between", "coupled"],
+)
 def test_friction_and_impacts_add_up(place, coupled):
     """To what the work balance over a period tells."""
     rub = Friction("x1", sp.Rational(1, 10), sp.Rational(1, 10), name="rub")
@@ -72,7 +76,7 @@ def test_friction_and_impacts_add_up(place, coupled):
 
 @pytest.mark.slow
 def test_losses_have_derivatives():
-    orbit = settled(two_masses({"x2": 1, "x1": -1}, coupled=True))
+    orbit = settled(two_masses(BETWEEN, coupled=True))
     function = ns.orbit_function(orbit, by=tuple(DATA), of="dissipation")
     point = function.reference
     expected = in_doubles(function, point, 1e-5)
