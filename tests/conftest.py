@@ -20,8 +20,6 @@ from tests.shared import FOLDER
 LIBC = ctypes.CDLL(None) if sys.platform == "linux" else None
 M_ARENA_MAX = -8  # malloc.h of glibc: other libraries have none of it
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the workers' threads would compete
-# kernels of declarations have the same bits at every level, says test_background.py
-os.environ.setdefault("CFLAGS", "-O0")
 if hasattr(LIBC, "mallopt"):  # each thread would keep a memory of its own
     LIBC.mallopt(M_ARENA_MAX, 1)
 # a shell that starts programs beside itself has them ignore it, and all that they start

@@ -8,6 +8,7 @@ import nonsmooth as ns
 from nonsmooth.derive import DerivationError
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from tests.latex_reader import written_of
+from tests.tables import slow
 
 ORBITS = {f"{name}/{orbit.name}": orbit for name in SYSTEMS for orbit in declaration(name).orbits}
 
@@ -16,7 +17,9 @@ def equations_of(name):
     return written_of(name).equations
 
 
-@pytest.mark.parametrize("name", ["rigid-stop/one-impact", "dry-friction/global-stick"])
+@pytest.mark.parametrize(
+    "name", ["rigid-stop/one-impact", "dry-friction/global-stick", slow("dry-friction/symmetric")]
+)
 def test_expanded_expressions_have_the_values_of_the_kernels(name):
     equations, orbit = equations_of(name), ns.refine(ns.solve(name), 40)
     symbols = (*equations.parameters, *equations.unknowns)
