@@ -127,10 +127,10 @@ def given_chaos(monkeypatch):
 
     Sets of others are looked for about fewer points.
     """
-    from nonsmooth.runtime.proof.chaos import certify_chaos as proving
+    from nonsmooth import certify
     from tests.horseshoes import FRICTION_DATA, folded_horseshoe
 
-    prove = proving.certify_chaos
+    prove = certify.chaos
 
     def given(system, values, start, *rest, exponents, **options):
         if system != "dry-friction":
@@ -139,8 +139,8 @@ def given_chaos(monkeypatch):
         assert [value.text for value in start.values()] == ["1.93", "7.18", "1.18", "1.18"]
         return folded_horseshoe(exponents=exponents)
 
-    monkeypatch.setattr(proving, "certify_chaos", given)
-    monkeypatch.setattr(proving, "_BASES", 200)
+    monkeypatch.setattr("nonsmooth.runtime.proof.chaos.certify_chaos.certify_chaos", given)
+    monkeypatch.setattr("nonsmooth.runtime.proof.chaos.certify_chaos._BASES", 200)
 
 
 @pytest.fixture
