@@ -115,6 +115,35 @@ def committed_derivation(monkeypatch):
 
 
 @pytest.fixture
+def fewer_looks(monkeypatch):
+    """The branch of a smooth worst is looked at in fewer places, which move no optimum."""
+    monkeypatch.setattr("nonsmooth.runtime.explore.design.worst_over._LOOKS", 9)
+    monkeypatch.setattr("nonsmooth.runtime.explore.design.worst_over._FINER", 2)
+
+
+@pytest.fixture
+def given_chaos(monkeypatch):
+    """A short proof where two masses on a belt are asked for: tests/proof/test_chaos.py has theirs.
+
+    Sets of others are looked for about fewer points.
+    """
+    from nonsmooth import certify
+    from tests.horseshoes import FRICTION_DATA, folded_horseshoe
+
+    prove = certify.chaos
+
+    def given(system, values, start, *rest, exponents, **options):
+        if system != "dry-friction":
+            return prove(system, values, start, *rest, exponents=exponents, **options)
+        assert {name: value.text for name, value in values.items()} == FRICTION_DATA
+        assert [value.text for value in start.values()] == ["1.93", "7.18", "1.18", "1.18"]
+        return folded_horseshoe(exponents=exponents)
+
+    monkeypatch.setattr("nonsmooth.runtime.proof.chaos.certify_chaos.certify_chaos", given)
+    monkeypatch.setattr("nonsmooth.runtime.proof.chaos.certify_chaos._BASES", 200)
+
+
+@pytest.fixture
 def empty_reproduction(monkeypatch):
     """A reproduction of the paper that writes one empty file; the whole is a test of its own."""
     from nonsmooth.runtime.present.paper import writing

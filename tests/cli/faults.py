@@ -12,6 +12,7 @@ import shlex
 import signal
 import sys
 import traceback
+from importlib import import_module
 from pathlib import Path
 from runpy import run_module
 
@@ -95,6 +96,8 @@ def try_fault(command, name, fault):
 
 
 if __name__ == "__main__":
+    for module in ("matplotlib.figure", "zarr", "scipy.optimize", "nonsmooth.derive.systems"):
+        import_module(module)  # once, not in each process
     for line in json.loads(sys.argv[1]):
         # the lock of a chart keeps a second process away: tests/explore/test_chart.py
         for name, fault in (("kill", kill), ("twice", twice))[: 2 - line.startswith("chart ")]:

@@ -5,7 +5,7 @@ import json
 import pytest
 
 import nonsmooth as ns
-from tests.cli.test_cli import answered, refused, run, told
+from tests.cli.test_cli import EXAMPLES, PROVING, answered, refused, run, told, with_fewer
 from tests.user_systems import declare
 
 pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
@@ -104,35 +104,28 @@ def test_a_check_that_differs_is_told(tmp_path):
     assert told("certify", "check", str(path), code=1)["same"] is False
 
 
+SAID = {
+    "branch": ("consists of exactly these intervals and events", "flip"),
+    "doubling": (
+        *("certified doubling of dry-friction/symmetric along V", "subcritical"),
+        "unstable above the flip",
+    ),
+    "box": ("existence proved", "100 % proved"),
+}
 FLIP = "certify doubling dry-friction/symmetric V=1.07:1.09 --tiles 1"
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("asked", "words"),
-    [
-        (
-            "certify branch dry-friction/symmetric V=0.9:1.2",
-            ("consists of exactly these intervals and events", "flip"),
-        ),
-        (
-            FLIP,
-            (
-                *("certified doubling of dry-friction/symmetric along V", "subcritical"),
-                "unstable above the flip",
-            ),
-        ),
-        ("certify box dry-friction/global-stick V=0.99:1.01", ("existence proved", "100 % proved")),
-    ],
-)
-def test_what_is_proved_is_saved_drawn_and_checked(asked, words, tmp_path):
-    file, picture = str(tmp_path / "proof.json"), tmp_path / "proof.svg"
-    written = ("--save", file, "--plot", str(picture), "--require", "proved")
-    found = run(*asked.split(), *written)
+@pytest.mark.parametrize("example", [line for line in EXAMPLES if line.startswith(PROVING)])
+def test_what_is_proved_is_saved_drawn_and_checked(example, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (kind,) = (words for words in SAID if f" {words} " in example)
+    found = run(*with_fewer(example).split()[1:], "--require", "proved")
     assert found.code == 0
-    assert all(word in found.out for word in words)
+    assert all(words in found.out for words in SAID[kind])
+    (file,), (picture,) = tmp_path.glob("*.json"), tmp_path.glob("*.png")
     assert picture.stat().st_size > 1000
-    check = run("certify", "check", file, "--require", "proved")
+    check = run("certify", "check", str(file), "--require", "proved")
     assert check.code == 0
     assert "proved again from the file" in check.out
 

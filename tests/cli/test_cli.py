@@ -170,6 +170,25 @@ def engine_needed(example):
     return example.startswith(slow) or "found.json" in example
 
 
+# less of the same: points of a range, starts, boxes, and of a range what is next to a flip
+FEWER = {
+    r"(certify doubling \S+) V=1:1.2": r"\1 V=1.07:1.09 --tiles 1",
+    r"(certify box \S+) V=0.9:1.1 eta=0.9:1.1": r"\1 V=0.99:1.01 eta=0.99:1.01",
+    r"(=[^ :]+:[^ :]+):\d\d+\b": r"\1:3",
+    r"(?<=find )(?!.*--starts)(.*)": r"\1 --starts 20",
+    "--starts 800": "--starts 8",
+    "--transient 200": "--transient 20",
+    "--boxes 64 --levels 3": "--boxes 8 --levels 1",
+}
+
+
+def with_fewer(command):
+    """A command that asks for less of the same."""
+    for many, few in FEWER.items():
+        command = re.sub(many, few, command)
+    return command
+
+
 # examples of these take many seconds in C too
 LONG = "certify chaos", "certify basin", "certify region", "certify doubling", "certify branch"
 LONG = *LONG, "--worst-over", "--responses", "--compile", "nonsmooth find", "map.json"
@@ -183,8 +202,13 @@ def marks_of(example):
     return [*long, pytest.mark.compiled] if engine_needed(example) else long
 
 
-@pytest.mark.parametrize("example", [pytest.param(e, marks=marks_of(e)) for e in EXAMPLES])
-@pytest.mark.usefixtures("empty_reproduction")
+# what these prove is also checked, in test_certify_command.py
+PROVING = tuple(f"nonsmooth certify {name} " for name in ("box", "branch", "doubling"))
+OTHERS = [example for example in EXAMPLES if not example.startswith(PROVING)]
+
+
+@pytest.mark.parametrize("example", [pytest.param(e, marks=marks_of(e)) for e in OTHERS])
+@pytest.mark.usefixtures("empty_reproduction", "fewer_looks", "given_chaos")
 def test_examples_work(
     example, tmp_path, monkeypatch,
     committed_derivation,
@@ -217,11 +241,14 @@ def test_examples_work(
     shown = [name for name in re.findall(r"\w+\.(?:py|csv)", example) if (gallery / name).exists()]
     if shown:
         for name in shown:
-            shutil.copy(gallery / name, tmp_path)
+            lines = (gallery / name).read_text(encoding="utf-8").splitlines(keepends=True)
+            fewer = lines[1 :: 2 if name == "sweep.csv" else 1]
+            (tmp_path / name).write_text("".join([*lines[:1], *fewer]), encoding="utf-8")
         monkeypatch.setenv("NONSMOOTH_CACHE", "")
     elif "my_oscillator.py" in example:
         if "--compile" in example and shutil.which("cc") is None:
             pytest.skip("no C compiler")
+        monkeypatch.setenv("CFLAGS", "-O0")  # to optimise takes most of the time
         monkeypatch.setenv("NONSMOOTH_CACHE", "")
         declare(tmp_path, name="my_oscillator.py")
         if "--check" in example:
@@ -230,7 +257,7 @@ def test_examples_work(
         for file, text in committed_derivation.items():
             (tmp_path / file).write_text(text, encoding="utf-8")
         monkeypatch.setattr(generation, "find_generated", lambda writing=True: tmp_path)
-    assert answered(*shlex.split(example)[1:])
+    assert answered(*shlex.split(with_fewer(example))[1:])
 
 
 # --- list, solve, verify

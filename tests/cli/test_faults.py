@@ -69,21 +69,17 @@ WRITERS = {
     for name, command in commands.items()
 }
 FOLDERS = ("reproduce", "regenerate", "chart", "generate")
+# one of each way to write: a file, one that is kept on the way, a folder, a store
 FAULTED = (
-    *(("equations", "--out"), ("solve", "--save"), ("plot", "--out"), ("reproduce", "--out")),
-    *(("certify box", "--save"), ("chart", "--out"), ("continue", "--save"), ("generate", "--out")),
-    *(("find", "--save"), ("sweep", "--save")),
-)
-# a basin is many motions, and sets that cover each other are looked for along many
-MANY, LONG = (
-    ("certify basin", "certify chaos", "certify region"),
-    ("certify basin", "certify chaos"),
+    *(("solve", "--save"), ("plot", "--out"), ("reproduce", "--out"), ("certify box", "--save")),
+    *(("chart", "--out"), ("generate", "--out"), ("sweep", "--save")),
 )
 
 
 def marked(*proved):
     """Each writer, with marks of those that prove long where they are proved."""
-    marks = {name: [pytest.mark.compiled, *(proved if name in LONG else ())] for name in MANY}
+    compiled = pytest.mark.compiled
+    marks = {"certify basin": [compiled, *proved], "certify region": [compiled]}
     writers = [pytest.param(w, marks=marks.get(w[0], [])) for w in WRITERS]
     return pytest.mark.parametrize("writer", writers, ids="".join)
 
@@ -111,7 +107,7 @@ def opened():
 
 
 @pytest.fixture
-def place(tmp_path, monkeypatch, committed_derivation):
+def place(tmp_path, monkeypatch, committed_derivation, given_chaos):
     """A folder with a declaration and an orbit."""
     pytest.importorskip("matplotlib")
     pytest.importorskip("zarr")

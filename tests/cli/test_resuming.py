@@ -186,7 +186,9 @@ def test_what_is_interrupted_goes_on_by_its_file_alone_to_the_whole(
         assert answer("part.json") == answer("whole.json")
 
 
-OF_ORBITS = [k for k in marked("events", *SLOW) if k.values[0] not in ("graph", "sweep")]
+# a doubling is asked as a branch is
+OTHERS = "doubling", "graph", "sweep"
+OF_ORBITS = [k for k in marked("events", *SLOW) if k.values[0] not in OTHERS]
 
 
 @pytest.mark.parametrize("kind", OF_ORBITS)

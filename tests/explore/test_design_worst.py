@@ -11,6 +11,8 @@ import nonsmooth as ns
 from nonsmooth.runtime.explore.design.worst_over import _least
 from tests.places import GALLERY
 
+pytestmark = pytest.mark.usefixtures("fewer_looks")
+
 DAMPER = f"{GALLERY / 'impact_damper.py'}:struck-twice"
 WINDOW, WIDE = {"w": (0.96, 1.01)}, {"w": (0.95, 1.05)}
 CUT_OFF = {"minimise": "peak:x", "over": {"d": (7, 8.5)}, "worst_over": {"w": (0.98, 1.02)}}
@@ -36,13 +38,6 @@ def tuned():
 @cache
 def cut_off():
     return ns.design(damper(), **CUT_OFF)
-
-
-@pytest.fixture(autouse=True)
-def fewer_looks(monkeypatch):
-    """The branch of a smooth worst is looked at in fewer places, which move no optimum."""
-    monkeypatch.setattr("nonsmooth.runtime.explore.design.worst_over._LOOKS", 9)
-    monkeypatch.setattr("nonsmooth.runtime.explore.design.worst_over._FINER", 2)
 
 
 def response(gap, values):

@@ -1,10 +1,12 @@
 """The distribution: one top-level name, complete, importable anywhere, quick to start."""
 
+import importlib
 import os
 import shutil
 import subprocess
 import sys
 import tarfile
+import venv
 import zipfile
 from pathlib import Path
 
@@ -13,6 +15,7 @@ import pytest
 import nonsmooth
 from tests.places import CHECKOUT
 
+DEPENDENCIES = ("flint", "mpmath", "numpy", "rich", "scipy", "sympy", "typer")
 FOLDERS = ("derive", "generated", "runtime")
 PROGRAM = "import nonsmooth.runtime.cli.program as program; program.main()"
 HEAVY = [
@@ -67,24 +70,31 @@ def wheel(source, tmp_path_factory):
     return build("wheel", source, out, NONSMOOTH_WITHOUT_EXTENSION="1")
 
 
-def install(wheel, target):
-    """Install a wheel, without its dependencies, into a folder of its own."""
-    options = ("--no-deps", "--no-index", "--quiet", "--target", target)
-    run(sys.executable, "-m", "pip", "install", *options, wheel, cwd=target.parent)
-    return target
+@pytest.fixture(scope="module")
+def unpacked(source, tmp_path_factory):
+    """What the sdist of the checkout holds."""
+    place = tmp_path_factory.mktemp("sdist")
+    with tarfile.open(build("sdist", source, place / "dist")) as archive:
+        archive.extractall(place, filter="data")
+    (unpacked,) = place.glob("nonsmooth-*")
+    return unpacked
 
 
-@pytest.mark.slow
-@pytest.mark.packaging
-def test_wheel_has_one_top_level_name(wheel):
-    assert {name.partition("/")[0] for name in contents(wheel)} == {"nonsmooth"}
-    # The face is the package itself and appears nowhere else.
-    assert not any(name.startswith("nonsmooth/runtime/face") for name in contents(wheel))
-    assert not any(name.endswith((".so", ".pyd")) for name in contents(wheel))
+@pytest.fixture(scope="module")
+def compiled_wheel(unpacked, tmp_path_factory):
+    """The compiled wheel of the sdist: that of .ci/run, or one that is built here."""
+    if built := os.environ.get("NONSMOOTH_WHEEL"):
+        return Path(built)
+    place = tmp_path_factory.mktemp("compiled")
+    compiler = place / "cc"  # the last -O counts: to optimise takes most of the time
+    compiler.write_text('#!/bin/sh\nexec cc "$@" -O0\n')
+    compiler.chmod(0o755)
+    needed = {"NONSMOOTH_NEEDS_EXTENSION": "1", "CC": str(compiler)}
+    return build("wheel", unpacked, place / "dist", **needed)
 
 
-@pytest.mark.packaging
-def test_wheel_is_complete(source, wheel):
+def wheel_of(source):
+    """Names of the files that a wheel of a source tree has, without compiled ones."""
     suffixes = {".py", ".h", ".c", ".md", ".json", ".html", ".toml"}
     face = source / "runtime" / "face"
     expected = {f"nonsmooth/{path.name}" for path in (*face.glob("*.py"), face / "py.typed")}
@@ -94,37 +104,67 @@ def test_wheel_is_complete(source, wheel):
             for path in (source / folder).rglob("*")
             if (path.suffix in suffixes or path.name == "py.typed") and "face" not in path.parts
         }
-    assert contents(wheel) == expected
+    return expected
+
+
+@pytest.mark.packaging
+def test_wheel_is_complete_and_has_one_top_level_name(source, wheel):
+    assert contents(wheel) == wheel_of(source)
+    assert {name.partition("/")[0] for name in contents(wheel)} == {"nonsmooth"}
+    # The face is the package itself and appears nowhere else.
+    assert not any(name.startswith("nonsmooth/runtime/face") for name in contents(wheel))
 
 
 @pytest.mark.slow
 @pytest.mark.packaging
-def test_sdist_is_complete_and_gives_the_same_wheel(source, wheel, tmp_path):
-    sdist = build("sdist", source, tmp_path / "dist")
-    with tarfile.open(sdist) as archive:
-        archive.extractall(tmp_path, filter="data")
-    (unpacked,) = tmp_path.glob("nonsmooth-*")
+@pytest.mark.compiled
+def test_sdist_is_complete_and_gives_the_same_wheel(source, unpacked, compiled_wheel):
     ours = {path.relative_to(source) for path in source.rglob("*") if path.is_file()}
     theirs = {path.relative_to(unpacked) for path in unpacked.rglob("*") if path.is_file()}
     kept = {path for path in ours if path.parts[0] in {*FOLDERS, "tests", "scripts", ".ci"}}
     kept |= {Path("LICENSE"), Path("README.md"), Path("pyproject.toml"), Path("setup.py")}
     assert kept <= theirs
-    again = build("wheel", unpacked, tmp_path / "again", NONSMOOTH_WITHOUT_EXTENSION="1")
-    assert contents(again) == contents(wheel)
+    compiled = contents(compiled_wheel) - wheel_of(source)
+    assert len(compiled) == 2
+    assert all(name.endswith((".so", ".pyd")) for name in compiled)
+    assert wheel_of(source) < contents(compiled_wheel)
+
+
+def environment_without_compiler(place):
+    """Python of a fresh environment that has the dependencies and nothing else."""
+    venv.create(place, with_pip=False)
+    python = place / "bin" / "python"
+    told = "import sysconfig; print(sysconfig.get_path('purelib'))"
+    site = Path(run(python, "-c", told, cwd=place).strip())
+    modules = [importlib.import_module(name) for name in DEPENDENCIES]
+    homes = {str(Path(str(module.__file__)).parents[1]) for module in modules}
+    (site / "dependencies.pth").write_text("\n".join(sorted(homes)), encoding="utf-8")
+    return python
 
 
 @pytest.mark.slow
 @pytest.mark.packaging
-def test_installed_wheel_works_outside_the_checkout(wheel, tmp_path):
-    target = install(wheel, tmp_path / "site")
-    program = (
-        "import nonsmooth, nonsmooth.derive, nonsmooth.runtime, nonsmooth.generated;"
-        "print(nonsmooth.__file__, nonsmooth.__version__)"
-    )
-    told = run(sys.executable, "-c", program, cwd=tmp_path, PYTHONPATH=str(target))
-    assert told.split() == [str(target / "nonsmooth" / "__init__.py"), nonsmooth.__version__]
-    script = target / "bin" / "nonsmooth"
-    assert "verify" in run(sys.executable, script, "--help", cwd=tmp_path, PYTHONPATH=str(target))
+@pytest.mark.compiled
+@pytest.mark.skipif(sys.platform != "linux", reason="auditwheel repairs wheels of Linux")
+def test_repaired_wheel_works_without_a_compiler(compiled_wheel, tmp_path):
+    pytest.importorskip("auditwheel")
+    tools = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+    repair = ("auditwheel", "repair", "--wheel-dir", tmp_path / "repaired", compiled_wheel)
+    run(sys.executable, "-m", *repair, cwd=tmp_path, PATH=tools)
+    (repaired,) = (tmp_path / "repaired").glob("*.whl")
+    assert "manylinux" in repaired.name or "musllinux" in repaired.name
+    assert "-cp311-abi3-" in repaired.name  # it serves all later versions of Python
+
+    python = environment_without_compiler(tmp_path / "fresh")
+    install = ("--python", python, "install", "--quiet", "--no-index", "--no-deps", repaired)
+    run(sys.executable, "-m", "pip", *install, cwd=tmp_path)
+    bare = {"PATH": str(python.parent), "CC": "", "HOME": str(tmp_path)}
+    assert not any(shutil.which(name, path=bare["PATH"]) for name in ("cc", "gcc", "clang"))
+    told = run(python, CHECKOUT / ".ci/smoke.py", cwd=tmp_path, **bare).splitlines()
+    assert all(str(tmp_path / "fresh") in line for line in told[:2])
+    program = "import nonsmooth, nonsmooth.derive; print(nonsmooth.__version__)"
+    assert run(python, "-c", program, cwd=tmp_path, **bare).strip() == nonsmooth.__version__
+    assert "verify" in run(python.with_name("nonsmooth"), "--help", cwd=tmp_path, **bare)
 
 
 def imported_by(statement, tmp_path):

@@ -153,7 +153,6 @@ def content(path):
     return json.loads(path.read_text())
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", ["own", "found", "motions"])
 def test_a_chart_goes_on_to_the_same_bits(name, folder):
     place = folder / f"{name}.zarr"

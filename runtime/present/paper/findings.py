@@ -312,6 +312,7 @@ def _contact_orbits(data: Mapping[str, float], last_entry: float) -> list[tuple[
     conditions of both phases have a solution where their determinant with the right-hand side
     vanishes: its zeros in 0 < tau < T are found on a grid and refined.
     """
+    from scipy.linalg import expm
     from scipy.optimize import brentq
 
     k1, period, mass = data["k1"], data["T"], np.array([data["m1"], data["m2"]])
@@ -319,24 +320,29 @@ def _contact_orbits(data: Mapping[str, float], last_entry: float) -> list[tuple[
     contact = _field(mass, [[k1 + data["k3"], -k1], [-k1, last_entry]], data["k3"])
     reflected = np.array([1.0, 1.0, -1.0, -1.0, 1.0])
 
-    def conditions(tau: Any) -> np.ndarray:
+    def conditions(during: np.ndarray, outside: np.ndarray) -> np.ndarray:
         """Matrix (..., 4, 4) on (y, u, w, 1) of the velocities that have to vanish."""
-        during = _flow(contact, tau / 2)[..., 2:4, :]
-        outside = _flow(free, (period - tau) / 2)[..., 2:4, :] * reflected
-        rows = np.concatenate([during, outside], axis=-2)
-        return np.concatenate([rows[..., 1:4], rows[..., :1] + rows[..., 4:]], axis=-1)
+        rows = [during[..., 2:4, :], outside[..., 2:4, :] * reflected]
+        joined = np.concatenate(rows, axis=-2)
+        return np.concatenate([joined[..., 1:4], joined[..., :1] + joined[..., 4:]], axis=-1)
 
+    def conditions_at(tau: float) -> np.ndarray:
+        """Matrix (4, 4) for a duration of contact."""
+        return conditions(expm(tau / 2 * contact), expm((period - tau) / 2 * free))
+
+    halves = (_flows(field, period / 2, _GRID + 2) for field in (contact, free))
+    during, outside = (flows[1:-1] for flows in halves)
     grid = np.linspace(0, period, _GRID + 2)[1:-1]
-    signs = np.sign(np.linalg.det(conditions(grid)))
+    signs = np.sign(np.linalg.det(conditions(during, outside[::-1])))
     found = []
     for k in np.flatnonzero(signs[1:] * signs[:-1] < 0):
         tau = float(
-            brentq(lambda tau: np.linalg.det(conditions(tau)), *grid[k : k + 2], xtol=1e-14)
+            brentq(lambda tau: np.linalg.det(conditions_at(tau)), *grid[k : k + 2], xtol=1e-14)
         )
-        rows = conditions(tau)
+        rows = conditions_at(tau)
         start = np.array([1.0, *np.linalg.lstsq(rows[:, :3], -rows[:, 3])[0], 1.0])
-        lowest = (_flow(contact, np.linspace(0, tau, _SAMPLES))[:, 0] @ start).min()
-        back = _flow(free, np.linspace(0, period - tau, _SAMPLES))[:, 0]
+        lowest = (_flows(contact, tau, _SAMPLES)[:, 0] @ start).min()
+        back = _flows(free, period - tau, _SAMPLES)[:, 0]
         highest = (back @ (reflected * start)).max()
         failure = ""
         if lowest < 1 - _ROUNDING:
@@ -356,8 +362,11 @@ def _field(mass: np.ndarray, stiffness: Sequence[Sequence[float]], force: float)
     return field
 
 
-def _flow(field: np.ndarray, times: Any) -> np.ndarray:
-    """Matrices (..., 5, 5) that carry (x, x', 1) over each time."""
+def _flows(field: np.ndarray, end: float, count: int) -> np.ndarray:
+    """Matrices (count, 5, 5) that carry (x, x', 1) over evenly spaced times from 0 to `end`."""
     from scipy.linalg import expm
 
-    return np.asarray(expm(np.multiply.outer(times, field)))
+    flows, further = np.eye(5)[None], expm(end / (count - 1) * field)
+    while len(flows) < count:
+        flows, further = np.concatenate([flows, flows @ further]), further @ further
+    return flows[:count]
