@@ -196,6 +196,12 @@ def prove_branch():
     return ns.certify.branch(ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3)))
 
 
+def prove_vanishing():
+    """Up to where a contact with a soft stop vanishes, and what is beyond."""
+    orbit = ns.find_orbits(PAD, {"Omega": "0.8"}, 2, transitions=300).orbits[0].orbit
+    return certified_over(orbit, "Omega", "0.79", "0.805", beyond=True)
+
+
 def prove_doubling():
     """What branches off at that flip, in one tile."""
     orbit = ns.solve("dry-friction/symmetric", {"V": "1.08"})

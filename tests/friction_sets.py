@@ -19,6 +19,16 @@ DATA = {name: str(value) for name, value in STICKING.items()}
 SECTION = StatedSection("slip-stick", source="stick-stick", boundary="first-breaks-forward")
 
 
+BOX = {"x1": (2, 5), "x2": (6, 8), "v1": (-0.5, 0.5), "v2": (-0.5, 0.5)}  # of starts
+SIDE, TILES = 0.25, 60
+
+
+def prove_basin():
+    """Of some tiles, those at a corner of the box lead to the orbit; others slip long."""
+    orbit = ns.solve("dry-friction/global-stick", DATA)
+    return ns.certify.basin(orbit, box=BOX, side=SIDE, tiles=TILES)
+
+
 def returns(start, configuration="slip-stick", transitions=60):
     """x2 each time that a motion comes to the section."""
     motion = ns.simulate("dry-friction", DATA, list(start), configuration, transitions=transitions)

@@ -14,22 +14,10 @@ from nonsmooth.runtime.checker.state_sets.basin import _motions
 from nonsmooth.runtime.checker.stated.grids import stated_grid
 from nonsmooth.runtime.core.float_sets import ManySets
 from nonsmooth.runtime.present.compare_declarations import compare
+from tests import friction_sets
 from tests.certified import content_of, flat, prove_basin, refused_file, runs, saved
-from tests.friction_sets import DATA
 from tests.places import GALLERY
 from tests.shared import shared_file
-
-
-@pytest.fixture(scope="module")
-def path(tmp_path_factory):
-    """A basin of some tiles whose corner leads to the orbit; far from it motions slip long."""
-    box = {"x1": (2, 5), "x2": (6, 8), "v1": (-0.5, 0.5), "v2": (-0.5, 0.5)}
-    orbit = ns.solve("dry-friction/global-stick", DATA)
-    found = ns.certify.basin(orbit, box=box, side=0.25, tiles=60)
-    assert 0 < found.attracted.sum() < 60
-    path = tmp_path_factory.mktemp("friction") / "basin.json"
-    found.save(path)
-    return path
 
 
 @pytest.fixture(scope="module")
@@ -49,8 +37,8 @@ def belt(near):
 
 
 @pytest.fixture
-def content(path):
-    return content_of(path)
+def content():
+    return content_of(shared_file("basin of friction", friction_sets.prove_basin))
 
 
 @pytest.mark.slow
@@ -58,14 +46,6 @@ def test_a_true_file_of_a_declared_orbit_is_proved_again(near):
     check = ns.certify.check(near)
     assert check.difference is None
     assert check.claims == {"basin": "proved"}
-
-
-@pytest.mark.slow
-def test_a_true_file_is_proved_again(path):
-    check = ns.certify.check(path)
-    assert check.difference is None
-    assert check.claims == {"basin": "proved"}
-    assert check.compared
 
 
 @pytest.mark.slow
@@ -104,14 +84,6 @@ def edited_ranks(content, change):
     ranks = flat(content["ranks"])
     change(ranks)
     return {**content, "ranks": runs(ranks)}
-
-
-@pytest.mark.slow
-def test_a_box_that_leads_elsewhere_has_no_rank(content, tmp_path):
-    def too_near(ranks):
-        ranks[ranks.index(max(ranks))] = 1
-
-    refused_file(edited_ranks(content, too_near), tmp_path, "a box of the rank 1")
 
 
 @pytest.mark.slow
@@ -199,18 +171,16 @@ def test_another_declaration_is_refused(belt, tmp_path):
 @pytest.mark.parametrize(
     ("change", "told"),
     [
-        (lambda rank, _: 2 * rank if rank > 0 else rank, None),  # ranks may be left out
-        (lambda rank, _: min(rank, 1), "rank 1"),  # to a box of the same rank
-        (lambda rank, most: most + 1 - rank if rank > 0 else rank, "rank 1"),  # to a larger one
-        (lambda rank, _: -1 if rank == 1 else rank, "rank 2"),  # to a box without a rank
-        (lambda rank, _: -1 if rank > 0 else rank, "a tile may lead elsewhere"),
+        (lambda rank: 2 * rank if rank > 0 else rank, None),  # ranks may be left out
+        (lambda rank: min(rank, 1), "rank 1"),  # to a box of the same rank
+        (lambda rank: -1 if rank == 1 else rank, "rank 2"),  # to a box without a rank
+        (lambda rank: -1 if rank > 0 else rank, "a tile may lead elsewhere"),
     ],
 )
 def test_boxes_and_tiles_lead_to_boxes_of_smaller_ranks(tmp_path, change, told):
     kicked = content_of(shared_file("nonsmooth basin certificate", prove_basin))
-    most = max(rank for rank, _ in kicked["ranks"])
-    assert most > 2
-    content = {**kicked, "ranks": [[change(rank, most), n] for rank, n in kicked["ranks"]]}
+    assert max(rank for rank, _ in kicked["ranks"]) > 2
+    content = {**kicked, "ranks": [[change(rank), n] for rank, n in kicked["ranks"]]}
     if told:
         refused_file(content, tmp_path, told)
         return

@@ -243,9 +243,9 @@ def test_a_box_is_divided_or_not(content, tmp_path):
 
 @pytest.mark.slow
 def test_other_parameters_and_declarations_are_refused(content, tmp_path):
-    refused_file({**content, "parameters": {**content["parameters"], "ur1": "5"}}, tmp_path, "")
+    refused_file({**content, "parameters": {**content["parameters"], "ur1": "4.1"}}, tmp_path, "")
     declared = json.loads(json.dumps(content["declaration"]))
-    rows = declared["configurations"]["slip-slip"]["boundaries"]
+    rows = declared["configurations"]["slip-stick"]["boundaries"]
     rows.pop(next(iter(rows)))
     refused_file({**content, "declaration": declared}, tmp_path, "")
 

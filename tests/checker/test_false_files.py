@@ -60,8 +60,8 @@ def census_at(content):
 
 
 def smaller_box(content):
-    content["box"] = [side.replace("tau <= 3", "tau <= 1") for side in content["box"]]
-    content["statement"] = content["statement"].replace("tau <= 3", "tau <= 1")
+    content["box"] = [side.replace("tau <= 2.1", "tau <= 1.95") for side in content["box"]]
+    content["statement"] = content["statement"].replace("tau <= 2.1", "tau <= 1.95")
 
 
 def one_more(content):

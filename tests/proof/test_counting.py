@@ -448,7 +448,7 @@ def searched():
     return ns.certify.all(STICK, box={"tau": ("1.5", 3), "tau1": (1, 3), "tau2": (3, 4)})
 
 
-SHARES = 0.0, 0.01, 0.3, 0.9, 0.98, 0.99, 0.995, 0.999
+SHARES = 0.0, 0.3, 0.9, 0.99, 0.999
 SEARCHING = ("certify_all.py", "covering.py", "census.py"), {"follow", "certify_orbits"}
 
 

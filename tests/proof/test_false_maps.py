@@ -113,11 +113,7 @@ FOLDED = {
 }  # fmt: skip
 TOGETHER = {
     "a condition is left out": (lambda e: e["also"].pop(), "admissibility"),
-    "an entry is left out": (lambda e: e["also"].pop(0), "admissibility"),
-    "of another phase": (placing("also", 0, 1, 4), "event|boundary|admissib"),
     "another condition": (placing("also", 1, 2, "1.1"), "band|event|condition"),
-    "no such condition": (placing("also", 1, 2, "9.1"), "condition|admissib"),
-    "another curve": (lambda e: e["centre"].__setitem__(0, e["centre"][0] + 1e-3), "its band"),
     "other sides": (
         lambda e: e.update(below=e["above"], above=e["below"]), "verdicts|admissibility"
     ),

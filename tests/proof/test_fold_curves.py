@@ -17,7 +17,7 @@ from tests.one_mass import one_mass
 BEYOND = "beyond a fold"
 IMPACT = (("free", "wall-reaches-stop"),)
 W, PERIOD = Fraction(12, 5), 2 * math.pi / 2.4
-BOX = {"sigma": ("-1.9", "-0.9"), "r": ("0.76", "0.84")}
+BOX = {"sigma": ("-1.9", "-1.2"), "r": ("0.76", "0.84")}
 SMALL = {"sigma": ("-1.26", "-1.21"), "r": ("0.795", "0.805")}  # one tile
 
 
@@ -152,7 +152,7 @@ def test_the_other_orbit_has_the_same_curve_and_the_other_verdict():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", range(2))
 def test_what_is_stated_beside_folds_is_accepted(seed, tmp_path):
     drawn = random.Random(seed)
     sides = [Fraction(drawn.randint(1, 40), 1000) for _ in range(4)]

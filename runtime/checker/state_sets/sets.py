@@ -96,6 +96,10 @@ class StateSet(NamedTuple):
         moved = matrix * self.centre, matrix * self.sides, matrix * self.box
         return StateSet.of(*moved, tangents)
 
+    def hull_through(self, matrix: Any) -> Any:
+        """Return a box (n, 1) around the image of the set under a matrix of balls."""
+        return self._replace(tangents=()).through(matrix).hull
+
     def bent(self, matrix: Any, centre: Any, varies: Any) -> "StateSet":
         """Return the image under a map that is nearly linear, without tangents.
 
@@ -219,7 +223,7 @@ class CarryingPhase:
             begin, end, depth, names = windows.pop()
             middle = ((begin + end) / 2).mid()
             radius, near = self._around((begin - middle).union(end - middle))
-            moved = states.through(self.flow(middle)).hull
+            moved = states.hull_through(self.flow(middle))
             over = near * moved
             left = []
             for name in names:
@@ -287,7 +291,7 @@ class CarryingPhase:
         time = arb(about)
         moved = states.through(self.flow(time))
         hull = moved.hull
-        level = moved.through(row).hull[0, 0]
+        level = moved.hull_through(row)[0, 0]
         rate = (row * (self.matrix * hull))[0, 0]
         if not rate > 0:
             raise TooWide
