@@ -37,8 +37,13 @@ def belt(near):
 
 
 @pytest.fixture
-def content():
-    return content_of(shared_file("basin of friction", friction_sets.prove_basin))
+def path():
+    return shared_file("basin of friction", friction_sets.prove_basin)
+
+
+@pytest.fixture
+def content(path):
+    return content_of(path)
 
 
 @pytest.mark.slow
@@ -46,6 +51,14 @@ def test_a_true_file_of_a_declared_orbit_is_proved_again(near):
     check = ns.certify.check(near)
     assert check.difference is None
     assert check.claims == {"basin": "proved"}
+
+
+@pytest.mark.slow
+def test_a_true_file_of_an_orbit_with_a_name_is_compared(path):
+    check = ns.certify.check(path)
+    assert check.difference is None
+    assert check.claims == {"basin": "proved"}
+    assert check.compared
 
 
 @pytest.mark.slow
