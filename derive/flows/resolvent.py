@@ -18,6 +18,7 @@ modes, where the eigenvalues of L are known to be distinct.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import lru_cache
 from typing import Any
 
 import sympy as sp
@@ -128,7 +129,7 @@ def _shown(expression: sp.Expr) -> sp.Expr:
     found = expression
     while opaque := found.atoms(_Opaque):  # a root may stand for one of another
         found = found.xreplace({o: o.value for o in opaque})
-    return _tidy(found) if found is not expression else sp.factor_terms(found)
+    return _tidy(found) if found is not expression else _factored(found)
 
 
 def _add(total: _Sum, more: _Sum) -> None:
@@ -310,11 +311,18 @@ def _apart(one: sp.Expr, other: sp.Expr, parameters: tuple[Parameter, ...]) -> b
     return sign_of(difference, parameters) in (1, -1)
 
 
+@lru_cache(maxsize=4096)  # configurations of a system, and entries of each, are much alike
 def _tidy(expression: sp.Expr) -> sp.Expr:
     """A rational function in its shortest usual form."""
     if expression.is_Atom:
         return expression
     return sp.factor_terms(sp.cancel(expression))
+
+
+@lru_cache(maxsize=4096)
+def _factored(expression: sp.Expr) -> sp.Expr:
+    """A rational function that is in lowest terms, with common factors of its terms in front."""
+    return sp.factor_terms(expression)
 
 
 def _plain(expression: sp.Expr) -> sp.Expr:

@@ -14,7 +14,7 @@ from tests.explore.test_chart_basins import DATA, STARTS, two_attractors
 
 ORBIT = "dry-friction/global-stick"
 SOON = {"timeout": "300ms"}
-PLANE = {"V": np.linspace(0.8, 1.3, 150), "eta": np.linspace(0.8, 1.3, 150)}
+PLANE = {"V": np.linspace(0.8, 1.3, 50), "eta": np.linspace(0.8, 1.3, 50)}
 
 
 @pytest.fixture(scope="module")
@@ -37,7 +37,7 @@ def test_killed_worker_costs_only_its_chunk(basins, cluster, tmp_path):
             killed.append(cluster.workers[0].pid)
             os.kill(killed[0], signal.SIGKILL)
 
-    name, chunk, plane = ORBIT, 400, PLANE
+    name, chunk, plane = ORBIT, 100, PLANE
     if basins:
         name, chunk, plane = str(tmp_path / "found.json"), 4, STARTS
         ns.find_orbits(two_attractors(), DATA, 40, transitions=200).save(name)

@@ -14,7 +14,6 @@ from tests.user_systems import DAMPED, declare
 
 STICK, SYMMETRIC = "dry-friction/global-stick", "dry-friction/symmetric"
 IMPACT = f"{GALLERY / 'impact_oscillator.py'}:one-period"
-PIECEWISE = f"{GALLERY / 'piecewise_stiffness.py'}:subharmonic"
 BELTS = f"{GALLERY / 'two_belts.py'}:both-stick"
 REST = {"x1": 0, "x2": 0, "v1": 0, "v2": 0}
 MOTIONS = {"chi": 0.4, "us1": 0.0127, "ur1": 0.0255, "us2": 0.5, "ur2": 1}
@@ -23,7 +22,6 @@ WIDE = {"V": np.linspace(0.3, 2.0, 70), "eta": np.linspace(0.3, 3.0, 61)}
 PLANES = {
     STICK: {"V": np.linspace(0.6, 1.9, 10), "eta": np.linspace(0.6, 1.7, 10)},
     IMPACT: {"sigma": np.linspace(-0.6, 0.6, 24), "w": np.linspace(1.6, 3.2, 21)},
-    PIECEWISE: {"w": np.linspace(2.0, 4.0, 10), "gap": np.linspace(-0.2, 0.6, 9)},
     BELTS: {"chi": np.linspace(0.35, 0.7, 12), "u1": np.linspace(0.35, 0.7, 12)},
 }
 CHAIN = """
@@ -91,7 +89,7 @@ SETTLING = {"V": np.linspace(0.3, 1.1, 5), "eta": [1.0, 4.0], "simulate": True, 
         case(STICK, {"V": [0.85, 1.0, 1.1], "eta": [0.9, 1.2], "us1": 0.1, "us2": [0.5, 1.2]}, 5),
         case(STICK, {"us1": [0.4, 0.9], "ur1": [3.6, 3.9, 4.2]}, 5),
         case(IMPACT, {"w": np.linspace(2.2, 2.8, 9), "r": 1}, 5),  # which keeps areas
-        *(case(orbit, None, 11, slow=True) for orbit in (IMPACT, PIECEWISE, BELTS)),
+        *(case(orbit, None, 11, slow=True) for orbit in (IMPACT, BELTS)),
         case("chain", {"T": np.linspace(7.95, 8.2, 8), "k": [0.1, 0.2, 0.4]}, 5, slow=True),
         case("damped", {"r": np.linspace(0.2, 0.4, 4), "k": [0.9, 1.0]}, 3, slow=True),
         case("dry-friction", {**SETTLING, "transitions": 300, **MOTIONS}, 1, slow=True),
@@ -225,7 +223,7 @@ def test_what_is_lost_or_damaged_is_computed_to_the_same_bits(orbit, plane, chun
         case(STICK, {"V": [1.06, 1.13, 1.21, 1.29], "eta": np.linspace(0.8, 1.3, 5)}, slow=True),
         *(
             case(orbit, {name: values[::4] for name, values in PLANES[orbit].items()}, slow=True)
-            for orbit in (IMPACT, PIECEWISE, BELTS)
+            for orbit in (IMPACT, BELTS)
         ),
     ],
 )

@@ -331,11 +331,9 @@ def test_one_multiplier_is_followed_to_its_bound():
 @pytest.mark.slow
 def test_the_optimum_does_not_depend_on_where_it_begins():
     """Nor on the last digits: from some starts the optimiser stops early, and begins again."""
-    drawn = np.random.default_rng(7).uniform([0.66, 3], [1.5, 5], size=[24, 2]).tolist()
+    drawn = np.random.default_rng(7).uniform([0.66, 3], [1.5, 5], size=[12, 2]).tolist()
     begins = [ns.solve("dry-friction/symmetric", {"V": V, "eta": eta}) for V, eta in drawn]
-    alike = [orbit for orbit in begins if orbit.period < 7]  # others are of another branch
-    assert len(alike) > 20
-    for orbit in alike:
+    for orbit in begins:
         design = ns.design(
             orbit,
             minimise="spectral_radius",

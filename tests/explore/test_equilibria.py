@@ -6,13 +6,11 @@ import sympy as sp
 
 from nonsmooth import find_orbits
 from nonsmooth.derive import SoftStop, oscillator
-from tests.tables import slow
 
 
-@pytest.mark.parametrize("seed", [3, *(slow(s) for s in range(3))])
-def test_a_state_that_vanishes_is_zero(seed):
+def test_a_state_that_vanishes_is_zero():
     """Where others are not, in coupled coordinates; velocities always."""
-    random = np.random.default_rng(seed)
+    random = np.random.default_rng(3)
     factor = sp.Matrix(3, 3, lambda *_: sp.Rational(int(random.integers(-9, 10)), 7))
     stiffness = factor * factor.T + sp.eye(3)
     place = sp.Matrix([0, sp.Rational(int(random.integers(1, 6)), 7), 0])

@@ -35,19 +35,13 @@ def steady(w, **changed):
     return motion, np.linspace(149 * turn, 150 * turn, 4001)
 
 
-def amplitudes(ws=SWEEP, **changed):
+def amplitudes(ws=SWEEP):
     found = []
     for w_ in ws.tolist():
-        motion, times = steady(w_, **changed)
+        motion, times = steady(w_)
         seen = ns.observe(motion, since=float(times[0]))
         found.append((seen.maxima["x"].value - seen.minima["x"].value) / 2)
     return np.array(found)
-
-
-@functools.cache
-def of_noisy_amplitudes():
-    noise = 2e-3 * np.random.default_rng(3).normal(size=len(SWEEP))
-    return fitted({"w": SWEEP, "amplitude:x": amplitudes() + noise}, sigma=2e-3)
 
 
 def fitted(data, *free, **options):
@@ -96,17 +90,16 @@ def test_exact_amplitudes_give_exact_parameters(tmp_path):
 @pytest.mark.slow
 def test_linear_responses_are_those_of_the_resonance_curve():
     """Without a contact: F / |k - w^2 + i c w|, and the phase of that."""
-    ws = np.array([0.3, 0.5, 1.6, 2.0, 2.5])
-
-    there = np.array([0, 1, 1, 1, 1, 1, 1, 0, 1, 1], bool)  # not all was measured everywhere
+    ws = np.array([0.5, 1.6, 2.5])
+    there = np.array([0, 1, 1, 1, 1, 0], bool)  # not all was measured everywhere
 
     def parts(point):
         gain = point[2] / (point[1] - ws**2 + 1j * point[0] * ws)
         return np.concatenate([abs(gain), np.angle(gain)])[there]
 
-    every = np.full(10, np.nan)
+    every = np.full(6, np.nan)
     every[there] = parts(np.array([0.1, 1.0, 0.3]))
-    data = {"w": ws, "harmonic:x": every[:5], "phase:x": every[5:]}
+    data = {"w": ws, "harmonic:x": every[:3], "phase:x": every[3:]}
     near = {"F": 0.28, "c": 0.12, "k": 1.1}
     found = fitted(data, "c", "k", "F", parameters=near, sigma=1e-3)
     np.testing.assert_allclose(found.estimates, [0.1, 1, 0.3], rtol=0, atol=1e-9)
@@ -155,14 +148,14 @@ def measured(text, w, **changed):
 @pytest.mark.parametrize("output", OUTPUTS)
 def test_quantities_and_their_derivatives_are_those_of_simulations(output):
     """The truth comes back whatever is measured, with the errors that differences tell."""
-    ws, texts = np.array([1.0, 1.12]), [f"{kind}:{output}" for kind in KINDS]
-    data = {"w": ws, **{text: [measured(text, w) for w in ws.tolist()] for text in texts}}
+    texts = [f"{kind}:{output}" for kind in KINDS]
+    data = {"w": [1.0], **{text: [measured(text, 1.0)] for text in texts}}
     found = fitted(data, sigma=1e-3)
     np.testing.assert_allclose(found.estimates, [0.1, 1, 3], rtol=0, atol=1e-5)
 
     def predicted(point):
         moved = dict(zip(FREE, (float(x) for x in point), strict=True))
-        return np.array([measured(text, w, **moved) for text in texts for w in ws.tolist()])
+        return np.array([measured(text, 1.0, **moved) for text in texts])
 
     found = replace(found, estimates=np.array([TRUTH[name] for name in FREE]))
     check_errors(found, predicted, 2e-3, 1e-3)
@@ -191,8 +184,7 @@ def test_experiments_in_any_order_and_motions_beside_responses():
     series = ns.Experiment(
         data={"t": times, "x": motion(times)[:, 0]}, parameters={"w": 1}, start={"x": 0, "v": 0}
     )
-    some = slice(2, 5, 2)
-    rows = ns.Experiment(data={"w": SWEEP[some], "amplitude:x": amplitudes(SWEEP[some])})
+    rows = ns.Experiment(data={"w": SOME[:1], "amplitude:x": amplitudes(SOME[:1])})
     both = [fitted([series, rows], sigma=1e-3),
             fitted([rows, series], sigma=1e-3, parameters={})]  # fmt: skip
     for found in both:
@@ -232,9 +224,9 @@ def test_coexisting_responses_are_told_apart_by_what_was_measured():
     assert set(found) == {1, 2}
     assert found[2] > 2 * found[1]
     for phases, value in found.items():
-        data = {"w": [0.9, 1.2], "amplitude:x": [amplitudes(SWEEP[2:3])[0], value]}
+        data = {"w": [1.0, 1.2], "amplitude:x": [amplitudes(SOME[:1])[0], value]}
         # bounds that keep it from a k at which there is one response alone
-        near = {"parameters": {"k": 1.005}, "bounds": {"k": (0.98, 1.02)}}
+        near = {"parameters": {"k": 1.002}, "bounds": {"k": (0.98, 1.02)}}
         fit = fitted(data, "k", sigma=1e-3, **near)
         assert fit["k"] == pytest.approx(1, abs=1e-9)
         assert len(fit.experiments[0].responses[1].itinerary) == phases
@@ -250,7 +242,8 @@ def test_coexisting_responses_are_told_apart_by_what_was_measured():
 @pytest.mark.slow
 def test_a_fit_of_responses_is_drawn():
     pytest.importorskip("matplotlib")
-    found = of_noisy_amplitudes()
+    noise = 2e-3 * np.random.default_rng(3).normal(size=len(SWEEP))
+    found = fitted({"w": SWEEP, "amplitude:x": amplitudes() + noise}, sigma=2e-3)
     curve, points = found.plot()[0].lines[:2]
     assert len(points.get_xdata()) == len(SWEEP)
     at = np.interp(points.get_xdata(), curve.get_xdata(), curve.get_ydata())
@@ -267,13 +260,13 @@ def test_a_fit_of_responses_is_drawn():
 @pytest.mark.slow
 def test_accelerometers_and_load_cells_tell_the_parameters():
     """With the errors that differences tell, of a clock and a start beside them."""
-    times, free = np.linspace(0.1, 29.9, 90), ("c", "k", "s", "w", "x0", "offset")
+    times, free = np.linspace(0.1, 19.9, 60), ("c", "k", "s", "w", "x0", "offset")
 
     def predicted(point):
         """A scaled acceleration, and the stop's force."""
         *values, place, offset = (float(x) for x in point)
         known = TRUTH | dict(zip(free, values, strict=False))
-        motion = ns.simulate(SYSTEM, known, {"x": place, "v": 0}, until=31)
+        motion = ns.simulate(SYSTEM, known, {"x": place, "v": 0}, until=21)
         x, v, cosine, _ = motion(times - offset).T
         force = np.where(x > 1, -known["s"] * (x - 1), 0.0)
         assert (force < 0).sum() > 5

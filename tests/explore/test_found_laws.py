@@ -124,16 +124,16 @@ def test_multipliers_are_those_of_one_turn(seed):
 @pytest.mark.parametrize("zeta", ["1e-14", "0", "1e-6"])
 def test_more_digits_confirm_a_verdict(zeta):
     data = {"zeta": zeta, "r": "1", "w": "2.6", "gap": "0.5"}
-    found = find_orbits(stopped(), data, 15, transitions=300, rng=1)
+    found = find_orbits(stopped(), data, 4, transitions=120, rng=1)
     regular = [entry.orbit for entry in found.orbits if entry.verdict != "unstable"]
     assert len(regular) > 1  # how many depends on the last bits of motions that nothing damps
     verdicts = {orbit.stability.verdict for orbit in regular}
     assert verdicts <= {"neutral" if zeta == "0" else "stable", "undecided"}
     assert (verdicts == {"undecided"}) == (zeta == "1e-14")
-    for orbit in sorted(regular, key=lambda orbit: len(orbit.itinerary))[:3]:
-        truth = ns.refine(orbit, 40).stability
-        assert truth.verdict == ("neutral" if zeta == "0" else "stable")
-        assert abs(truth.margin - orbit.stability.margin) < 1e-12
+    orbit = min(regular, key=lambda orbit: len(orbit.itinerary))
+    truth = ns.refine(orbit, 40).stability
+    assert truth.verdict == ("neutral" if zeta == "0" else "stable")
+    assert abs(truth.margin - orbit.stability.margin) < 1e-12
 
 
 def test_a_position_that_is_zero_by_declaration_is_no_return():
@@ -335,7 +335,7 @@ def apart(orbit, image, other):
     ],
 )
 def test_an_orbit_that_is_its_own_mirror_image_has_no_other(declared, own):
-    found = found_at(declared(), {}, 4)
+    found = found_at(declared(), {}, 2)
     orbits = [entry.orbit for entry in found.orbits]
     assert orbits
     for place, entry in enumerate(found.orbits):
@@ -401,7 +401,6 @@ def test_impacts_that_follow_each_other_ever_faster_come_back_with_the_forcing()
             slow(*case)
             for case in (
                 (stopped, {"zeta": 0.05, "w": 2.8, "gap": 0, "r": 0.8}),
-                (stopped, {"zeta": 0.02, "w": 2.6, "gap": 0.4, "r": 0.8}),
                 (stopped, {"zeta": -0.05, "w": 2.6, "gap": 0.4, "r": 0.95}),
                 (between, {"w": 1.4, "gap": 0.6, "r": 0.7}),
                 (rubbing, {"mu": 0.4, "F": 1.5, "w1": 0.9}),
@@ -414,7 +413,7 @@ def test_impacts_that_follow_each_other_ever_faster_come_back_with_the_forcing()
 )
 def test_one_motion_is_told_as_many_are(build, data):
     """Charts and sweeps name what a search names, with the orbits that it solves."""
-    found = find_orbits(build(), data, 8, transitions=400)
+    found = find_orbits(build(), data, 4, transitions=400)
     ends = ends_of(build(), data, found.starts, 400).tolist()
     for label, outcome in zip(found.labels.tolist(), ends, strict=True):
         if label >= len(found.orbits):

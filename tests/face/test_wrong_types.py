@@ -37,7 +37,7 @@ RIGHT = {
     "branch.quantity.name": lambda: "period",
     "branch.next_itineraries.event": lambda: result("branch").events[0],
     "by": lambda: ["V"],
-    "certify.all.box": lambda: {"tau": 3, "tau1": 3},
+    "certify.all.box": lambda: {"tau": 1, "tau1": 1},
     "certify.all.orbit": lambda: STICK,
     "certify.box.box": lambda: {"V": (0.999, 1.001)},
     "certify.chaos.parameters": lambda: {**DATA, "ur1": 1, "ur2": 1},

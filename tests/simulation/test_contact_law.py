@@ -2,7 +2,6 @@
 
 import copy
 from dataclasses import replace
-from itertools import product
 
 import numpy as np
 import pytest
@@ -58,23 +57,21 @@ def parts(seed, count, order, sign, stop=False):
         struck = elements[int(rng.integers(2))].coordinate
         side = "upper" if sign > 0 else "lower"
         elements.append(RigidStop(struck, sign * place, restitution, side=side, name="stop"))
-    springs = sp.Matrix(count, count, lambda i, j: 3 * (i == j) - (abs(i - j) == 1))
     waves = [(1 + 2 * stop) * load for load in loads[count:]]
-    return [names, mass, springs], {
+    return [names, mass, 3 * mass], {  # of one frequency: its flows are short
         "load": loads[:count], "forcing": [Harmonic("7/8", sine=waves)],
         "elements": [elements[i] for i in order],
     }  # fmt: skip
 
 
-def declared(seed, count, order):
-    """The same chain, mirrored by a parameter `sign`."""
-    matrices, more = parts(seed, count, order, SIGN)
+def drawn(*of):
+    matrices, more = parts(*of)
     return oscillator("drawn", *matrices, **more)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("seed", "count", "stop"), [(1, 1, False), (3, 2, False), (4, 3, False), (17, 2, True)]
+    ("seed", "count", "stop"), [(2, 1, False), (3, 2, False), (4, 3, False), (17, 2, True)]
 )
 def test_neither_order_nor_direction_of_a_declaration_matters(seed, count, stop):
     """To motions that obey Newton's law and those of the contacts."""
@@ -82,7 +79,7 @@ def test_neither_order_nor_direction_of_a_declaration_matters(seed, count, stop)
     if seed % 2:
         start[count:] = [0] * (count - 1) + [0.5 * stop]
     ends, touched, whole = [], not stop, range(count + stop)
-    for order, sign in product((whole, [*reversed(whole)]), (1, -1)):
+    for order, sign in ((whole, 1), (whole[::-1], -1)):
         matrices, more = parts(seed, count, order, sign, stop)
         system = oscillator("drawn", *matrices, **more)
         assert (system.law is None) == (count == 1)
@@ -96,24 +93,22 @@ def test_neither_order_nor_direction_of_a_declaration_matters(seed, count, stop)
         touched |= any("contact" in name for name in motion.configurations)
         ends.append((motion.transitions, sign * motion(12.0)[: 2 * count]))
     assert touched
-    assert ends[0][0] > 1
-    for transitions, end in ends[1:]:
-        assert transitions == ends[0][0]
-        assert_allclose(end, ends[0][1], atol=1e-7 if stop else 1e-9)
+    (transitions, end), (others, other) = ends
+    assert transitions == others > 1
+    assert_allclose(end, other, atol=1e-7 if stop else 1e-9)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("order", [(0, 1), (1, 0)])
-def test_motions_of_coupled_contacts_are_proved(order):
-    system, start = declared(3, 2, order), np.array([0.5, -0.25, 0, 0, 1, 0])
-    for sign in (1, -1):
-        motion = ns.simulate(system, {"sign": sign}, [*(sign * start[:4]), 1, 0], transitions=8)
-        begin = [str(x) for x in motion.states[0]]
-        proof = ns.certify.motion(system, {"sign": sign}, begin, motion.configurations[0], 8)
-        assert proof.decided
-        assert proof.configurations == tuple(motion.configurations)
-        states = [[float(x) for x in state] for state in proof.states]
-        assert_allclose(motion.states, states, atol=1e-9)
+@pytest.mark.parametrize(("order", "sign"), [(range(2), 1), (range(2)[::-1], -1)])
+def test_motions_of_coupled_contacts_are_proved(order, sign):
+    system = drawn(3, 2, order, sign)
+    motion = ns.simulate(system, {}, [sign * 0.5, sign * -0.25, 0, 0, 1, 0], transitions=8)
+    begin = [str(x) for x in motion.states[0]]
+    proof = ns.certify.motion(system, {}, begin, motion.configurations[0], 8)
+    assert proof.decided
+    assert proof.configurations == tuple(motion.configurations)
+    states = [[float(x) for x in state] for state in proof.states]
+    assert_allclose(motion.states, states, atol=1e-9)
 
 
 def test_a_step_with_a_force_exactly_at_its_limit_is_not_proved():
@@ -161,12 +156,12 @@ def least(point, state, reached):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("seed", "count"), [(5, 2), (4, 3)])
-def test_the_choice_is_the_minimum(seed, count, monkeypatch):
+@pytest.mark.parametrize(("seed", "count", "sign"), [(5, 2, SIGN), (4, 3, 1)])
+def test_the_choice_is_the_minimum(seed, count, sign, monkeypatch):
     """And what minimises is tried first: nothing else has to be, where nothing is tied."""
     monkeypatch.setattr("nonsmooth.runtime.events.transition_choice.product", None)
-    system = declared(seed, count, list(range(count)))
-    point = piecewise(system, {"sign": 1})
+    system = drawn(seed, count, range(count), sign)
+    point = piecewise(system, {str(p.symbol): 1 for p in system.parameters})
     law = point.structure.law
     decider = Decider(point.structure, point.fields, point.rows, point.resets)
     rng, seen = np.random.default_rng(seed), set()

@@ -37,8 +37,8 @@ def start_of(count, seed):
         (30, None, 12),
         (10, 4, 40),
         (30, 12, 40),
-        slow(100, None, 12),
-        slow(100, 40, 30),
+        slow(70, None, 12),
+        slow(70, 40, 30),
     ],
 )
 def test_chains_follow_matrix_exponentials(count, rubbing, transitions, factored):

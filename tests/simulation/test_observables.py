@@ -121,7 +121,7 @@ def test_a_boundary_is_the_extreme_of_what_it_bounds():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("name", "last"), [(NAMES[3], 60), *((name, 28.3) for name in NAMES)])
+@pytest.mark.parametrize(("name", "last"), [*zip(NAMES, (28.3, 28.3, 28.3, 60), strict=True)])
 def test_averages_are_those_of_adaptive_quadrature(name, last):
     trajectory = motion(name)
     found = observe(trajectory, trajectory.end - last)

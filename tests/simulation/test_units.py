@@ -56,7 +56,7 @@ def compare(found, rate, wanted, wanted_rate=1):
     np.testing.assert_allclose(times, expected, rtol=0, atol=1e-8)
 
 
-SEEDS = [*(slow(k, when=k not in (0, 3)) for k in range(10))]
+SEEDS = [0, 3, *map(slow, (1, 2, 4, 5, 6, 9))]  # others of the first ten have no new element
 
 
 @pytest.mark.slow

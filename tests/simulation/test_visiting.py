@@ -25,11 +25,11 @@ from nonsmooth.derive.building import growing
 from nonsmooth.derive.document.describe import describe_system
 
 
-def rubbing(seed):
+def rubbing():
     """Three masses in a row on three belts."""
-    rng = np.random.default_rng(seed)
+    rng = np.random.default_rng(0)
     mass, stiffness, damping = chain_matrices(
-        rng.integers(1, 5, 3).tolist(), rng.integers(1, 9, 3).tolist(), [0, "0.01", 0]
+        rng.integers(1, 5, 3).tolist(), rng.integers(1, 9, 3).tolist(), [0, 0, 0]
     )
     kinetic = rng.integers(1, 9, 3)
     static = kinetic + rng.integers(0, 9, 3)
@@ -37,14 +37,12 @@ def rubbing(seed):
         Friction(f"x{k + 1}", int(a), int(b), velocity=speed, name=f"f{k + 1}")
         for k, (a, b, speed) in enumerate(zip(kinetic, static, ("1", "1/2", "-1"), strict=True))
     ]
-    return oscillator(
-        f"rubbing-{seed}", ["x1", "x2", "x3"], mass, stiffness, damping, elements=elements
-    )
+    return oscillator("rubbing", ["x1", "x2", "x3"], mass, stiffness, damping, elements=elements)
 
 
-def striking(seed):
+def striking():
     """Three masses in a row, each between its neighbours and a stop; the first is shaken."""
-    rng = np.random.default_rng(seed)
+    rng = np.random.default_rng(0)
     mass, stiffness, damping = chain_matrices(
         rng.integers(1, 5, 3).tolist(), rng.integers(1, 9, 3).tolist(), ["0.1", "0.1", "0.1"]
     )
@@ -54,52 +52,52 @@ def striking(seed):
         SoftStop("x3", at="0.7", stiffness=40, damping=1, name="s3"),
     ]
     return oscillator(
-        f"striking-{seed}", ["x1", "x2", "x3"], mass, stiffness, damping, elements=elements,
+        "striking", ["x1", "x2", "x3"], mass, stiffness, damping, elements=elements,
         forcing=[Harmonic("1.3", [int(rng.integers(4, 9)), 0, 0])],
     )  # fmt: skip
 
 
-def mixed(seed):
+def mixed():
     """A slider, and a contact that lifts."""
-    rng = np.random.default_rng(seed)
+    rng = np.random.default_rng(0)
     mass, stiffness, _ = chain_matrices([1, 2, 3], rng.integers(1, 9, 3).tolist())
     elements = [
         Slider("x2", stiffness=20, limit=1, name="slider"),
         Friction("x1", "0.2", "0.3", velocity="0.4", normal=2 + sp.Symbol("x3"), name="pad"),
     ]
     return oscillator(
-        f"mixed-{seed}", ["x1", "x2", "x3"], mass, stiffness, elements=elements,
+        "mixed", ["x1", "x2", "x3"], mass, stiffness, elements=elements,
         forcing=[Harmonic(2, [0, 3, 0])],
     )  # fmt: skip
 
 
-def alike(_):
+def alike():
     """Three equal masses, each with a stop."""
     elements = [RigidStop(x, at=1, restitution="0.5", name=f"s{x}") for x in ("x1", "x2", "x3")]
     return oscillator("alike", ["x1", "x2", "x3"], *([np.eye(3)] * 2), elements=elements)
 
 
 @cache
-def listed(make, seed):
+def listed(make):
     """One for all tests, with what was derived of it."""
-    found = make(seed)
+    found = make()
     assert not isinstance(found, growing.GrowingSystem)
     return found
 
 
-def visited(make, seed):
+def visited(make):
     """The same as a system of its own, in which nothing was visited."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(growing, "_LARGEST", 0)
-        found = make(seed)
+        found = make()
     assert isinstance(found, growing.GrowingSystem)
     return found
 
 
-def compared(make, seed, made, state, until):
+def compared(make, made, state, until):
     """The motion of a listed system, which is that of the visited one."""
     expected, found = (
-        ns.simulate(system, {}, state, until=until) for system in (listed(make, seed), made)
+        ns.simulate(system, {}, state, until=until) for system in (listed(make), made)
     )
     assert found.configurations == expected.configurations
     assert found.boundaries == expected.boundaries
@@ -118,11 +116,10 @@ def named(system, start):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("make", [rubbing, striking, mixed])
-@pytest.mark.parametrize("seed", range(3))
-def test_motions_are_those_of_the_listed_system(make, seed):
-    made, rng = visited(make, seed), np.random.default_rng(seed)
+def test_motions_are_those_of_the_listed_system(make):
+    made, rng = visited(make), np.random.default_rng(0)
     starts = [named(made, rng.uniform(-1, 1, 6) * 0.4) for _ in range(3)]
-    assert sum(len(compared(make, seed, made, s, 30).boundaries) for s in starts) >= 20
+    assert sum(len(compared(make, made, s, 30).boundaries) for s in starts) >= 20
 
 
 @pytest.mark.slow
@@ -136,11 +133,11 @@ def test_motions_are_those_of_the_listed_system(make, seed):
     ids=["at rest", "sticking", "pulled", "on all stops", "together"],
 )
 def test_special_starts_belong_where_the_listed_system_puts_them(make, start):
-    made, until = visited(make, 0), 20 if make is alike else 5
-    expected = compared(make, 0, made, named(made, np.array(start)), until)
+    made, until = visited(make), 20 if make is alike else 5
+    expected = compared(make, made, named(made, np.array(start)), until)
     if make is alike:
         assert len(expected.boundaries[1]) == 3
-        many = ns.simulate(visited(make, 0), {}, [start, start], until=until)
+        many = ns.simulate(visited(make), {}, [start, start], until=until)
         assert_allclose(many.states[0], expected(until), atol=1e-11)
 
 
@@ -150,24 +147,24 @@ def test_a_start_anywhere_belongs_where_the_listed_system_puts_it(make):
     """Each with a system of its own, in which nothing was visited before."""
     rng, configurations = np.random.default_rng(11), set()
     for number in range(4):
-        made = visited(make, 0)
+        made = visited(make)
         object.__setattr__(made, "name", f"{made.name}-{number}")
         state = named(made, rng.uniform(-2, 2, 6))
         state["x1"] = -abs(state["x1"])  # the stop of the first mass is rigid
         state["x2"] = abs(state["x2"])
         state |= {"s_slider": state["x2"]} if "s_slider" in state else {}
-        configurations.add(compared(make, 0, made, state, 0.5).configurations[0])
+        configurations.add(compared(make, made, state, 0.5).configurations[0])
     assert len(configurations) > 1
 
 
 @pytest.mark.slow
 def test_many_motions_are_those_of_the_listed_system():
-    made, rng = visited(striking, 2), np.random.default_rng(3)
+    made, rng = visited(striking), np.random.default_rng(3)
     starts = np.zeros((60, 8))
     starts[:, :6], starts[:, 6] = rng.uniform(-0.45, 0.45, (60, 6)), 1.0
     expected, found = (
         ns.simulate(system, {}, starts, until=20, keep=5, threads=2)
-        for system in (listed(striking, 2), made)
+        for system in (listed(striking), made)
     )
     names = [np.array(many.structure.configurations) for many in (expected, found)]
     assert_array_equal(names[0][expected.configurations], names[1][found.configurations])
