@@ -10,13 +10,11 @@ import time
 
 import numpy as np
 import pytest
-from numpy.testing import assert_allclose, assert_array_equal
 
 from nonsmooth import solve
 from nonsmooth.runtime.model.kernels import load_orbit
 from nonsmooth.runtime.model.loading import background, caching
 from nonsmooth.runtime.model.loading import load as loading
-from nonsmooth.runtime.model.loading.background import KernelLibrary
 from tests.user_systems import KICKED, declare
 
 compiler = pytest.mark.skipif(background.lacking() is not None, reason=str(background.lacking()))
@@ -85,40 +83,6 @@ def test_bits_are_the_same_at_every_level_of_optimisation(tmp_path, library):
     first, *others = (process.communicate()[0] for process in told)
     assert first.startswith("True ")
     assert others == [first, first]
-
-
-@pytest.mark.slow
-@compiler
-def test_tables_numpy_and_compiled_kernels_agree(tmp_path, filled, monkeypatch):
-    orbit = f"{declare(tmp_path)}:loop"
-    assert compiled(orbit)
-    rng = np.random.default_rng(3)
-    values = {"k": rng.uniform(0.3, 4, 40), "r": rng.uniform(0.05, 0.9, 40)}
-    fast = solve(orbit, values)
-    monkeypatch.setenv("NONSMOOTH_BACKEND", "numpy")
-    assert not compiled(orbit)
-    slow = solve(orbit, values)
-    phases = [("right", "falls"), ("left", "rises")]
-    near = [
-        np.pi / np.sqrt(values["k"]),
-        1.5 + 0 * values["k"],
-        0 * values["k"],
-        1 / (1 - values["r"]),
-    ]
-    system = orbit.removesuffix(":loop")
-    tables = solve(system, values, np.stack(near, axis=-1), itinerary=phases)
-    assert fast.converged.all()
-    assert fast.admissible.all()
-    for found in (slow, tables):
-        assert_array_equal(found.status, fast.status)
-        assert_array_equal(found.admissible, fast.admissible)
-        assert_allclose(found.period, fast.period, rtol=1e-13)
-        assert_allclose(found.trace, fast.trace, rtol=1e-11)
-    # in closed form: v = 1/(1 - r), half a turn on either side
-    assert_allclose(fast.unknowns["v0"], 1 / (1 - values["r"]), rtol=1e-13)
-    assert_allclose(
-        fast.period, np.pi / np.sqrt(values["k"]) + np.pi / 2, rtol=1e-13
-    )  # fmt: skip
 
 
 @compiler
@@ -203,7 +167,7 @@ def waiting(monkeypatch, cache):
     code = "import pickle, sys, time; pickle.load(sys.stdin.buffer)[1].mkdir(); time.sleep(600)"
     monkeypatch.setattr(background, "_CHILD", code)
     monkeypatch.setattr(background, "lacking", lambda: None)
-    library = KernelLibrary("k" * 16, "d" * 16, "kicked")
+    library = background.KernelLibrary("k" * 16, "d" * 16, "kicked")
     library.declare(lambda: ("system", ()))
     assert library.wanted(1.0) is None
     until = time.monotonic() + 300

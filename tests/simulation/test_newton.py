@@ -28,7 +28,7 @@ MASS, STIFFNESS = np.array([[2, 0.5], [0.5, 1]]), np.array([[2, -0.4], [-0.4, 3]
 DAMPING = np.array([[0.2, 0], [0, 0.1]])
 OBLIQUE, HARD = {"x": 1, "y": -0.25}, (0.8, 1.5)
 WAVE = [Harmonic("1.3", {"x": 0.5, "y": 2})]
-Y, V_Y, X, V = sp.symbols("y v_y x v")
+X, V = sp.symbols("x v")
 FALLING_LOAD = sp.sympify("1 - 1.2*y + 0.2*v_y")
 
 
