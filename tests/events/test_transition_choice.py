@@ -25,7 +25,7 @@ from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import TransitionShape
 from nonsmooth.runtime.proof.exact_tables import exact_system
 from tests.engines import with_both
-from tests.simulation.test_contact_law import declared
+from tests.simulation.test_contact_law import SIGN, drawn
 
 FRICTION = dict(chi="1/2", eta="1", V="1", us1="1", us2="3/4", ur1="3/2", ur2="5/4")
 PLACE = sp.Rational(65, 64)  # which no swing of a drawn start just touches
@@ -129,7 +129,7 @@ def test_a_start_passes_at_once_what_its_leading_derivative_leads_beyond(order, 
 @pytest.mark.compiled
 @pytest.mark.slow
 def test_balls_say_of_a_law_what_doubles_say():
-    system, data = declared(5, 2, [0, 1]), {"sign": "1"}
+    system, data = drawn(5, 2, range(2), SIGN), {"sign": "1"}
     exact = exact_system(system, data)
     structure, law, size = exact.structure, exact.structure.law, len(exact.structure.states)
     assert law is not None
