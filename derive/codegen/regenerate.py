@@ -105,7 +105,7 @@ def differences(folder: Path, wanted: Mapping[str, str]) -> tuple[str, ...]:
     """Differences between the files of a folder and the wanted texts, one for each file.
 
     Missing files come first, then the first line that differs of each file, those with readable
-    formulas before others, and last the names of files in which no line but stamps differs.
+    formulas before others, and last those in which stamps or ends of lines alone differ.
     """
     missing, changed, stamped = [], [], []
     for name, text in wanted.items():
@@ -119,8 +119,10 @@ def differences(folder: Path, wanted: Mapping[str, str]) -> tuple[str, ...]:
         if lines != derived:
             changed.append((_readability(path), _first_difference(name, lines, derived)))
         elif existing != text:
-            same = unstamped[0] == unstamped[1]
-            stamped.append(f"{name}: its {'stamps' if same else 'ends of lines'} alone")
+            ends = unstamped[0] != unstamped[1]
+            stamps = existing.splitlines() != text.splitlines()
+            told = " and ".join(["stamps"] * stamps + ["ends of lines"] * ends)
+            stamped.append(f"{name}: its {told} alone")
     return (*missing, *(told for _, told in sorted(changed)), *stamped)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import select
 import signal
 import socket
 import subprocess
@@ -31,7 +32,10 @@ def _received(request: socket.socket, length: int) -> bytes:
     """As many bytes as are asked for."""
     data = b""
     while len(data) < length:
-        data += request.recv(length - len(data))
+        part = request.recv(length - len(data))
+        if not part:
+            raise EOFError("whoever asked for a kernel is gone")
+        data += part
     return data
 
 
@@ -50,7 +54,7 @@ def _become_kernel(request: socket.socket) -> None:
 
 
 def _serve(listening: int) -> None:
-    """Import what pages need, and fork a kernel for each that asks."""
+    """Import what pages need, and fork a kernel for each that asks, until the build has ended."""
     import ipykernel.kernelapp  # noqa: F401
     import matplotlib.pyplot  # noqa: F401
     import matplotlib_inline.backend_inline  # noqa: F401
@@ -61,7 +65,8 @@ def _serve(listening: int) -> None:
     assert nonsmooth.solve, nonsmooth.derive.oscillator  # names are imported when they are used
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # nobody waits for those that have ended
     with socket.socket(fileno=listening) as server:
-        while True:
+        # its standard input is a pipe whose other end goes with the build, however that ends
+        while sys.stdin not in select.select([server, sys.stdin], [], [])[0]:
             request, _ = server.accept()
             with request:
                 if os.fork() == 0:
@@ -81,16 +86,18 @@ def setup(app: Any) -> dict[str, bool]:
     address = f"{folder.name}/socket"
     argv = [sys.executable, "-S", __file__, address, "-f", "{connection_file}"]
     specification.write_text(json.dumps({**_SPECIFICATION, "argv": argv}), encoding="utf-8")
-    os.environ["JUPYTER_PATH"] = folder.name
+    others = [path for path in (os.environ.get("JUPYTER_PATH"),) if path]
+    os.environ["JUPYTER_PATH"] = os.pathsep.join([folder.name, *others])
     with socket.socket(socket.AF_UNIX) as listening:
         listening.bind(address)
         listening.listen()
         number = listening.fileno()
-        server = subprocess.Popen([sys.executable, __file__, str(number)], pass_fds=[number])
+        server = subprocess.Popen(
+            [sys.executable, __file__, str(number)], stdin=subprocess.PIPE, pass_fds=[number]
+        )
 
     def finish(*_: object) -> None:
-        server.terminate()
-        server.wait()
+        server.communicate()
         folder.cleanup()
 
     app.connect("build-finished", finish)

@@ -186,6 +186,7 @@ def test_another_declaration_is_refused(belt, tmp_path):
     [
         (lambda rank: 2 * rank if rank > 0 else rank, None),  # ranks may be left out
         (lambda rank: min(rank, 1), "rank 1"),  # to a box of the same rank
+        (lambda rank: 9 - rank if rank > 0 else rank, "may lead elsewhere"),  # to a larger one
         (lambda rank: -1 if rank == 1 else rank, "rank 2"),  # to a box without a rank
         (lambda rank: -1 if rank > 0 else rank, "a tile may lead elsewhere"),
     ],

@@ -175,9 +175,7 @@ FEWER = {
     r"(certify doubling \S+) V=1:1.2": r"\1 V=1.07:1.09 --tiles 1",
     r"(certify box \S+) V=0.9:1.1 eta=0.9:1.1": r"\1 V=0.99:1.01 eta=0.99:1.01",
     r"(=[^ :]+:[^ :]+):\d\d+\b": r"\1:3",
-    r"(?<=find )(?!.*--starts)(.*)": r"\1 --starts 20",
     "--starts 800": "--starts 8",
-    "--transient 200": "--transient 20",
     "--boxes 64 --levels 3": "--boxes 8 --levels 1",
 }
 

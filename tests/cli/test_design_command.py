@@ -42,7 +42,6 @@ def test_wanted_values_that_are_not_reached():
 
 
 @pytest.mark.slow
-@pytest.mark.usefixtures("fewer_looks")
 def test_the_worst_along_a_branch(tmp_path):
     damper = f"{GALLERY / 'impact_damper.py'}:struck-twice"
     question = (

@@ -140,7 +140,7 @@ def library(tmp_path_factory):
         sources = [c_kernel(each, name.replace(" ", "_"), None) for each in case(name).kernels]
         file = tmp_path_factory.mktemp("flows") / "flows.c"
         file.write_text("\n".join(['#include "nonsmooth_differences.h"', *sources]))
-        return library_of(file)
+        return library_of(file, "-O2")
 
     return compiled_kernels
 

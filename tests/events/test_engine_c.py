@@ -27,7 +27,7 @@ def harness(tmp_path_factory):
         CHECKOUT / "runtime" / "engine" / f"{name}.c"
         for name in ("cell", "chain", "engine", "phase", "search", "tables", "factored")
     ]
-    flags = ["-std=c11", "-O0", "-g", "-Wall", "-Wextra", "-Werror"]
+    flags = ["-std=c11", "-O1", "-g", "-Wall", "-Wextra", "-Werror"]
     flags += [
         "-Dcalloc=failing_calloc",
         "-ffp-contract=off",

@@ -114,7 +114,7 @@ def test_friction_bounds_a_resonance_as_den_hartog_says(force):
 @pytest.mark.slow
 def test_a_start_that_leaves_an_unstable_orbit_does_not_escape():
     system = "docs/gallery/impact_oscillator.py"
-    found = find_orbits(system, {"w": "2.5555555", "sigma": "1/5", "r": "4/5"}, 15)
+    found = find_orbits(system, {"w": "2.5555555", "sigma": "1/5", "r": "4/5"}, 30)
     assert set(found.outcomes) == {Outcome.CHAOTIC}
     assert found.share(Outcome.CHAOTIC) > 0.8
 

@@ -124,7 +124,7 @@ def test_multipliers_are_those_of_one_turn(seed):
 @pytest.mark.parametrize("zeta", ["1e-14", "0", "1e-6"])
 def test_more_digits_confirm_a_verdict(zeta):
     data = {"zeta": zeta, "r": "1", "w": "2.6", "gap": "0.5"}
-    found = find_orbits(stopped(), data, 4, transitions=120, rng=1)
+    found = find_orbits(stopped(), data, 10, transitions=200, rng=1)
     regular = [entry.orbit for entry in found.orbits if entry.verdict != "unstable"]
     assert len(regular) > 1  # how many depends on the last bits of motions that nothing damps
     verdicts = {orbit.stability.verdict for orbit in regular}

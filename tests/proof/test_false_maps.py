@@ -114,6 +114,7 @@ FOLDED = {
 TOGETHER = {
     "a condition is left out": (lambda e: e["also"].pop(), "admissibility"),
     "another condition": (placing("also", 1, 2, "1.1"), "band|event|condition"),
+    "no such condition": (placing("also", 1, 2, "9.1"), "condition|admissib"),
     "other sides": (
         lambda e: e.update(below=e["above"], above=e["below"]), "verdicts|admissibility"
     ),

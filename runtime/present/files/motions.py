@@ -194,7 +194,7 @@ def _from_csv(found: bytes) -> tuple[dict[str, Any], MotionHeader, _Table]:
     header = MOTION.check_entries(entries)
     names = _columns(header.states)
     try:
-        rows = list(csv.reader(lines[count:]))
+        rows = list(csv.reader(lines[count:], strict=True))
     except csv.Error as problem:
         raise InputError(f"cut, or no table: {problem}") from None
     if len(rows) < 2 or rows[0] != names or any(len(row) != len(names) for row in rows):
