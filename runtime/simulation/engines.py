@@ -225,14 +225,10 @@ def in_order(ends: Trajectories) -> Trajectories:
     kept = ends.last_times.shape[1]
     if kept == 0:
         return ends
-    first = ends.transitions + 1 - kept
-    places = (first[:, None] + np.arange(kept)) % kept
-
-    def turned(array: np.ndarray) -> np.ndarray:
-        index = places.reshape(*places.shape, *[1] * (array.ndim - 2))
-        return np.take_along_axis(array, index, axis=1)
-
-    return Trajectories(ends.structure, *ends.arrays[:6], *map(turned, ends.arrays[6:]))
+    first = (ends.transitions + 1 - kept)[:, None]
+    places = np.arange(len(first))[:, None], (first + np.arange(kept)) % kept
+    turned = (array[places] for array in ends.arrays[6:])
+    return Trajectories(ends.structure, *ends.arrays[:6], *turned)
 
 
 def store_end(ends: Trajectories, place: int, system: PiecewiseLinear, run: Run) -> None:

@@ -209,15 +209,15 @@ def _covers(
         whole &= np.less_equal(uneven, _UNEVEN)
     found = np.zeros((count, count), dtype=bool)
     side = len(grid) // line  # samples of one end
+    unstable, about = inverses[:, 0].T, inverses @ centres[:, :, None]
     for i in np.flatnonzero(whole):
-        ends = images[i][[*range(side), *range(-side, 0)]] - centres[:, None]
-        along = np.einsum("jb,jpb->jp", inverses[:, 0], ends)
-        first, last = along[:, :side], along[:, side:]
-        crosses = (first < -_EDGE).all(axis=1) & (last > _EDGE).all(axis=1)
-        crosses |= (first > _EDGE).all(axis=1) & (last < -_EDGE).all(axis=1)
+        ends = images[i, :side], images[i, -side:]
+        first, last = (end @ unstable - about[:, 0, 0] for end in ends)
+        crosses = (first < -_EDGE).all(axis=0) & (last > _EDGE).all(axis=0)
+        crosses |= (first > _EDGE).all(axis=0) & (last < -_EDGE).all(axis=0)
         crossed = np.flatnonzero(crosses)
-        seen = np.einsum("jab,jpb->jpa", inverses[crossed], images[i] - centres[crossed, None])
-        away = (np.abs(seen[..., 0]) > _EDGE)[..., None] | (np.abs(seen[..., 1:]) < _INSIDE)
+        seen = np.abs(np.tensordot(inverses[crossed], images[i], (2, 1)) - about[crossed])
+        away = (seen[:, :1] > _EDGE) | (seen[:, 1:] < _INSIDE)
         found[i, crossed] = away.all(axis=(1, 2))
     return found, uneven
 
@@ -228,14 +228,17 @@ def _walks(covers: np.ndarray, centres: np.ndarray, frames: np.ndarray) -> list[
     Sets on them are disjoint. The walks choose among all sets, also those that meet: which are
     taken is decided on the way.
     """
-    meets = _meets(centres, frames)
+    covered, meeting = (
+        [set(np.flatnonzero(row).tolist()) for row in graph]
+        for graph in (covers, _meets(centres, frames))
+    )
     best: list[tuple[int, tuple[int, ...]]] = []
     for start in _recurrent(covers).tolist():
         most = best[-1][0] if len(best) == _KEPT else 2 * _LONGEST  # longer ones are not kept
-        closed = _way(covers, meets, [start], set(), most)
+        closed = _way(covered, meeting, [start], set(), most)
         if closed:
             edges = set(zip(closed, [*closed[1:], start], strict=True))
-            second = _way(covers, meets, closed, edges, most + 1 - len(closed))
+            second = _way(covered, meeting, closed, edges, most + 1 - len(closed))
             if second:
                 members = tuple(sorted({*closed, *second}))
                 best = sorted({*best, (len(members), members)})[:_KEPT]
@@ -253,33 +256,35 @@ def _recurrent(covers: np.ndarray) -> np.ndarray:
 
 
 def _way(
-    covers: np.ndarray, meets: np.ndarray, ends: list[int], gone: set[tuple[int, int]], most: int
+    covered: list[set[int]],
+    meeting: list[set[int]],
+    ends: list[int],
+    gone: set[tuple[int, int]],
+    most: int,
 ) -> list[int]:
     """At most `most` vertices of a short way from one of `ends` to one, without edges in `gone`.
 
     None of the sets on it meets another one or one of the ends. Empty where there is none.
     """
-    taken = meets[ends].any(axis=0)
-    goal = np.zeros(len(covers), dtype=bool)
-    goal[ends] = True
+    taken = set().union(*(meeting[end] for end in ends))
     queue = [[vertex] for vertex in ends]
     for way in queue:
         last = way[-1]
-        for other in np.flatnonzero(covers[last] & goal).tolist():
-            if (last, other) not in gone:
-                return way
+        if any((last, end) not in gone for end in covered[last].intersection(ends)):
+            return way
         if len(way) >= min(most, _LONGEST):
             continue
-        free = covers[last] & ~taken & ~meets[way].any(axis=0)
+        free = (covered[last] - taken).difference(*(meeting[vertex] for vertex in way))
         taken |= free
-        queue += [[*way, other] for other in np.flatnonzero(free).tolist()]
+        queue += [[*way, other] for other in sorted(free)]
     return []
 
 
 def _meets(centres: np.ndarray, frames: np.ndarray) -> np.ndarray:
     """Which sets meet, or nearly so (n, n): no side's direction separates them."""
     inverses = np.linalg.inv(frames)
-    between = np.einsum("iab,ijb->ija", inverses, centres[None] - centres[:, None])
-    reach = np.abs(np.einsum("iab,jbc->ijac", inverses, frames)).sum(axis=-1)
-    apart = (np.abs(between) - reach > _GAP).any(axis=-1)
+    places = np.tensordot(inverses, centres, (2, 1))  # of set j in coordinates a of i: (i, a, j)
+    between = places - np.diagonal(places, axis1=0, axis2=2).T[:, :, None]
+    reach = np.abs(np.tensordot(inverses, frames, (2, 1))).sum(axis=-1)
+    apart = (np.abs(between) - reach > _GAP).any(axis=1)
     return np.asarray(~(apart | apart.T))
