@@ -11,12 +11,14 @@ import subprocess
 import sys
 import tempfile
 import threading
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 __all__ = ["setup"]
 
 _SPECIFICATION = {"language": "python", "display_name": "Python 3", "interrupt_mode": "message"}
+_IMPORTED = ("ipykernel.kernelapp", "matplotlib.pyplot", "matplotlib_inline.backend_inline")
 
 
 def _ask(address: str, *arguments: str) -> None:
@@ -55,10 +57,8 @@ def _become_kernel(request: socket.socket) -> None:
 
 def _serve(listening: int) -> None:
     """Import what pages need, and fork a kernel for each that asks, until the build has ended."""
-    import ipykernel.kernelapp  # noqa: F401
-    import matplotlib.pyplot  # noqa: F401
-    import matplotlib_inline.backend_inline  # noqa: F401
-
+    for name in _IMPORTED:
+        import_module(name)
     import nonsmooth
     import nonsmooth.derive
 

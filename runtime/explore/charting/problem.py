@@ -709,10 +709,10 @@ def basin_problem(
                 " orbit"
             )
         if isinstance(start, Mapping) and name in start:
-            raise InputError(f"{name} is charted: --from gives the other states")
+            raise InputError(f"{name} is charted: the start gives the other states")
     for name in given:
         raise InputError(
-            f"{name} has one value: the parameters are those of {file}, and --from gives the"
+            f"{name} has one value: the parameters are those of {file}, and the start gives the"
             " other states"
         )
     if not found.orbits and not found.equilibria:

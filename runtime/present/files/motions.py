@@ -203,7 +203,7 @@ def _from_csv(found: bytes) -> tuple[dict[str, Any], MotionHeader, _Table]:
     try:
         numbers = np.array([list(map(float, columns[i])) for i in (0, *range(3, len(names)))])
     except ValueError as problem:
-        raise InputError(str(problem)) from None
+        raise InputError(f"cut, or no table: {problem}") from None
     size = len(header.states)
     states, before = numbers[1 : size + 1].T.copy(), numbers[size + 1 :].T.copy()
     return (

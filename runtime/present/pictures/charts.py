@@ -9,7 +9,13 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.charting.classes import Part, parts_of, title_of
 from nonsmooth.runtime.model.naming import symbol, with_unit
-from nonsmooth.runtime.present.pictures.drawing import SHADES, drawn_alone, finish, shaded
+from nonsmooth.runtime.present.pictures.drawing import (
+    SHADES,
+    drawn_alone,
+    finish,
+    shaded,
+    widen,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -45,10 +51,12 @@ def chart_figure(chart: Dataset) -> Figure:
     """
     chart = chart.squeeze()
     names = [str(name) for name in chart.sizes]
-    if len(names) not in (1, 2):
+    if not names:
+        raise InputError("a chart of one point has no picture: give more values")
+    if len(names) > 2:
         raise InputError(
-            f"a chart of {len(names)} parameters is drawn one plane at a time:"
-            " chart_figure(load_chart(F).isel(NAME=0))"
+            f"a chart of {len(names)} parameters is drawn one plane at a time: chart it with one"
+            " value of each of the others"
         )
     thin = chart.isel({name: slice(None, None, -(-n // _MOST)) for name, n in chart.sizes.items()})
     thin = thin.load()
@@ -172,6 +180,7 @@ def _draw_line(axes: Axes, chart: Dataset, parts: list[Part], colors: list[str])
     if shown == "trace":
         for level in (-1.0, 1.0):
             axes.axhline(level, color="0.3", linewidth=0.9, linestyle=":")
+    widen(axes)
     axes.set_ylabel(with_unit(shown, str(chart[shown].attrs.get("units", ""))))
 
 
