@@ -12,6 +12,7 @@ from setuptools.command.build_ext import build_ext
 # choose between two results use vectors.
 FLAGS = ["-O3", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math"]
 FLAGS += ["-fopenmp-simd", "-DNONSMOOTH_OPENMP_SIMD"]  # no macro says that the first is given
+FLAGS += ["-DNONSMOOTH_EVERY_PROCESSOR"]
 FLAGS += ["-fvisibility=hidden"]  # calls between the files of an extension are direct
 FLAGS_OF_MSVC = ["/std:c11", "/O2", "/fp:precise"]  # C89 without the first: no `restrict`
 # One build serves Python 3.11 and all later ones; those without a lock know no such interface.

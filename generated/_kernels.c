@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 8652a8f557172242 */
+ * SymPy 1.14.0, derivation 61ee8a31c49812be */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 

@@ -15,7 +15,7 @@ from tests.sums import trigonometric
 pytestmark = needs_compiler
 
 FLAGS = ("-fno-math-errno", "-fno-trapping-math")
-VECTORS = ("-fopenmp-simd", "-DNONSMOOTH_OPENMP_SIMD")
+VECTORS = ("-fopenmp-simd", "-DNONSMOOTH_OPENMP_SIMD", "-DNONSMOOTH_EVERY_PROCESSOR")
 DRIVER = """
 #include "nonsmooth_sums.h"
 #define CLONED NONSMOOTH_MULTIVERSION

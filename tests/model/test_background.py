@@ -94,6 +94,12 @@ def test_another_declaration_has_no_compiled_kernels(tmp_path, filled):
 
 
 @compiler
+def test_kernels_for_wider_vectors_are_not_loaded(tmp_path, filled, monkeypatch):
+    monkeypatch.setattr(background, "vectors", lambda: "none")
+    assert not compiled(f"{declare(tmp_path)}:loop")
+
+
+@compiler
 @pytest.mark.parametrize("damage", ["cut", "other", "written by others", "link"])
 def test_what_is_damaged_or_open_to_others_is_not_loaded(tmp_path, filled, damage):
     content = filled.read_bytes()

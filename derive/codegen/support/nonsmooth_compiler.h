@@ -2,8 +2,10 @@
 #ifndef NONSMOOTH_COMPILER_H
 #define NONSMOOTH_COMPILER_H
 
-/* One build serves processors with AVX-512, AVX2 and neither; all give the same bits. */
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__GLIBC__)
+/* One build serves processors with AVX-512, AVX2 and neither with -DNONSMOOTH_EVERY_PROCESSOR; it
+ * takes three times as long. Builds for one of them (-mavx2, -march=native) have the same bits, with
+ * -ffp-contract=off. */
+#if defined(NONSMOOTH_EVERY_PROCESSOR) && defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__GLIBC__)
 #define NONSMOOTH_MULTIVERSION __attribute__((target_clones("avx512f", "avx2", "default")))
 #else
 #define NONSMOOTH_MULTIVERSION

@@ -101,7 +101,8 @@ def chart(
         takes that is reached from `start`.
     start : mapping of state to number, or sequence
         Of these motions; of basins the states that are not swept, 0 and the phase 0 of a
-        forcing where they are not named.
+        forcing where they are not named. A sequence has all states: of basins, what it says of
+        swept ones is not read.
     transitions : int
         After which they are looked at.
     scheduler : str, optional

@@ -695,8 +695,9 @@ def basin_problem(
     """A chart of basins over the states `swept`, with all names and values checked.
 
     `file` holds found orbits. `start` gives the other states; those that it does not name
-    are 0. `given` has to be empty, because the parameters are those of the file. A file
-    without orbit or equilibrium is refused.
+    are 0. As a sequence it has all states, of which the charted ones are not read. `given` has to
+    be empty, because the parameters are those of the file. A file without orbit or equilibrium is
+    refused.
     """
     data = registered("held_found")(file)
     kernels, found, _ = _known(data)
@@ -721,7 +722,9 @@ def basin_problem(
     if start is None or isinstance(start, Mapping):
         free = [name for k, name in enumerate(structure.states) if k not in structure.forced]
         begin = dict.fromkeys(free, 0) | dict(start or {})
-    return BasinProblem(data, tuple(start_state(structure, begin).tolist()))
+    state = start_state(structure, begin)
+    state[[structure.states.index(name) for name in swept]] = 0.0  # each point has its own
+    return BasinProblem(data, tuple(state.tolist()))
 
 
 def held_basin_problem(identity: Mapping[str, Any], held: Mapping[str, Any]) -> BasinProblem:

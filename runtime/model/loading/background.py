@@ -11,6 +11,7 @@ for them waits, so that it is never the time that decides which way an orbit is 
 
 from __future__ import annotations
 
+import hashlib
 import logging
 import os
 import pickle
@@ -38,7 +39,12 @@ from nonsmooth.runtime.model.loading.caching import (
     stored,
     stored_library,
 )
-from nonsmooth.runtime.model.loading.compiling import compile_files, compiler, load_extension
+from nonsmooth.runtime.model.loading.compiling import (
+    compile_files,
+    compiler,
+    load_extension,
+    vectors,
+)
 
 _WORTH_BUILDING = 0.1  # seconds that NumPy takes for all that was asked for
 _WORTH_WAITING = 2.0  # seconds that NumPy takes for what is asked for at once
@@ -107,7 +113,7 @@ class KernelLibrary:
     def _found(self) -> ModuleType | None:
         if self.derivation is None and stored(self.key) is None:  # both are made again
             return None
-        path = stored_library(self.key)
+        path = stored_library(_key_here(self.key))
         module = None if path is None else load_extension(path)
         found = getattr(module, f"derivation_{self.stem}", None)
         return module if found is not None and self.derivation in (None, found) else None
@@ -192,6 +198,11 @@ def _begin(key: str, declared: Declaration | None) -> _Build | None:
     return _Build(process, work, time.monotonic())
 
 
+def _key_here(key: str) -> str:
+    """The key of the kernels that are compiled for this processor: others share the folder."""
+    return hashlib.sha256(f"{key} {vectors()}".encode()).hexdigest()
+
+
 def lacking() -> str | None:
     """What is missing for a compilation, in words; None if nothing is known to be missing."""
     if os.name != "posix":
@@ -213,8 +224,8 @@ def build() -> None:
         files = system.library(orbits)
         (text,) = (text for name, text in files.items() if name.endswith(".py"))
         cached(key, lambda: text)
-        for name, content in compile_files(files, folder).items():
-            store_library(key, name, content)
+        for name, content in compile_files(files, folder, here=True).items():
+            store_library(_key_here(key), name, content)
     except Exception as problem:
         sys.exit(" ".join(f"{type(problem).__name__}: {problem}".split()))
     finally:
