@@ -585,6 +585,7 @@ def test_the_cache_is_bounded(tmp_path, monkeypatch):
     for place, key in enumerate(keys[:3]):
         caching.cached(key, lambda: 700 * "#")
         os.utime(tmp_path / f"{key}.py", (place, place))
+    keys[3] += "-avx2"
     caching.store_library(keys[3], "_kernels.abi3.so", 100 * b"-")
     assert caching.stored(keys[0]) is not None  # is used: the next is the oldest
     caching.cached(keys[4], lambda: 1000 * "#")

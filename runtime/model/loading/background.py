@@ -11,7 +11,6 @@ for them waits, so that it is never the time that decides which way an orbit is 
 
 from __future__ import annotations
 
-import hashlib
 import logging
 import os
 import pickle
@@ -200,7 +199,7 @@ def _begin(key: str, declared: Declaration | None) -> _Build | None:
 
 def _key_here(key: str) -> str:
     """The key of the kernels that are compiled for this processor: others share the folder."""
-    return hashlib.sha256(f"{key} {vectors()}".encode()).hexdigest()
+    return f"{key}-{vectors()}" if vectors() else key
 
 
 def lacking() -> str | None:

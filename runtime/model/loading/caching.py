@@ -32,8 +32,8 @@ from nonsmooth.runtime.core.files import PARTIAL, read_file, write_file
 MOST_BYTES = 256 << 20  # of the folder's entries together
 _FORGOTTEN = 3600.0  # seconds after which what a killed process left is removed
 _CHECKSUM = "# sha256 "
-# derived text and compiled kernels, by the hash of what they are made from
-_ENTRY = re.compile(r"[0-9a-f]{16,}(\.py|-[0-9a-f]{32}\..+)")
+# derived text and compiled kernels, by the hash of what they are made from, and for which vectors
+_ENTRY = re.compile(r"[0-9a-f]{16,}(\.py|(-\w+)?-[0-9a-f]{32}\..+)")
 
 
 def cache_folder() -> Path | None:
