@@ -12,73 +12,116 @@ eigenvalues are found once for all frequencies of a forcing.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from nonsmooth.runtime.model.factored_flows import matrices_of
 from nonsmooth.runtime.model.modes.natural_units import dependence
-from nonsmooth.runtime.model.modes.simple_modes import NumericModes, is_moderate, simple_modes
+from nonsmooth.runtime.model.modes.simple_modes import ModeGroup, is_moderate, simple_modes
 from nonsmooth.runtime.model.structure import mode_shapes
 
 _RESONANCE = 1e-6  # of the largest eigenvalue: nearer to it a response is not told well
 
 
 def driven_modes(
-    field: np.ndarray, modes_of: Callable[[np.ndarray], NumericModes]
-) -> NumericModes | None:
-    """Modes of y' = A y + b from those of its driving states and of the states they drive.
+    fields: np.ndarray, modes_of: Callable[[np.ndarray], list[ModeGroup]]
+) -> list[ModeGroup]:
+    """Modes of motions y' = A y + b from those of their driving states and of what these drive.
 
-    `field` (N, N + 1) is A, then b, and finite; `modes_of` gives the modes of the driving
-    states' own field. None if no state drives others, if the driving states' modes are chains, or
-    if double precision does not determine the modes of the rest or their response.
+    `fields` (n, N, N + 1) are A, then b, and finite; `modes_of` gives the modes of the driving
+    states' own fields. Motions are left out in which no state drives others, if the driving
+    states' modes are chains, and if double precision does not determine the modes of the rest or
+    their response.
     """
-    size = len(field)
-    whole = np.vstack([field, np.zeros(size + 1)])
-    depends = dependence(whole[None])[0]
+    count, _, columns = fields.shape
+    whole = np.concatenate([fields, np.zeros((count, 1, columns))], axis=1)
+    depends = dependence(whole).reshape(count, -1)
+    alike = (depends == depends[:1]).all()
+    groups = []
+    for pattern in depends[:1] if alike else np.unique(depends, axis=0):
+        places = np.flatnonzero((depends == pattern).all(axis=1))
+        for group in _alike(whole[places], pattern.reshape(columns, columns), modes_of):
+            small = np.flatnonzero(is_moderate(group.flows[0], fields[places[group.places]]))
+            if len(small):
+                found = (group.exponents[small], (group.flows[0][small],))
+                groups.append(ModeGroup(places[group.places[small]], group.shapes, *found))
+    return groups
+
+
+def _alike(
+    whole: np.ndarray, depends: np.ndarray, modes_of: Callable[[np.ndarray], list[ModeGroup]]
+) -> Iterator[ModeGroup]:
+    """Modes of motions with one `dependence` (N + 1, N + 1), of matrices (n, N + 1, N + 1)."""
     together = depends & depends.T
     drives = (depends & ~together).any(axis=0)
     # states that depend on each other, and on which no others depend
     driven = ~drives & (together.sum(axis=1) > 1)
     rest, drivers = np.flatnonzero(driven), np.flatnonzero(~driven)  # the last one is the 1
     if not len(rest) or len(drivers) < 2:
-        return None
-    matrix, load = whole[np.ix_(rest, rest)], whole[np.ix_(rest, drivers)]
-    structure = simple_modes(np.hstack([matrix, np.zeros((len(rest), 1))])[None])
-    if not structure:
-        return None
-    free, own = structure[0], modes_of(whole[np.ix_(drivers[:-1], drivers)])
-    if any(shape.joined or shape.paired for shape in own.shapes):
-        return None
-    poles = own.exponents @ (1, 1j)
-    distances = np.abs(poles[:, None] - free.exponents[0][1:] @ (1, 1j))
-    if distances.min() <= _RESONANCE * np.abs(free.exponents).max():
-        return None
-    driving, flows = matrices_of(own.flows), free.flows[0][0, 1:]
-    terms = np.zeros((len(driving) + len(flows), size + 1, size + 1))
-    moved = np.zeros((len(driving), len(drivers), len(drivers)))
-    moved[:, :-1], moved[0, -1, -1] = driving, 1.0
-    start = np.zeros((len(rest), len(drivers)))
-    for pole, shape in zip(poles.tolist(), own.shapes, strict=True):
-        following = np.zeros_like(load, dtype=complex)
+        return
+    matrices, loads, forcing = (
+        np.ascontiguousarray(whole[:, rows[:, None], columns])
+        for rows, columns in ((rest, rest), (rest, drivers), (drivers[:-1], drivers))
+    )
+    unloaded = np.zeros((len(whole), len(rest), 1))
+    for free in simple_modes(np.concatenate([matrices, unloaded], axis=-1)):
+        for own in modes_of(forcing[free.places]):
+            if any(shape.joined or shape.paired for shape in own.shapes):
+                continue
+            poles, ends = own.exponents @ (1, 1j), free.exponents[own.places, 1:]
+            distances = np.abs(poles[:, :, None] - (ends @ (1, 1j))[:, None]).min(axis=(1, 2))
+            far = np.flatnonzero(distances > _RESONANCE * np.abs(ends).max(axis=(1, 2)))
+            if not len(far):
+                continue
+            at = own.places[far]
+            places = free.places[at]
+            parts = (own.flows[0][far], free.flows[0][at, 1:], poles[far])
+            try:
+                terms = _terms(matrices[places], loads[places], *parts, own, rest, drivers)
+            except np.linalg.LinAlgError:  # of one of them; each is tried by itself
+                continue
+            shapes = mode_shapes((s.length, s.oscillates) for s in (*own.shapes, *free.shapes[1:]))
+            exponents = np.concatenate([own.exponents[far], ends[far]], axis=1)
+            found = np.where(depends, terms, 0.0)[:, :, :-1]
+            yield ModeGroup(places, shapes, exponents, (found,))
+
+
+def _terms(
+    matrices: np.ndarray,
+    loads: np.ndarray,
+    driving: np.ndarray,
+    flows: np.ndarray,
+    poles: np.ndarray,
+    own: ModeGroup,
+    rest: np.ndarray,
+    drivers: np.ndarray,
+) -> np.ndarray:
+    """Matrices (n, functions, N + 1, N + 1) of motions x' = A x + G z, from those of z and of A.
+
+    `matrices` (n, r, r) are A, `loads` (n, r, d) are G; `driving` (n, f, d - 1, d) and `poles`
+    (n, modes) are those of z, whose shapes are those of `own`; `flows` (n, g, r, r + 1) are those
+    of A. `rest` and `drivers` are the places of x and of z.
+    """
+    count, size, whole = len(rest), len(drivers), len(rest) + len(drivers)
+    terms = np.zeros((len(loads), driving.shape[1] + flows.shape[1], whole, whole))
+    moved = np.zeros((*driving.shape[:2], size, size))
+    moved[:, :, :-1], moved[:, 0, -1, -1] = driving, 1.0
+    start = np.zeros((len(loads), count, size))
+    for pole, shape in zip(poles.T[..., None, None], own.shapes, strict=True):
+        following = np.zeros_like(loads, dtype=complex)
         for k in reversed(range(shape.length)):
             turns = 1 + shape.oscillates
             places = shape.places[turns * k : turns * (k + 1)]
-            term = moved[places[0]] - (1j * moved[places[1]] if shape.oscillates else 0.0)
+            term = moved[:, places[0]] - (1j * moved[:, places[1]] if shape.oscillates else 0.0)
             following = np.linalg.solve(
-                pole * np.eye(len(rest)) - matrix, load @ term - (k + 1) * following
+                pole * np.eye(count) - matrices, loads @ term - (k + 1) * following
             )
-            parts = (following.real, -following.imag)
-            for place, part in zip(places, parts, strict=False):
-                terms[place][np.ix_(rest, drivers)] = part
-                terms[place][np.ix_(drivers, drivers)] = moved[place]
+            for place, part in zip(places, (following.real, -following.imag), strict=False):
+                terms[:, place, rest[:, None], drivers] = part
+                terms[:, place, drivers[:, None], drivers] = moved[:, place]
         start += following.real
-    for place, flow in enumerate(flows[:, :, :-1], len(moved)):
-        terms[place][np.ix_(rest, rest)] = flow
-        terms[place][np.ix_(rest, drivers)] = -flow @ start
-    found = np.where(depends, terms, 0.0)[:, :size]
-    if not is_moderate(found, field):
-        return None
-    shapes = mode_shapes((s.length, s.oscillates) for s in (*own.shapes, *free.shapes[1:]))
-    exponents = np.concatenate([own.exponents, free.exponents[0][1:]])
-    return NumericModes(shapes, exponents, found)
+    for place in range(flows.shape[1]):
+        flow, there = flows[:, place, :, :-1], driving.shape[1] + place
+        terms[:, there, rest[:, None], rest] = flow
+        terms[:, there, rest[:, None], drivers] = -flow @ start
+    return terms

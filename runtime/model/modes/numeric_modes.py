@@ -11,10 +11,10 @@ cluster end at its size where its eigenvalues are equal, and a little later wher
 
 The first of four ways that succeeds is taken:
 
-- `simple_modes` where all eigenvalues are apart, for a whole stack of fields: it serves sweeps.
+- `simple_modes` where all eigenvalues are apart.
 - `driven_modes` where only what drives a structure has equal eigenvalues, as a held coordinate and
-  a constant: it costs half of the next, and a forcing may be faster than the structure by any
-  factor.
+  a constant: a forcing may be faster than the structure by any factor. Both take a whole stack of
+  fields: they serve sweeps.
 - `subspace_modes` where other eigenvalues are equal, and always from `LARGE` states on.
 - `precise_modes`, in many digits, where eigenvalues are neither equal nor apart: chains of at most
   seven that nearly meet. More of them are refused.
@@ -85,7 +85,7 @@ def grouped_modes(fields: np.ndarray, rows: np.ndarray) -> list[ModeGroup]:
     finite = np.flatnonzero(np.isfinite(fields).all(axis=(-2, -1)))
     groups = []
     if len(finite) > _FEW and fields.shape[1] < LARGE:
-        for group in _simple_modes(fields[finite], rows[finite]):
+        for group in _modes_of_many(fields[finite], rows[finite]):
             groups.append(group._replace(places=finite[group.places]))
     members: dict[tuple[ModeShape, ...], list[tuple[int, NumericModes]]] = {}
     for place in sorted({*range(count)}.difference(*(g.places.tolist() for g in groups))):
@@ -140,18 +140,33 @@ def _remembered(size: int) -> Callable[[bytes, float], NumericModes]:
     return modes
 
 
-def _simple_modes(fields: np.ndarray, rows: np.ndarray) -> list[ModeGroup]:
-    """Modes of the motions of a stack with distinct eigenvalues, computed in natural units."""
+def _modes_of_many(fields: np.ndarray, rows: np.ndarray) -> list[ModeGroup]:
+    """Modes of the motions of a stack that `_by_stacks` finds, computed in natural units."""
     units = natural_units(fields, fall_rates(fields, rows))
     scaled = units.fields(fields)
     near = np.flatnonzero(np.isfinite(scaled).all(axis=(-2, -1)))
     groups = []
-    for group in simple_modes(scaled[near]):
+    for group in _by_stacks(scaled[near]):
         places = near[group.places]
         own = units.at(places)
         exponents, flows = own.exponents(group.exponents), own.flows(group.shapes, group.flows)
         groups.append(ModeGroup(places, group.shapes, exponents, flows))
     return groups
+
+
+def _by_stacks(fields: np.ndarray) -> list[ModeGroup]:
+    """Modes of the motions of a stack that are simple or driven; others are left out."""
+    groups = simple_modes(fields)
+    rest = np.setdiff1d(np.arange(len(fields)), [p for g in groups for p in g.places.tolist()])
+    if not len(rest):
+        return groups
+    driven = driven_modes(fields[rest], _without_boundaries)
+    return [*groups, *(group._replace(places=rest[group.places]) for group in driven)]
+
+
+def _without_boundaries(fields: np.ndarray) -> list[ModeGroup]:
+    """Modes of motions in front of no boundary."""
+    return grouped_modes(fields, np.empty((len(fields), 0, fields.shape[-1])))
 
 
 def _found(field: np.ndarray, rate: float) -> NumericModes:
@@ -167,10 +182,8 @@ def _found_in_natural_units(field: np.ndarray) -> NumericModes:
     """Modes of one motion by the first way that succeeds; `LinAlgError` if none can."""
     size = len(field)
     if size < LARGE:
-        for group in simple_modes(field[None]):
+        for group in _by_stacks(field[None]):
             return NumericModes(group.shapes, group.exponents[0], group.flows[0][0])
-        if (driven := driven_modes(field, numeric_modes)) is not None:
-            return driven
     if not np.abs(field).max(initial=0.0) < _FAR_APART:
         raise np.linalg.LinAlgError
     whole = np.vstack([field, np.zeros(size + 1)])
