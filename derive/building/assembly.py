@@ -203,7 +203,7 @@ class Assembly:
     def unheld(self, regimes: Regimes) -> tuple[sp.Expr, ...]:
         """Acceleration along each holder's direction, without the forces of all holders."""
         accelerations = self.rows(self.holders) * self.frame.inverse * self._switched(regimes)
-        return tuple(self.frame.tidy(sp.expand(each)) for each in accelerations)
+        return tuple(map(self.frame.tidy, accelerations))
 
     def _forces(self, regimes: Regimes) -> sp.Matrix:
         """Generalized forces (n x 1), without the reactions of active parts."""
@@ -249,8 +249,8 @@ class Assembly:
                 for i, (place, weight) in held.items()
             }
         return (
-            sp.ImmutableMatrix(acceleration.applyfunc(lambda f: frame.tidy(sp.expand(f)))),
-            {i: frame.tidy(sp.expand(f)) for i, f in reactions.items()},
+            sp.ImmutableMatrix(acceleration.applyfunc(frame.tidy)),
+            {i: frame.tidy(f) for i, f in reactions.items()},
         )
 
     @remembered

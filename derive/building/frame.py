@@ -131,7 +131,7 @@ class Frame:
     @remembered
     def tidy(self, function: sp.Expr) -> sp.Expr:
         """An affine function of the state with its coefficients in lowest terms."""
-        slopes, constant = self.terms(function)
+        slopes, constant = self.terms(sp.expand(function))
         return sp.Add(cancel(constant), *(cancel(slope) * s for s, slope in slopes.items()))
 
     def terms(self, function: sp.Expr) -> tuple[dict[sp.Symbol, sp.Expr], sp.Expr]:

@@ -158,15 +158,8 @@ class GrowingSystem(System):
         """The configuration of that name, made now; DeclarationError refuses an unknown one."""
         return self.assembly.configuration(self._regimes(name))
 
-    def transition(self, source: str, boundary: str, target: str) -> Transition:
-        """The first transition from a source by a boundary to a target, made now.
-
-        DeclarationError says that there is none.
-        """
-        for found in transitions_at(self.assembly, self._regimes(source), {boundary}):
-            if found.target == target:
-                return found
-        raise DeclarationError(f"no transition leads from {source!r} by {boundary!r} to {target!r}")
+    def _transitions_at(self, source: str, boundaries: frozenset[str]) -> Iterable[Transition]:
+        return transitions_at(self.assembly, self._regimes(source), boundaries)
 
     @cached_property
     def regimes(self) -> tuple[tuple[str, tuple[str, ...]], ...]:

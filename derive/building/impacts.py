@@ -10,7 +10,7 @@ impact leaves undecided is a boundary at which the next configuration starts, an
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain, combinations, compress, permutations, product
 
 import sympy as sp
@@ -38,28 +38,24 @@ def impacts(
     `reached` are stops at which the mass may arrive, `moved` all parts that have reached a
     boundary, and `landing` friction contacts that regain their normal load.
     """
-    for number, struck, impact in _ordered(assembly, regimes, reached):
-        for settled in _settled(assembly, regimes, impact, struck, moved, landing):
-            yield number, settled
-
-
-def _ordered(
-    assembly: Assembly, regimes: Regimes, reached: Sequence[int]
-) -> Iterator[tuple[int, Sequence[int], _Impact]]:
-    """Number of the order, stops that are struck, and impact, friction being left as it was."""
     velocities = sp.Matrix(assembly.frame.velocities)
     law = assembly.simultaneous_impacts if _interact(assembly, regimes, reached) else "sequence"
+    ways: Iterable[tuple[int, Sequence[int], _Impact]]
     if law == "moreau":
-        for struck, impact in _at_once(assembly, regimes, reached, velocities):
-            yield 0, struck, impact
-        return
-    orders = [tuple(reached)] if law == "sequence" else list(permutations(reached))
-    for number, order in enumerate(orders, start=len(orders) > 1):
-        for strikes in product((True, False), repeat=len(order)):
-            struck = tuple(compress(order, strikes))
-            if struck:
-                for impact in _struck(assembly, regimes, struck, velocities):
-                    yield number, struck, impact
+        at_once = _at_once(assembly, regimes, reached, velocities)
+        ways = ((0, struck, impact) for struck, impact in at_once)
+    else:
+        orders = [tuple(reached)] if law == "sequence" else list(permutations(reached))
+        ways = (
+            (number, struck, impact)
+            for number, order in enumerate(orders, start=len(orders) > 1)
+            for strikes in product((True, False), repeat=len(order))
+            if (struck := tuple(compress(order, strikes)))
+            for impact in _struck(assembly, regimes, struck, velocities)
+        )
+    for number, stops, impact in ways:  # friction is still as it was
+        for settled in _settled(assembly, regimes, impact, stops, moved, landing):
+            yield number, settled
 
 
 def _closed(assembly: Assembly, regimes: Regimes, stops: Sequence[int]) -> list[int]:

@@ -9,6 +9,7 @@ from typing import ClassVar
 import sympy as sp
 
 from nonsmooth.derive.declaration.configuration import Boundary
+from nonsmooth.derive.symbols import Values
 
 # functions of the state that are not positive in a regime, and those that vanish in it
 Conditions = tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]
@@ -20,7 +21,7 @@ class Exit:
 
     boundary: Boundary
     target: str
-    reset: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    reset: Values = field(default_factory=dict)
 
 
 @dataclass(frozen=True, eq=False)

@@ -182,7 +182,7 @@ def reduce_structure(
         raise DeclarationError(
             f"keep is {shown(keep)}, not a row of places or names of coordinates"
         )
-    kept = tuple(_place(which, names, "keep") for which in keep)
+    kept = [_place(which, names, "keep") for which in keep]
     check_unique([names[i] for i in kept], "kept coordinate")
     if isinstance(modes, bool) or not isinstance(modes, int | np.integer) or modes < 0:
         raise DeclarationError(f"modes is {shown(modes)}, not a number of modes")
@@ -202,7 +202,7 @@ def reduce_structure(
         reduced.stiffness,
         _carried(structure.damping, reduced.transformation),
         reduced.transformation,
-        kept,
+        tuple(kept),
         names,
         reduced.cutoff,
         method,
@@ -216,12 +216,12 @@ class _Reduced(NamedTuple):
     cutoff: float
 
 
-def _craig_bampton(structure: Structure, kept: Sequence[int], count: int) -> _Reduced:
+def _craig_bampton(structure: Structure, kept: list[int], count: int) -> _Reduced:
     mass, stiffness, _ = structure
     size, held = mass.shape[0], len(kept)
     others = np.setdiff1d(np.arange(size), kept)
     transformation = np.zeros((size, held + count))
-    transformation[list(kept), range(held)] = 1
+    transformation[kept, range(held)] = 1
     inner = stiffness[others][:, others]
     if held and len(others):
         factor = Factor(inner)
@@ -230,7 +230,7 @@ def _craig_bampton(structure: Structure, kept: Sequence[int], count: int) -> _Re
                 "stiffness is not positive definite where all kept coordinates are held: keep"
                 " coordinates that hold the structure, or take free-interface modes"
             )
-        transformation[others, :held] = -factor(stiffness[others][:, list(kept)].toarray())
+        transformation[others, :held] = -factor(stiffness[others][:, kept].toarray())
     squares, shapes, cutoff = _modes(inner, mass[others][:, others], count)
     transformation[others, held:] = shapes
     # by theory, to the last bit: modes have unit mass, and no stiffness in common with the rest
@@ -242,14 +242,14 @@ def _craig_bampton(structure: Structure, kept: Sequence[int], count: int) -> _Re
     return _Reduced(transformation, reduced_mass, reduced_stiffness, cutoff)
 
 
-def _free_interface(structure: Structure, kept: Sequence[int], count: int) -> _Reduced:
+def _free_interface(structure: Structure, kept: list[int], count: int) -> _Reduced:
     mass, stiffness, _ = structure
     held = len(kept)
     squares, shapes, cutoff = _modes(stiffness, mass, count)
     if not held:
         return _Reduced(shapes, np.eye(count), np.diag(squares), cutoff)
     residual = _residual(structure, kept, squares, shapes)
-    flexibility = (residual[list(kept)] + residual[list(kept)].T) / 2
+    flexibility = (residual[kept] + residual[kept].T) / 2
     values = np.linalg.eigvalsh(flexibility)
     if values[0] <= 1e-10 * values[-1]:
         raise DeclarationError(
@@ -258,9 +258,9 @@ def _free_interface(structure: Structure, kept: Sequence[int], count: int) -> _R
     inverse = np.linalg.inv(flexibility)
     inverse = (inverse + inverse.T) / 2
     followed = residual @ inverse  # unit displacement of one kept coordinate
-    at_kept = shapes[list(kept)]
+    at_kept = shapes[kept]
     transformation = np.hstack([followed, shapes - followed @ at_kept])
-    transformation[list(kept)] = np.eye(held, held + count)
+    transformation[kept] = np.eye(held, held + count)
     crossed = -inverse @ at_kept
     stiffness_of_modes = np.diag(squares) - at_kept.T @ crossed
     reduced = np.block([[inverse, crossed], [crossed.T, stiffness_of_modes]])
@@ -269,7 +269,7 @@ def _free_interface(structure: Structure, kept: Sequence[int], count: int) -> _R
     )
 
 
-def _residual(structure: Structure, kept: Sequence[int], squares: Array, shapes: Array) -> Array:
+def _residual(structure: Structure, kept: list[int], squares: Array, shapes: Array) -> Array:
     """Static answers (n, held) of the neglected modes to unit forces at the kept coordinates.
 
     Where the structure moves as a rigid body the forces are balanced by its inertia.
@@ -280,7 +280,7 @@ def _residual(structure: Structure, kept: Sequence[int], squares: Array, shapes:
     mass, stiffness, _ = structure
     size = mass.shape[0]
     forces = np.zeros((size, len(kept)))
-    forces[list(kept), range(len(kept))] = 1
+    forces[kept, range(len(kept))] = 1
     rounding = 1e3 * np.finfo(float).eps * (stiffness.diagonal() / mass.diagonal()).max()
     rigid = shapes[:, squares <= rounding]
     weighted = mass @ rigid

@@ -15,6 +15,7 @@ from nonsmooth.derive.building.impacts import impacts
 from nonsmooth.derive.building.parts import FrictionPart, Holder, StopPart
 from nonsmooth.derive.building.resting import at_rest, landed, loaded, pins, still, unsettled
 from nonsmooth.derive.declaration.transition import ContactLaw, LawContact, Transition
+from nonsmooth.derive.symbols import Values
 
 
 def transitions_from(assembly: Assembly, regimes: Regimes) -> Iterator[Transition]:
@@ -137,7 +138,7 @@ def contact_law(assembly: Assembly, products: Sequence[Regimes]) -> ContactLaw |
     names = {regimes: assembly.name(regimes) for regimes in products}
     others = {regimes: "-".join(regimes[i] for i in assembly.switches) for regimes in products}
     exits = {others[regimes]: _exits(assembly, regimes) for regimes in products}
-    own: dict[str, Mapping[sp.Symbol, sp.Expr]] = {"": {}}
+    own: dict[str, Values] = {"": {}}
     for found in exits.values():
         own |= {joined: reset for joined, (_, reset) in found.items()}
     places = {regimes: pins(assembly, assembly.active(regimes), regimes, impact=False)

@@ -10,9 +10,10 @@ from typing import Any
 import sympy as sp
 
 from nonsmooth.derive.codegen.c import print_c
-from nonsmooth.derive.codegen.function import Array, Function, function_of_orbit
+from nonsmooth.derive.codegen.function import Function, function_of_orbit
 from nonsmooth.derive.codegen.naming import c_function
 from nonsmooth.derive.equations.equation_system import EquationSystem
+from nonsmooth.derive.equations.program import Array
 from nonsmooth.derive.errors import DerivationError
 
 MOST_STATES = 16  # NONSMOOTH_STATES of nonsmooth_motions.h

@@ -17,7 +17,7 @@ from sympy.printing.str import StrPrinter
 
 from nonsmooth.derive.codegen.body import Constant, body_of
 from nonsmooth.derive.codegen.naming import python_function
-from nonsmooth.derive.equations.program import Argument, Kernel, Output
+from nonsmooth.derive.equations.program import Array, Kernel
 from nonsmooth.derive.errors import DerivationError
 
 
@@ -57,10 +57,9 @@ class _Printer(Ordered, StrPrinter):
         return f'lib.constant("{expr.text}")'
 
     def _print_sin(self, expr: sp.Expr) -> str:
-        return f"lib.sin({self._print(expr.args[0])})"
+        return f"lib.{expr.func}({self._print(expr.args[0])})"
 
-    def _print_cos(self, expr: sp.Expr) -> str:
-        return f"lib.cos({self._print(expr.args[0])})"
+    _print_cos = _print_sin
 
     def _print_Abs(self, expr: sp.Expr) -> str:
         return f"abs({self._print(expr.args[0])})"
@@ -89,7 +88,7 @@ def print_python(expression: sp.Expr) -> str:
     return str(_PRINTER.doprint(expression))
 
 
-def shape_text(array: Argument | Output) -> str:
+def shape_text(array: Array) -> str:
     """Name and shape of an array, as the docstrings of kernels state them."""
     return f"{array.name} ({', '.join(map(str, array.shape))})" if array.shape else array.name
 
@@ -104,7 +103,7 @@ def python_kernel(kernel: Kernel, orbit: str | None) -> str:
     lines += _wrap(f'"""{kernel.title}', indent="    ")
     lines.append("")
     for argument in kernel.arguments:
-        symbols = f": {', '.join(map(str, argument.symbols))}" if argument.shape else ""
+        symbols = f": {', '.join(map(str, argument.entries))}" if argument.shape else ""
         late = f", for {kernel.outputs[argument.since].name}" if argument.since else ""
         lines += _wrap(f"Takes {shape_text(argument)}{symbols}{late}.")
     for output in kernel.outputs:
@@ -132,15 +131,15 @@ def python_kernel(kernel: Kernel, orbit: str | None) -> str:
     return "\n".join(lines)
 
 
-def _unpack(argument: Argument, used: frozenset[sp.Symbol]) -> list[str]:
-    if not argument.shape or not set(argument.symbols) & used:
+def _unpack(argument: Array, used: frozenset[sp.Symbol]) -> list[str]:
+    if not argument.shape or not set(argument.entries) & used:
         return []
-    names = [str(s) if s in used else "_" for s in argument.symbols]
+    names = [str(s) if s in used else "_" for s in argument.entries]
     return [f"    {_nested(names, argument.shape)} = {argument.name}"]
 
 
-def _pack(output: Output) -> str:
-    return _nested([print_python(e) for e in output.expressions], output.shape)
+def _pack(output: Array) -> str:
+    return _nested([print_python(e) for e in output.entries], output.shape)
 
 
 def _nested(entries: Sequence[str], shape: tuple[int, ...]) -> str:

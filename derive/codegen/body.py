@@ -15,7 +15,7 @@ from nonsmooth.derive.declaration.real_numbers import (
     nearest_double,
     number_text,
 )
-from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, required
+from nonsmooth.derive.equations.program import Array, Kernel, Stage, required
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.symbols import meaning_of
 
@@ -69,9 +69,9 @@ class Body:
     up to its place in `ends`, and no later ones.
     """
 
-    arguments: tuple[Argument, ...]
+    arguments: tuple[Array, ...]
     lines: tuple[Line, ...]
-    outputs: tuple[Output, ...]
+    outputs: tuple[Array, ...]
     ends: tuple[int, ...]
 
     @property
@@ -115,7 +115,7 @@ def body_of(kernel: Kernel) -> Body:
     SymPy sorts by name: meanwhile every symbol has a name that only tells its place.
     """
     # of the orders that were tried, the last entries of an argument first gives least operations
-    inputs = [s for argument in kernel.arguments for s in reversed(argument.symbols)]
+    inputs = [s for argument in kernel.arguments for s in reversed(argument.entries)]
     symbols = [*inputs, *(s for s, _ in _assignments(kernel))]
     prepared = _translated(kernel, _prepared)
     _check(prepared, {*symbols})
@@ -131,9 +131,9 @@ def body_of(kernel: Kernel) -> Body:
         return expression.xreplace(written)
 
     return Body(
-        _of_arguments(body.arguments, named),
+        _of_arrays(body.arguments, named),
         tuple(Line(named(x.symbol), named(x.expression), x.title) for x in body.lines),
-        _of_outputs(body.outputs, named),
+        _of_arrays(body.outputs, named),
         body.ends,
     )
 
@@ -145,7 +145,7 @@ def _names(kernel: Kernel, symbols: Iterable[sp.Symbol]) -> dict[sp.Symbol, str]
     theirs, unless no kernel can have them; those of the derivation give way.
     """
     arrays = {*(a.name for a in kernel.arguments), *(o.name for o in kernel.outputs)}
-    names = {a.symbols[0]: a.name for a in kernel.arguments if not a.shape}
+    names = {a.entries[0]: a.name for a in kernel.arguments if not a.shape}
     taken = set(arrays)
     for symbol in sorted(
         (s for s in symbols if s not in names),
@@ -164,8 +164,8 @@ def _assignments(kernel: Kernel) -> list[tuple[sp.Symbol, sp.Expr]]:
     return [assignment for stage in kernel.stages for assignment in stage.assignments]
 
 
-def _results(outputs: Iterable[Output]) -> list[sp.Expr]:
-    return [e for output in outputs for e in output.expressions]
+def _results(outputs: Iterable[Array]) -> list[sp.Expr]:
+    return [e for output in outputs for e in output.entries]
 
 
 def _translated(kernel: Kernel, translate: _Translation) -> Kernel:
@@ -176,18 +176,14 @@ def _translated(kernel: Kernel, translate: _Translation) -> Kernel:
     )
     return replace(
         kernel,
-        arguments=_of_arguments(kernel.arguments, translate),
-        outputs=_of_outputs(kernel.outputs, translate),
+        arguments=_of_arrays(kernel.arguments, translate),
+        outputs=_of_arrays(kernel.outputs, translate),
         stages=tuple(stages),
     )
 
 
-def _of_arguments(arguments: Iterable[Argument], translate: _Translation) -> tuple[Argument, ...]:
-    return tuple(replace(a, symbols=tuple(map(translate, a.symbols))) for a in arguments)
-
-
-def _of_outputs(outputs: Iterable[Output], translate: _Translation) -> tuple[Output, ...]:
-    return tuple(replace(o, expressions=tuple(map(translate, o.expressions))) for o in outputs)
+def _of_arrays(arrays: Iterable[Array], translate: _Translation) -> tuple[Array, ...]:
+    return tuple(replace(a, entries=tuple(map(translate, a.entries))) for a in arrays)
 
 
 def _eliminated(kernel: Kernel) -> Body:
@@ -241,10 +237,10 @@ def _eliminated(kernel: Kernel) -> Body:
     places = {symbol: place for place, symbol in enumerate(symbols)}
     left, outputs, ends = set(places), [], []
     for output in kernel.outputs:
-        size = len(output.expressions)
+        size = len(output.entries)
         expressions = reduced[count : count + size]
         count += size
-        wanted = required(_assignments(kernel), output.expressions)
+        wanted = required(_assignments(kernel), output.entries)
         for stage in kernel.stages:
             begin = len(lines)
             for symbol, _ in stage.assignments:
@@ -253,7 +249,7 @@ def _eliminated(kernel: Kernel) -> Body:
             titled(begin, stage.title)
         left -= wanted
         begin = len(lines)
-        outputs.append(replace(output, expressions=tuple(map(require, expressions))))
+        outputs.append(replace(output, entries=tuple(map(require, expressions))))
         titled(begin, output.name)
         ends.append(len(lines))
 
@@ -263,7 +259,7 @@ def _eliminated(kernel: Kernel) -> Body:
     return Body(
         kernel.arguments,
         tuple(Line(final(x.symbol), final(x.expression), x.title) for x in lines),
-        _of_outputs(outputs, final),
+        _of_arrays(outputs, final),
         tuple(ends),
     )
 

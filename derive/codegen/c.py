@@ -18,7 +18,7 @@ from nonsmooth.derive.codegen.function import (
     function_of_kernel,
     listed,
 )
-from nonsmooth.derive.equations.program import Argument, Kernel, Output, required
+from nonsmooth.derive.equations.program import Array, Kernel, required
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.entire import ExponentialDifference
 
@@ -235,26 +235,26 @@ def _parts(kernel: Kernel) -> tuple[Body | None, Body]:
     body = body_of(kernel)
     given = tuple(a for a in body.arguments if a.name != _ITERATED)
     iterated = tuple(a for a in body.arguments if a.name == _ITERATED)
-    fixed, moving = split(body, {s for argument in given for s in argument.symbols})
+    fixed, moving = split(body, {s for argument in given for s in argument.entries})
     left = {line.symbol for line in moving}
     ends = tuple(sum(line.symbol in left for line in body.lines[:end]) for end in body.ends)
     rest = replace(body, lines=moving, ends=ends)
     carried = tuple(line.symbol for line in fixed if line.symbol in rest.used)
     if not iterated or not carried:
         return None, body
-    values = Output("fixed", (len(carried),), carried)
+    values = Array.of("fixed", carried)
     needed = required([(line.symbol, line.expression) for line in fixed], carried)
     lines = tuple(line for line in fixed if line.symbol in needed)
     return (
         Body(given, lines, (values,), (len(lines),)),
-        replace(rest, arguments=(*given, Argument("fixed", values.shape, carried), *iterated)),
+        replace(rest, arguments=(*given, values, *iterated)),
     )
 
 
 def count_of_fixed(kernel: Kernel) -> int:
     """Number of those values of a kernel that iterations carry from one to the next."""
     fixed, _ = _parts(kernel)
-    return 0 if fixed is None else len(fixed.outputs[0].expressions)
+    return 0 if fixed is None else len(fixed.outputs[0].entries)
 
 
 def fixed_part(function: str) -> str:
@@ -264,7 +264,7 @@ def fixed_part(function: str) -> str:
 
 def _runs_in_lanes(kernel: Kernel) -> bool:
     """Whether functions of many points call a kernel, and it computes anything."""
-    return kernel.name in _IN_LANES and any(output.expressions for output in kernel.outputs)
+    return kernel.name in _IN_LANES and any(output.entries for output in kernel.outputs)
 
 
 def in_lane(function: str) -> str:
@@ -291,33 +291,33 @@ def _statements(body: Body, *, lanes: bool) -> list[str]:
     return lines
 
 
-def _loads(argument: Argument, used: frozenset[sp.Symbol], *, lanes: bool) -> list[str]:
+def _loads(argument: Array, used: frozenset[sp.Symbol], *, lanes: bool) -> list[str]:
     """C statements that name the entries of an argument."""
-    if not set(argument.symbols) & used:
+    if not set(argument.entries) & used:
         return [f"    (void){argument.name};"]
     if not argument.shape:
         return []
     named = (
         f"{symbol} = {_entry(argument, position, lanes=lanes)}"
-        for position, symbol in enumerate(argument.symbols)
+        for position, symbol in enumerate(argument.entries)
         if symbol in used
     )
     return listed("const double ", named, ";", "    ", " " * 8)
 
 
-def _entry(array: Argument | Output, position: int, *, lanes: bool) -> str:
+def _entry(array: Array, position: int, *, lanes: bool) -> str:
     """C expression of one entry of an array."""
     if not lanes:
         return f"{array.name}[{position}]" if array.shape else f"*{array.name}"
     return f"{array.name}[{position}*lanes + lane]" if position else f"{array.name}[lane]"
 
 
-def _stores(output: Output, scope: Scope) -> list[str]:
+def _stores(output: Array, scope: Scope) -> list[str]:
     """C statements that fill an output, its zeros by a loop where there are some.
 
     A loop over lanes has no loop inside: compilers would not use vectors for it.
     """
-    expressions = output.expressions
+    expressions = output.entries
     some = not scope.lanes and expressions.count(sp.S.Zero) > 2
     head = f"{scope.indent}for (int i = 0; i < {len(expressions)}; ++i)"
     return [

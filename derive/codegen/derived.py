@@ -16,6 +16,7 @@ from nonsmooth.derive.codegen.kernels import (
 )
 from nonsmooth.derive.codegen.simulation_form import SimulationForm
 from nonsmooth.derive.declaration.itinerary import Itinerary
+from nonsmooth.derive.declaration.soundness import check_unique
 from nonsmooth.derive.declaration.symmetry import moves_freely
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.equations.derivation import derive_equations
@@ -239,11 +240,9 @@ def _check_reference(equations: EquationSystem) -> None:
 
 
 def _check_orbits(system: System, orbits: Sequence[Itinerary]) -> None:
-    names = [orbit.name for orbit in orbits]
     for orbit in orbits:
         if orbit.system is not system and orbit.system != system:
             raise DeclarationError(
                 f"orbit {orbit.name!r} is one of another system than {system.name!r}"
             )
-        if names.count(orbit.name) > 1:
-            raise DeclarationError(f"orbit {orbit.name!r} is declared twice")
+    check_unique([orbit.name for orbit in orbits], "orbit")

@@ -25,7 +25,6 @@ from nonsmooth.derive.codegen.python_file import (
     Stamp,
     python_file,
     system_tables,
-    text_hash,
 )
 from nonsmooth.derive.codegen.solver import (
     directions_function,
@@ -34,7 +33,7 @@ from nonsmooth.derive.codegen.solver import (
     solve_source,
 )
 from nonsmooth.derive.declaration.itinerary import Itinerary
-from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.declaration.system import System, text_hash
 from nonsmooth.derive.document.describe import describe_orbit, describe_system
 from nonsmooth.derive.document.hypertext import to_markdown
 from nonsmooth.derive.equations.equation_system import EquationSystem

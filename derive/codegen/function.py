@@ -3,29 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
-from math import prod
+from dataclasses import dataclass, replace
 from textwrap import wrap
 
 from nonsmooth.derive.codegen.any_arithmetic import shape_text
 from nonsmooth.derive.codegen.naming import c_function
 from nonsmooth.derive.equations.equation_system import EquationSystem
-from nonsmooth.derive.equations.program import Kernel
-
-
-@dataclass(frozen=True)
-class Array:
-    """An argument or a result: its name, core shape and C type."""
-
-    name: str
-    shape: tuple[int, ...] = ()
-    since: int = 0  # of a result its own place, of an argument that of the first to need it
-    ctype: str = "double"
-
-    @property
-    def size(self) -> int:
-        """Number of core entries."""
-        return prod(self.shape)
+from nonsmooth.derive.equations.program import Array, Kernel
 
 
 @dataclass(frozen=True)
@@ -94,7 +78,7 @@ def listed(
 def function_of_kernel(kernel: Kernel, system: str, orbit: str | None) -> Function:
     """The C function of a kernel."""
     text = kernel.title
-    if kernel.name == "spectrum" and (symbols := kernel.arguments[0].symbols):
+    if kernel.name == "spectrum" and (symbols := kernel.arguments[0].entries):
         text += f" Its `parameters` are {', '.join(map(str, symbols))}, in this order."
     if len(kernel.outputs) > 1:
         text += f" Gives {', '.join(map(shape_text, kernel.outputs))}."
@@ -104,8 +88,8 @@ def function_of_kernel(kernel: Kernel, system: str, orbit: str | None) -> Functi
         c_function(system, kernel.name, orbit),
         orbit,
         text,
-        tuple(Array(a.name, a.shape, a.since) for a in kernel.arguments),
-        tuple(Array(o.name, o.shape, place) for place, o in enumerate(kernel.outputs)),
+        kernel.arguments,
+        tuple(replace(o, since=place) for place, o in enumerate(kernel.outputs)),
     )
 
 

@@ -11,8 +11,9 @@ from collections.abc import Iterable, Sequence
 from string import Template
 from typing import NamedTuple
 
-from nonsmooth.derive.codegen.function import Array, Function, listed
+from nonsmooth.derive.codegen.function import Function, listed
 from nonsmooth.derive.codegen.naming import module_file
+from nonsmooth.derive.equations.program import Array
 
 _MOST_ENTRIES = 4096  # of one point: a block of 64 takes 2 MB at most, on the stack up to 32 kB
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 import sympy as sp
 
@@ -11,13 +12,11 @@ from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.equations.linearisation import monodromy, saltation_matrices
 from nonsmooth.derive.equations.program import (
-    Argument,
+    Array,
     Kernel,
-    Output,
     Stage,
     differentiate,
     merged,
-    prune,
 )
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum, derive_flows
@@ -30,19 +29,22 @@ def spectrum_kernel(spectrum: Spectrum) -> Kernel:
     stage = Stage("spectrum", spectrum.entries)
     seeds = {p: {p: sp.Integer(1)} for p in parameters}
     stages, moving = differentiate([stage], seeds)
-    derivatives = tuple(
-        sp.sympify(moving[p].get(s, 0)) for s in spectrum.symbols for p in parameters
-    )
-    return Kernel(
+    derivatives = [moving[p].get(s, 0) for s in spectrum.symbols for p in parameters]
+    return Kernel.of(
         "spectrum",
         "Frequencies and projector coefficients, with their derivatives by the parameters.",
-        (Argument.vector("parameters", parameters),),
-        (
-            Output.of("spectrum", spectrum.symbols),
-            Output("spectrum_derivatives", (len(spectrum.symbols), len(parameters)), derivatives),
-        ),
+        [Array.of("parameters", parameters)],
+        {
+            "spectrum": spectrum.symbols,
+            "spectrum_derivatives": _by_parameters(spectrum, derivatives),
+        },
         (stage, *stages),
     )
+
+
+def _by_parameters(spectrum: Spectrum, entries: Sequence[sp.Expr]) -> sp.Matrix:
+    """Table of the spectrum by the parameters on which it depends."""
+    return sp.Matrix(len(spectrum.symbols), len(spectrum.parameters), entries)
 
 
 def flow_kernels(
@@ -56,17 +58,17 @@ def flow_kernels(
     They take all parameters of the system, or those given.
     """
     arguments = (
-        Argument.vector("parameters", parameters or tuple(p.symbol for p in system.parameters)),
-        Argument.vector("spectrum", spectrum.symbols),
-        Argument("time", (), (TIME,)),
-        Argument.vector("state", system.states),
+        Array.of("parameters", parameters or tuple(p.symbol for p in system.parameters)),
+        Array.of("spectrum", spectrum.symbols),
+        Array.of("time", TIME),
+        Array.of("state", system.states),
     )
     kernels = []
     for flow in flows.values():
         end = flow.matrix() * sp.Matrix(system.states) + flow.offset()
         title = f"State after a time in {flow.configuration}."
-        outputs = (Output.of("state_after", [*end]),)
-        kernels.append(Kernel(f"flow_{flow.configuration}", title, arguments, outputs, ()))
+        name = f"flow_{flow.configuration}"
+        kernels.append(Kernel.of(name, title, arguments, {"state_after": [*end]}))
     return tuple(kernels)
 
 
@@ -75,7 +77,6 @@ def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
 
     Of the flows there are those that differ from the system's.
     """
-    point, derivatives = _point(orbit), _spectrum_derivatives(orbit)
     _, shared = derive_flows(orbit.itinerary.system)
     flows = {
         link.flow.configuration: link.flow
@@ -83,81 +84,75 @@ def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
         if link.flow != shared[link.flow.configuration]
     }
     return (
-        _equations_kernel(orbit, (*point, replace(derivatives, since=2))),
-        _trace_kernel(orbit, (*point, replace(derivatives, since=1))),
-        _passage_kernel(orbit, point),
-        _linearisation_kernel(orbit, point),
+        _equations_kernel(orbit),
+        _trace_kernel(orbit),
+        _passage_kernel(orbit),
+        _linearisation_kernel(orbit),
         *flow_kernels(orbit.system, orbit.spectrum, flows, orbit.parameters),
         reduced_kernel(orbit),
     )
 
 
-def _point(orbit: EquationSystem) -> tuple[Argument, Argument, Argument]:
-    """What the equations are evaluated at."""
-    return (
-        Argument.vector("parameters", orbit.parameters),
-        Argument.vector("spectrum", orbit.spectrum.symbols),
-        Argument.vector("unknowns", orbit.unknowns),
-    )
+def _point(orbit: EquationSystem, *, since: int = 0) -> list[Array]:
+    """What the equations are evaluated at.
+
+    Outputs from the place `since` on take the derivatives of the spectrum too, if that is given.
+    """
+    spectrum = orbit.spectrum
+    point = [
+        Array.of("parameters", orbit.parameters),
+        Array.of("spectrum", spectrum.symbols),
+        Array.of("unknowns", orbit.unknowns),
+    ]
+    if since:
+        moving = [derivative(s, p) for s in spectrum.symbols for p in spectrum.parameters]
+        late = Array.of("spectrum_derivatives", _by_parameters(spectrum, moving))
+        point.append(replace(late, since=since))
+    return point
 
 
-def _spectrum_derivatives(orbit: EquationSystem) -> Argument:
-    symbols, parameters = orbit.spectrum.symbols, orbit.spectrum.parameters
-    return Argument(
-        "spectrum_derivatives",
-        (len(symbols), len(parameters)),
-        tuple(derivative(s, p) for s in symbols for p in parameters),
-    )
-
-
-def _equations_kernel(orbit: EquationSystem, arguments: Sequence[Argument]) -> Kernel:
+def _equations_kernel(orbit: EquationSystem) -> Kernel:
     jacobian_stages, jacobian = orbit.jacobian_program
     moved_stages, parameter_jacobian = orbit.parameter_jacobian_program
-    return _kernel(
+    return Kernel.of(
         "equations",
         "Switching and periodicity equations; their derivatives by the unknowns; those by the"
         " parameters, in total, through the spectrum too.",
-        arguments,
-        (
-            Output.of("residual", orbit.residual),
-            Output.of("jacobian", jacobian),
-            Output.of("parameter_jacobian", parameter_jacobian),
-        ),
+        _point(orbit, since=2),
+        {
+            "residual": orbit.residual,
+            "jacobian": jacobian,
+            "parameter_jacobian": parameter_jacobian,
+        },
         merged(merged(orbit.stages, jacobian_stages), moved_stages),
     )
 
 
-def _trace_kernel(orbit: EquationSystem, arguments: Sequence[Argument]) -> Kernel:
+def _trace_kernel(orbit: EquationSystem) -> Kernel:
     _, trace = orbit.trace_program
     stages, gradient = orbit.trace_gradient_program
-    return _kernel(
+    return Kernel.of(
         "trace",
         "Trace of the Poincare map's Jacobian; its derivatives by the unknowns, then in total by"
         " the parameters.",
-        arguments,
-        (Output.of("trace", trace), Output.of("trace_gradient", gradient)),
+        _point(orbit, since=1),
+        {"trace": trace, "trace_gradient": gradient},
         stages,
     )
 
 
-def _passage_kernel(orbit: EquationSystem, arguments: Sequence[Argument]) -> Kernel:
+def _passage_kernel(orbit: EquationSystem) -> Kernel:
     links, functions = orbit.chain.links, orbit.boundary_functions
     states = [links[0].before, *(link.following for link in links)]
-    along: tuple[Output, ...]
+    outputs: dict[str, Any] = {"states": sp.Matrix([list(s) for s in states])}
     if orbit.trigonometric:
-        along = (
-            Output.of("coefficients", [c for b in functions for c in b.coefficients]),
-            Output.of("frequencies", [w for phase in orbit.frequencies for w in phase]),
-        )
+        outputs["coefficients"] = [c for b in functions for c in b.coefficients]
+        outputs["frequencies"] = [w for phase in orbit.frequencies for w in phase]
     else:
-        along = (
-            Output.of(
-                "fields", sp.Matrix.vstack(*(sp.Matrix.hstack(*k.flow.field) for k in links))
-            ),
-            Output.of("ends", sp.Matrix([list(k.after) for k in links])),
-            Output.of("boundaries", sp.Matrix([[*b.normal, b.constant] for b in functions])),
-        )
-    return _kernel(
+        outputs["fields"] = sp.Matrix.vstack(*(sp.Matrix.hstack(*k.flow.field) for k in links))
+        outputs["ends"] = sp.Matrix([list(k.after) for k in links])
+        outputs["boundaries"] = sp.Matrix([[*b.normal, b.constant] for b in functions])
+    return Kernel.of(
         "passage",
         "State at the start and behind each transition. "
         + (
@@ -167,27 +162,27 @@ def _passage_kernel(orbit: EquationSystem, arguments: Sequence[Argument]) -> Ker
             else "Vector fields [A, b] of the phases, their states at the end, and the boundaries"
             " along them [n, c]."
         ),
-        arguments,
-        (Output.of("states", sp.Matrix([list(s) for s in states])), *along),
+        _point(orbit),
+        outputs,
         orbit.chain.stages,
     )
 
 
-def _linearisation_kernel(orbit: EquationSystem, arguments: Sequence[Argument]) -> Kernel:
+def _linearisation_kernel(orbit: EquationSystem) -> Kernel:
     chain = orbit.chain
     poincare_stages, poincare = orbit.map_program
     saltation_stages, saltations = saltation_matrices(chain)
     monodromy_stages, full = monodromy(chain)
-    return _kernel(
+    return Kernel.of(
         "linearisation",
         "Jacobian of the Poincare map in the section's coordinates; saltation matrices, one"
         " below the other; monodromy matrix.",
-        arguments,
-        (
-            Output.of("poincare_jacobian", poincare),
-            Output.of("saltations", sp.Matrix.vstack(*saltations)),
-            Output.of("monodromy", full),
-        ),
+        _point(orbit),
+        {
+            "poincare_jacobian": poincare,
+            "saltations": sp.Matrix.vstack(*saltations),
+            "monodromy": full,
+        },
         merged(merged(merged(chain.stages, poincare_stages), saltation_stages), monodromy_stages),
     )
 
@@ -209,16 +204,16 @@ def period_map_kernel(orbit: EquationSystem) -> Kernel | None:
         for s in merged((*turn.map_stages, *turn.start_stages), orbit.chain.stages)
     ]
     conditions = [e.xreplace(starts) for _, e in (*turn.compatibility, *turn.switching)]
-    return _kernel(
+    return Kernel.of(
         "period_map",
         "Map [N, c] of a turn; the start that follows from the dwell times; compatibility and"
         " switching conditions. The start among the unknowns is not read.",
         _point(orbit),
-        (
-            Output.of("period_map", sp.Matrix.hstack(turn.matrix, turn.offset)),
-            Output.of("linear_start", list(starts.values())),
-            Output.of("compatibility", conditions),
-        ),
+        {
+            "period_map": sp.Matrix.hstack(turn.matrix, turn.offset),
+            "linear_start": list(starts.values()),
+            "compatibility": conditions,
+        },
         stages,
     )
 
@@ -227,31 +222,15 @@ def reduced_kernel(orbit: EquationSystem) -> Kernel:
     """Kernel of all unknowns from the reduced ones, and of the equations that are left."""
     reduction = orbit.reduction
     stages, jacobian = reduction.jacobian()
-    outputs = [Output.of("unknowns", [reduction.values[u] for u in orbit.unknowns])]
+    outputs: dict[str, Any] = {"unknowns": [reduction.values[u] for u in orbit.unknowns]}
     title = "All unknowns from the reduced ones" if reduction.unknowns else "All unknowns"
     if reduction.determinants:
-        values = [value / bound for value, bound in reduction.determinants]
-        outputs.append(Output.of("determinants", values))
+        outputs["determinants"] = [value / bound for value, bound in reduction.determinants]
         title += "; how singular the linear equations for them are: 0 if they are"
-    parameters, spectrum, _ = _point(orbit)
-    point = [parameters, spectrum]
+    *point, _ = _point(orbit)
     if reduction.unknowns:
-        point.append(Argument.vector("reduced", reduction.unknowns))
-        outputs += [
-            Output.of("reduced_residual", [e for _, e in reduction.equations]),
-            Output.of("reduced_jacobian", jacobian),
-        ]
+        point.append(Array.of("reduced", reduction.unknowns))
+        outputs["reduced_residual"] = [e for _, e in reduction.equations]
+        outputs["reduced_jacobian"] = jacobian
         title += "; the equations for these and their derivatives"
-    return _kernel("reduced", f"{title}.", point, outputs, (*reduction.stages, *stages))
-
-
-def _kernel(
-    name: str,
-    title: str,
-    arguments: Sequence[Argument],
-    outputs: Sequence[Output],
-    stages: Sequence[Stage],
-) -> Kernel:
-    """A kernel with those stages that its outputs need."""
-    wanted = [e for output in outputs for e in output.expressions]
-    return Kernel(name, title, tuple(arguments), tuple(outputs), prune(stages, wanted))
+    return Kernel.of("reduced", f"{title}.", point, outputs, (*reduction.stages, *stages))

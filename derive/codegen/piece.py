@@ -9,19 +9,17 @@ is 1.
 
 from __future__ import annotations
 
-import hashlib
 import json
-from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
+from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
-from nonsmooth.derive.codegen.python_file import system_table, text_hash
+from nonsmooth.derive.codegen.python_file import system_table
 from nonsmooth.derive.codegen.simulation_form import SimulationForm
 from nonsmooth.derive.declaration.dynamics import Dynamics
-from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.equations.program import Argument, Kernel, Output
+from nonsmooth.derive.declaration.system import System, text_hash
+from nonsmooth.derive.equations.program import Array, Kernel
 
 _Conditions = Mapping[str, tuple[Sequence[sp.Expr], Sequence[sp.Expr]]]
 
@@ -71,8 +69,8 @@ def emit_piece(
             "SHAPES": shapes,
             "NUMBERS": numbers,
             "PLACES": places,
-            "ROWS": [_digest([row]) for row in form.rows],
-            "RESETS": [_digest(column) for column in form.resets],
+            "ROWS": [text_hash(str(row)) for row in form.rows],
+            "RESETS": [text_hash(*map(str, column)) for column in form.resets],
         }
     )
     body = "\n\n\n".join(functions)
@@ -85,15 +83,10 @@ def emit_piece(
 
 
 def _function(name: str, system: System, entries: tuple[sp.Expr, ...]) -> str:
-    kernel = Kernel(
+    kernel = Kernel.of(
         f"{name}_entries",
         "What depends on parameters, in the order of its places.",
-        (Argument.vector("parameters", (p.symbol for p in system.parameters)),),
-        (Output.of("entries", entries),),
-        (),
+        [Array.of("parameters", (p.symbol for p in system.parameters))],
+        {"entries": entries},
     )
     return python_kernel(kernel, None)
-
-
-def _digest(functions: Iterable[Any]) -> str:
-    return hashlib.sha256("; ".join(map(str, functions)).encode()).hexdigest()[:16]

@@ -5,7 +5,6 @@ It is made without the imports that C and documents need, which take time.
 
 from __future__ import annotations
 
-import hashlib
 import json
 import re
 from collections.abc import Iterator, Sequence
@@ -26,7 +25,7 @@ from nonsmooth.derive.codegen.simulation_form import SimulationForm
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.parameter import Parameter
 from nonsmooth.derive.declaration.presentation import Presentation
-from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.declaration.system import System, text_hash
 from nonsmooth.derive.equations.equation_system import EquationSystem
 
 GENERATE = "nonsmooth generate FILE.py"  # what makes the files of a declaration
@@ -69,11 +68,6 @@ class Stamp:
     def python(self) -> str:
         """The stamp as a comment of Python."""
         return "\n".join(f"# {line}" for line in self.lines)
-
-
-def text_hash(*parts: str) -> str:
-    """Hash of the texts as 16 hexadecimal digits."""
-    return hashlib.sha256("\n".join(parts).encode()).hexdigest()[:16]
 
 
 def python_file(stamp: Stamp, name: str, tables: str, functions: Sequence[str]) -> str:

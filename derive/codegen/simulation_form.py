@@ -24,13 +24,13 @@ from typing import Any
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.algebra import affine_terms
-from nonsmooth.derive.declaration.configuration import Configuration
-from nonsmooth.derive.declaration.dynamics import Dynamics, SecondOrder
+from nonsmooth.derive.declaration.algebra import affine_terms, along
+from nonsmooth.derive.declaration.dynamics import Dynamics
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import ContactLaw
-from nonsmooth.derive.equations.program import Argument, Kernel, Output
+from nonsmooth.derive.equations.program import Array, Kernel
 from nonsmooth.derive.flows.modal import Flow, Mode, Spectrum
+from nonsmooth.derive.symbols import Values
 
 # entries that are not zero by their places in a matrix with the offsets in its last column
 _Entries = dict[tuple[int, int], sp.Expr]
@@ -84,7 +84,7 @@ class SimulationForm:
         def row(function: sp.Expr) -> int:
             return rows[sp.expand(function)]
 
-        def reset(rules: Mapping[sp.Symbol, sp.Expr]) -> int:
+        def reset(rules: Values) -> int:
             return resets[sp.ImmutableMatrix([sp.expand(rules.get(s, s)) for s in states])]
 
         reset({})
@@ -102,7 +102,7 @@ class SimulationForm:
             }
             for t in system.transitions
         ]
-        constraints = {c.name: list(map(row, self._constraints(c))) for c in system.configurations}
+        constraints = {c.name: list(map(row, c.vanishing(states))) for c in system.configurations}
         contacts = {
             contact.name: {
                 "forces": {
@@ -131,7 +131,7 @@ class SimulationForm:
             **forced,
             "coordinates": [[str(x), str(v)] for x, v in self._coordinates()],
             "held": {
-                c.name: [str(states[i]) for i in self._held(c)] for c in system.configurations
+                c.name: [str(states[i]) for i in c.held(states)] for c in system.configurations
             },
             "constraint_rows": constraints,
             "boundary_rows": boundaries,
@@ -183,13 +183,13 @@ class SimulationForm:
     def kernels(self) -> tuple[Kernel, ...]:
         """Kernels of rows, fields, resets and, where they have a closed form, modes."""
         system = self.system
-        parameters = Argument.vector("parameters", (p.symbol for p in system.parameters))
+        parameters = Array.of("parameters", (p.symbol for p in system.parameters))
         matrices, width = self.matrices, len(system.states) + 1
         kernels = []
         for name, title in _TITLES.items():
             rows, entries = matrices[name]
-            output = Output.of(name, sp.Matrix.from_dok(rows, width, entries))
-            kernels.append(Kernel(name, title, (parameters,), (output,), ()))
+            matrix = sp.Matrix.from_dok(rows, width, entries)
+            kernels.append(Kernel.of(name, title, [parameters], {name: matrix}))
         if self.modes is not None:
             every = [(name, mode) for name, modes in self.modes.items() for mode in modes]
             exponents = (sp.Matrix([[0, mode.frequency]]) for _, mode in every)
@@ -197,12 +197,14 @@ class SimulationForm:
                 self._coefficient(name, term) for name, mode in every for term in mode.terms
             )
             kernels.append(
-                Kernel(
+                Kernel.of(
                     "modes",
                     "Exponents of the modes; coefficients of their functions, offsets last.",
-                    (parameters, Argument.vector("spectrum", self.spectrum.symbols)),
-                    (_stacked("exponents", exponents), _stacked("coefficients", coefficients)),
-                    (),
+                    [parameters, Array.of("spectrum", self.spectrum.symbols)],
+                    {
+                        "exponents": sp.Matrix.vstack(*exponents),
+                        "coefficients": sp.Matrix.vstack(*coefficients),
+                    },
                 )
             )
         return tuple(kernels)
@@ -220,18 +222,6 @@ class SimulationForm:
                 found.append((state, *moving))
         return found
 
-    def _held(self, configuration: Configuration) -> dict[int, sp.Expr]:
-        """Velocity of each position that a configuration holds, by its index."""
-        dynamics = configuration.dynamics
-        held = dynamics.held_at(self.system.states) if isinstance(dynamics, SecondOrder) else {}
-        return dict(sorted(held.items()))
-
-    def _constraints(self, configuration: Configuration) -> list[sp.Expr]:
-        """Functions that vanish in a configuration; differences of held velocities come first."""
-        velocities = self.system.states[len(self.system.states) // 2 :]
-        held = self._held(configuration)
-        return [*(velocities[i] - value for i, value in held.items()), *configuration.constraints]
-
     def _coefficient(self, configuration: str, term: sp.Expr) -> sp.Matrix:
         assert self.flows is not None
         flow = self.flows[configuration]
@@ -244,16 +234,13 @@ class SimulationForm:
 def _rates(dynamics: Dynamics, states: tuple[sp.Symbol, ...]) -> list[sp.Expr]:
     """Derivative of each state by time in a motion."""
     matrix, offset = dynamics.field(states)
-    terms: list[list[sp.Expr]] = [[entry] for entry in offset]
-    for (i, j), entry in matrix.todok().items():
-        terms[i].append(entry * states[j])
-    return [sp.Add(*each) for each in terms]
+    return [along(matrix.row(i), states) + rest for i, rest in enumerate(offset)]
 
 
 def _law(
     law: ContactLaw,
     row: Callable[[sp.Expr], int],
-    reset: Callable[[Mapping[sp.Symbol, sp.Expr]], int],
+    reset: Callable[[Values], int],
 ) -> dict[str, Any]:
     """The table of a contact law; functions and resets are given by their indices."""
     coupling = law.coupling.tolist()
@@ -270,7 +257,3 @@ def _law(
             for target, found in law.resets.items()
         },
     }
-
-
-def _stacked(name: str, matrices: Iterable[sp.Matrix]) -> Output:
-    return Output.of(name, sp.Matrix.vstack(*matrices))

@@ -16,10 +16,11 @@ from string import Template
 import sympy as sp
 
 from nonsmooth.derive.codegen.c import count_of_fixed, fixed_part, lane_call, print_c
-from nonsmooth.derive.codegen.function import Array, Function, c_statement, function_of_orbit
+from nonsmooth.derive.codegen.function import Function, c_statement, function_of_orbit
 from nonsmooth.derive.codegen.kernels import reduced_kernel
 from nonsmooth.derive.codegen.naming import c_function, constant
 from nonsmooth.derive.equations.equation_system import EquationSystem
+from nonsmooth.derive.equations.program import Array
 from nonsmooth.derive.errors import DerivationError
 
 MOST_REDUCED = 3  # beyond, Cramer's rule is no way to solve a linear system

@@ -85,6 +85,12 @@ def is_affine(function: sp.Expr, states: Set[sp.Symbol]) -> bool:
     return not any(slope.free_symbols & states for slope in slopes.values())
 
 
+def bordered(matrix: sp.Matrix, offset: sp.Matrix, last: int = 1) -> sp.Matrix:
+    """The matrix [[matrix, offset], [0, last]] of an affine map, or with 0 of a field."""
+    below = sp.Matrix([[0] * matrix.cols + [last]])
+    return sp.Matrix.vstack(sp.Matrix.hstack(matrix, offset), below)
+
+
 def frozen(matrix: sp.Matrix) -> sp.ImmutableMatrix:
     """The matrix itself if it is immutable, else an immutable copy."""
     return matrix if isinstance(matrix, sp.ImmutableMatrix) else matrix.as_immutable()

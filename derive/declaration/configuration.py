@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Literal
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.dynamics import Dynamics
+from nonsmooth.derive.declaration.dynamics import Dynamics, SecondOrder
 from nonsmooth.derive.declaration.fields import declared
 from nonsmooth.derive.declaration.soundness import check_unique, named
 
@@ -72,6 +72,39 @@ class Configuration:
             If this configuration has no boundary of that name.
         """
         return named(self.boundaries, name, f"configuration {self.name!r} has no boundary")
+
+    def held(self, states: Sequence[sp.Symbol]) -> dict[int, sp.Expr]:
+        """Find which positions are held, in order.
+
+        Parameters
+        ----------
+        states : sequence of symbols (N,)
+            States of the system.
+
+        Returns
+        -------
+        dict of int to expression
+            Index of each held position, and its velocity.
+        """
+        dynamics = self.dynamics
+        held = dynamics.held_at(states) if isinstance(dynamics, SecondOrder) else {}
+        return dict(sorted(held.items()))
+
+    def vanishing(self, states: Sequence[sp.Symbol]) -> list[sp.Expr]:
+        """List the functions that vanish throughout: of held velocities, then the constraints.
+
+        Parameters
+        ----------
+        states : sequence of symbols (N,)
+            States of the system.
+
+        Returns
+        -------
+        list of expressions
+        """
+        velocities = states[len(states) // 2 :]
+        held = self.held(states).items()
+        return [*(velocities[i] - value for i, value in held), *self.constraints]
 
 
 @declared

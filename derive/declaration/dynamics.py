@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import field
 from typing import Any
 
@@ -19,6 +19,7 @@ from nonsmooth.derive.declaration.algebra import (
 from nonsmooth.derive.declaration.fields import declared, made, rows_of, set_fields
 from nonsmooth.derive.declaration.parameter import check_finite
 from nonsmooth.derive.errors import DeclarationError
+from nonsmooth.derive.symbols import Values
 
 
 @declared
@@ -40,27 +41,23 @@ class SecondOrder:
     stiffness: sp.Matrix
     load: Any = ()
     damping: Any = None
-    held: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    held: Values = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         mass = _square(self.mass, "mass")
         size = mass.rows
-        stiffness = _square(self.stiffness, "stiffness", size)
-        damping = (
-            sp.zeros(size, size) if self.damping is None else _square(self.damping, "damping", size)
+        damping = sp.zeros(size, size) if self.damping is None else self.damping
+        set_fields(
+            self,
+            mass=mass,
+            stiffness=_square(self.stiffness, "stiffness", size),
+            damping=_square(damping, "damping", size),
+            load=_column(self.load, "load", size, "mass"),
         )
-        load = _column(self.load, "load", size, "mass")
-        if not is_surely_positive_definite(frozen(mass)) and mass.det() == 0:
+        if not is_surely_positive_definite(mass) and mass.det() == 0:
             raise DeclarationError("mass is singular")
         for symbol, velocity in self.held.items():
             check_finite(velocity, f"held velocity of {symbol}")
-        set_fields(
-            self,
-            mass=frozen(mass),
-            stiffness=frozen(stiffness),
-            damping=frozen(damping),
-            load=frozen(load),
-        )
 
     def held_at(self, states: Sequence[sp.Symbol]) -> dict[int, sp.Expr]:
         """Find which coordinates are held.
@@ -113,7 +110,7 @@ class SecondOrder:
             frozen(sp.Matrix.from_dok(whole, 1, offset)),
         )
 
-    def substituted(self, values: Mapping[sp.Symbol, sp.Expr], origin: sp.Matrix) -> SecondOrder:
+    def substituted(self, values: Values, origin: sp.Matrix) -> SecondOrder:
         """Write the same motion with symbols replaced, in coordinates ``z = x - origin``.
 
         Parameters
@@ -168,7 +165,7 @@ class FirstOrder:
     def __post_init__(self) -> None:
         matrix = _square(self.matrix, "matrix")
         offset = _column(self.offset, "offset", matrix.rows, "matrix")
-        set_fields(self, matrix=frozen(matrix), offset=frozen(offset))
+        set_fields(self, matrix=matrix, offset=offset)
 
     def field(self, states: Sequence[sp.Symbol]) -> tuple[sp.Matrix, sp.Matrix]:
         """Give the matrix A and the offset b of ``y' = A y + b``.
@@ -198,7 +195,7 @@ class FirstOrder:
 Dynamics = SecondOrder | FirstOrder
 
 
-def _square(matrix: Any, what: str, size: int | None = None) -> sp.Matrix:
+def _square(matrix: Any, what: str, size: int | None = None) -> sp.ImmutableMatrix:
     matrix = _finite(rows_of(matrix, what), what)
     if matrix.rows != matrix.cols or (size is not None and matrix.rows != size):
         expected = "square" if size is None else f"{size} x {size}"
@@ -206,19 +203,19 @@ def _square(matrix: Any, what: str, size: int | None = None) -> sp.Matrix:
     return matrix
 
 
-def _column(values: Any, what: str, size: int, matrix: str) -> sp.Matrix:
+def _column(values: Any, what: str, size: int, matrix: str) -> sp.ImmutableMatrix:
     """Column (size x 1) of the values beside a matrix; zeros if there are none."""
     values = made(tuple[Any, ...], values, what)
     rows = [each if isinstance(each, list | tuple | np.ndarray) else [each] for each in values]
-    column = _finite(rows_of(rows, what), what) if rows else sp.zeros(size, 1)
+    column = _finite(rows_of(rows, what) if rows else sp.zeros(size, 1), what)
     if column.shape != (size, 1):
         raise DeclarationError(f"{what} has {column.rows} values where {matrix} is {size} x {size}")
     return column
 
 
-def _finite(matrix: sp.Matrix, what: str) -> sp.Matrix:
-    """The matrix itself; refused if an entry is not finite or not real."""
+def _finite(matrix: sp.Matrix, what: str) -> sp.ImmutableMatrix:
+    """The matrix, immutable; refused if an entry is not finite or not real."""
     for entry in matrix.todok().values():
         if not entry.is_Rational:
             check_finite(entry, what)
-    return matrix
+    return frozen(matrix)

@@ -20,6 +20,7 @@ from nonsmooth.derive.declaration.source import Source
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Transition
 from nonsmooth.derive.errors import DeclarationError
+from nonsmooth.derive.symbols import Values
 
 
 @declared
@@ -129,11 +130,11 @@ class Itinerary:
     presentation: Presentation | None = None
     reference: Reference | None = None
     start: Mapping[str, str] = field(default_factory=dict)
-    reversor: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    reversor: Values = field(default_factory=dict)
     period: Parameter | None = None
     vanishing: tuple[str, ...] = ()
     solved_for: tuple[str, ...] = ()
-    symmetry: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    symmetry: Values = field(default_factory=dict)
     source: Source | None = None
 
     def __post_init__(self) -> None:
@@ -269,7 +270,7 @@ class Itinerary:
         phases = self.phases[by:] + self.phases[:by]
         return replace(self, phases=phases, start={}, source=None)
 
-    def specialised(self, values: Mapping[sp.Symbol, sp.Expr]) -> Itinerary:
+    def specialised(self, values: Values) -> Itinerary:
         """Write the same itinerary with parameters replaced by values.
 
         Parameters

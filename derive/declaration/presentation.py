@@ -17,6 +17,7 @@ from nonsmooth.derive.declaration.parameter import Parameter
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Condition, Transition
 from nonsmooth.derive.errors import DeclarationError
+from nonsmooth.derive.symbols import Values
 
 
 @declared
@@ -38,7 +39,7 @@ class Presentation:
     states: tuple[sp.Symbol, ...]
     origin: tuple[sp.Expr, ...]
     parameters: tuple[Parameter, ...] = ()
-    substitution: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    substitution: Values = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if len(self.origin) != len(self.states):

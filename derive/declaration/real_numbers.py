@@ -14,7 +14,6 @@ from typing import Any
 
 import sympy as sp
 from sympy.polys.polyerrors import NotAlgebraic
-from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.str import StrPrinter
 
 from nonsmooth.derive.errors import DeclarationError
@@ -183,19 +182,6 @@ class _Printer(StrPrinter):
 
     def _print_Exp1(self, expr: sp.Expr) -> str:
         return "exp(1)"
-
-    def _print_Pow(self, expr: sp.Pow, rational: bool = False) -> str:
-        base, exponent = expr.args
-        if base == sp.E:
-            return f"exp({self._print(exponent)})"
-        if exponent == sp.S.Half:
-            return f"sqrt({self._print(base)})"
-        if exponent == -sp.S.Half:
-            return f"1/sqrt({self._print(base)})"
-        if exponent == -1:
-            return f"1/{self.parenthesize(base, PRECEDENCE['Pow'])}"
-        power = PRECEDENCE["Pow"]
-        return f"{self.parenthesize(base, power)}**{self.parenthesize(exponent, power)}"
 
     def _print_ComplexRootOf(self, expr: Any) -> str:
         coefficients = ",".join(map(str, expr.poly.all_coeffs()))

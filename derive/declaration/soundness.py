@@ -6,7 +6,7 @@ wrong on their whole domain.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence, Set
+from collections.abc import Sequence, Set
 from functools import lru_cache
 from keyword import iskeyword
 from typing import TYPE_CHECKING, TypeVar
@@ -277,55 +277,44 @@ def _check_landing(system: System, transition: Transition) -> None:
     entered.
     """
     source, target = map(system.configuration, (transition.source, transition.target))
-    if transition.conditions or len(transition.boundaries) > 1 or _held(source):
+    held = source.constraints or source.held(system.states)  # by a stop or friction, to a plane
+    if transition.conditions or len(transition.boundaries) > 1 or held:
         return
-    surfaces = [
-        system.configuration(transition.source).boundary(name).function
-        for name in sorted(transition.boundaries)
-    ]
+    (name,) = transition.boundaries
+    surface = source.boundary(name).function
     rules = dict(transition.reset.items())
     where = f"transition {transition.source!r} -> {transition.target!r}"
     watched = {boundary.function for boundary in source.boundaries}
     for boundary in target.boundaries:
         if boundary.function in watched and not boundary.function.free_symbols & set(rules):
             continue
-        value = _value_on(system, boundary.function.xreplace(rules), surfaces)
+        value = _value_on(system, boundary.function.xreplace(rules), surface)
         if value is not None and is_positive(value, system.parameters):
             raise DeclarationError(
                 f"{where}: behind it boundary {boundary.name!r} is passed already"
                 f" (its function is {value}, not negative)"
             )
     for constraint in target.constraints:
-        value = _value_on(system, constraint.xreplace(rules), surfaces)
+        value = _value_on(system, constraint.xreplace(rules), surface)
         if value is not None and sign_of(value, system.parameters):
             raise DeclarationError(
                 f"{where}: behind it {constraint} is {value}, where the target keeps it zero"
             )
 
 
-def _held(configuration: Configuration) -> bool:
-    """Whether a stop or friction holds the motion to a plane."""
-    dynamics = configuration.dynamics
-    return bool(configuration.constraints or (isinstance(dynamics, SecondOrder) and dynamics.held))
-
-
-def _value_on(system: System, function: sp.Expr, surfaces: Iterable[sp.Expr]) -> sp.Expr | None:
-    """Value of an affine function on a surface on which it is constant.
-
-    The first such surface counts; None if there is none.
-    """
+def _value_on(system: System, function: sp.Expr, surface: sp.Expr) -> sp.Expr | None:
+    """Value of an affine function on a surface; None if it is not constant there."""
     row, constant = system.gradient(function)
     places = _support(row)
     if not places:
         return constant
-    for surface in surfaces:
-        normal, offset = system.gradient(surface)
-        if _support(normal) != places:
-            continue
-        ratio = row[places[0]] / normal[places[0]]
-        if all(sp.cancel(row[i] - ratio * normal[i]) == 0 for i in places[1:]):
-            return sp.cancel(constant - ratio * offset)
-    return None
+    normal, offset = system.gradient(surface)
+    if _support(normal) != places:
+        return None
+    ratio = row[places[0]] / normal[places[0]]
+    if any(sp.cancel(row[i] - ratio * normal[i]) != 0 for i in places[1:]):
+        return None
+    return sp.cancel(constant - ratio * offset)
 
 
 def _support(row: sp.Matrix) -> list[int]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import replace
 
 import sympy as sp
@@ -12,6 +11,7 @@ from nonsmooth.derive.declaration.configuration import Configuration
 from nonsmooth.derive.declaration.itinerary import Itinerary, Phase
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.errors import DeclarationError
+from nonsmooth.derive.symbols import Values
 
 _LARGEST_ORDER = 64
 
@@ -37,7 +37,7 @@ def unfolded(itinerary: Itinerary) -> Itinerary:
     return replace(itinerary, phases=tuple(phases), symmetry={}, start={}, reference=None)
 
 
-def _order(images: Mapping[sp.Symbol, sp.Expr]) -> int:
+def _order(images: Values) -> int:
     current = dict(images)
     for order in range(1, _LARGEST_ORDER + 1):
         if all(image == state for state, image in current.items()):
@@ -46,7 +46,7 @@ def _order(images: Mapping[sp.Symbol, sp.Expr]) -> int:
     raise DeclarationError("a symmetry whose powers are never the identity")
 
 
-def _image(system: System, images: Mapping[sp.Symbol, sp.Expr], phase: Phase) -> Phase:
+def _image(system: System, images: Values, phase: Phase) -> Phase:
     """The image of a phase, with the configuration and the boundary of the symmetric motion."""
     source = system.configuration(phase.configuration)
     wanted = _moved(source, system, images)
@@ -62,7 +62,7 @@ def _image(system: System, images: Mapping[sp.Symbol, sp.Expr], phase: Phase) ->
 
 
 def _moved(
-    configuration: Configuration, system: System, images: Mapping[sp.Symbol, sp.Expr]
+    configuration: Configuration, system: System, images: Values
 ) -> tuple[sp.Matrix, frozenset[sp.Expr]]:
     """Vector field and boundary functions of the image of a configuration."""
     states = sp.Matrix(system.states)
@@ -74,7 +74,7 @@ def _moved(
     return sp.ImmutableMatrix(field.applyfunc(sp.expand)), frozenset(map(sp.expand, functions))
 
 
-def _through(function: sp.Expr, images: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+def _through(function: sp.Expr, images: Values) -> sp.Expr:
     """A function of the state as a function of the state's image."""
     inverse = {}
     for state, image in images.items():

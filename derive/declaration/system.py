@@ -8,7 +8,7 @@ that wrote it.
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import fields, is_dataclass
 from functools import cache, cached_property, lru_cache
 from pathlib import Path
@@ -195,16 +195,19 @@ class System:
         DeclarationError
             If no transition leads there.
         """
-        for transition in self.transitions:
-            if (transition.source, transition.target) == (source, target) and (
-                transition.boundaries == {boundary}
-            ):
+        reached = frozenset({boundary})
+        for transition in self._transitions_at(source, reached):
+            if transition.target == target:
                 return transition
-        if self.law is not None and self.law.decides(frozenset({boundary})):
-            reset = self.law.reset(source, frozenset({boundary}), target)
+        if self.law is not None and self.law.decides(reached):
+            reset = self.law.reset(source, reached, target)
             if reset is not None:
-                return Transition(source, frozenset({boundary}), target, (), reset)
+                return Transition(source, reached, target, (), reset)
         raise DeclarationError(f"no transition leads from {source!r} by {boundary!r} to {target!r}")
+
+    def _transitions_at(self, source: str, boundaries: frozenset[str]) -> Iterable[Transition]:
+        """The listed transitions out of a configuration by boundaries that are reached together."""
+        return (t for t in self.transitions if (t.source, t.boundaries) == (source, boundaries))
 
     def gradient(self, function: sp.Expr) -> tuple[sp.Matrix, sp.Expr]:
         """Give the row n and the constant c of an affine function ``n y + c`` of the state.
@@ -236,7 +239,11 @@ def _hash(*declarations: Any) -> str:
 
     DeclarationError refuses an object that declares nothing.
     """
-    parts = [sp.__version__, _code(), *map(_text, declarations)]
+    return text_hash(sp.__version__, _code(), *map(_text, declarations))
+
+
+def text_hash(*parts: str) -> str:
+    """Hash of the texts as 16 hexadecimal digits."""
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()[:16]
 
 

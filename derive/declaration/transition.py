@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import sympy as sp
 
 from nonsmooth.derive.declaration.fields import declared, exact, set_fields
+from nonsmooth.derive.symbols import Values
 
 
 @declared
@@ -53,7 +54,7 @@ class Transition:
     boundaries: frozenset[str]
     target: str
     conditions: tuple[Condition, ...] = ()
-    reset: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    reset: Values = field(default_factory=dict)
     order: int = 0
 
     def reset_of(self, state: sp.Matrix, states: Sequence[sp.Symbol]) -> sp.Matrix:
@@ -124,7 +125,7 @@ class ContactLaw:
     # by configuration: contacts whose sliding is nominal, as other parts hold them at rest
     idle: Mapping[str, tuple[int, ...]]
     # by target and the others' boundaries: what begins to hold is set; target "" if nothing does
-    resets: Mapping[str, Mapping[str, Mapping[sp.Symbol, sp.Expr]]]
+    resets: Mapping[str, Mapping[str, Values]]
 
     def __post_init__(self) -> None:
         free = {others: tuple(map(exact, found)) for others, found in self.free.items()}
@@ -134,9 +135,7 @@ class ContactLaw:
         """Whether one of the boundaries, which are reached together, belongs to a contact."""
         return any(b in self.arrivals or b in self.limits for b in boundaries)
 
-    def reset(
-        self, source: str, boundaries: frozenset[str], target: str
-    ) -> Mapping[sp.Symbol, sp.Expr] | None:
+    def reset(self, source: str, boundaries: frozenset[str], target: str) -> Values | None:
         """Reset on the way to a target; None if the boundaries do not lead there."""
         own = "+".join(sorted(b for b in boundaries if b not in self.arrivals | self.limits))
         others = self.switches[self.others[source]].get(own) if own else self.others[source]

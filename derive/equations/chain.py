@@ -14,7 +14,15 @@ import sympy as sp
 
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.equations.forcing import Forcing
-from nonsmooth.derive.equations.program import Equation, Stage, affine_sum, assign, assign_matrix
+from nonsmooth.derive.equations.program import (
+    Equation,
+    Stage,
+    Stages,
+    affine_sum,
+    assign,
+    assign_matrix,
+    filled,
+)
 from nonsmooth.derive.equations.section import Passage, Section, passages_of
 from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.derive.flows.modal import TIME, Flow
@@ -61,7 +69,7 @@ class Chain:
     section: Section
     start: Section
     links: tuple[Link, ...]
-    stages: tuple[Stage, ...]
+    stages: Stages
     forcing: Forcing | None
 
     @property
@@ -143,11 +151,11 @@ def follow(
             )
         )
         state = following
-    kept = tuple(s for s in stages if s.assignments)
+    kept = filled(stages)
     return Chain(section, start, tuple(links), kept, forcing)
 
 
-def affine_conditions(chain: Chain) -> tuple[list[Stage], list[Equation]]:
+def affine_conditions(chain: Chain) -> tuple[Stages, list[Equation]]:
     """Stages, and the switching conditions and closures as equations (meaning, expression).
 
     They are affine in the coordinates of the start, with coefficients that are functions of
@@ -166,7 +174,7 @@ def affine_conditions(chain: Chain) -> tuple[list[Stage], list[Equation]]:
             stages.append(step)
     for coordinate, place in chain.closing:
         equations.append((f"{coordinate} returns", sp.expand(state[place] - coordinate)))
-    return [s for s in stages if s.assignments], equations
+    return filled(stages), equations
 
 
 def affine_in(

@@ -13,7 +13,7 @@ one. For an orbit of one phase that is a quadratic equation over the parameters.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -24,17 +24,19 @@ from nonsmooth.derive.equations.forcing import PERIODS
 from nonsmooth.derive.equations.program import (
     Equation,
     Stage,
+    Stages,
     affine_sum,
     assign,
     coefficients_of,
     evaluate,
+    filled,
     name_parts,
     prune,
 )
 from nonsmooth.derive.equations.reduction import Elimination, Reduction
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.entire import ExponentialDifference
-from nonsmooth.derive.symbols import Symbol
+from nonsmooth.derive.symbols import Symbol, Values
 
 MOST_BY_CRAMER = 3
 _SOUND = sp.Rational(1, 1000)  # of a determinant, in units of its bound
@@ -46,7 +48,7 @@ def eliminate_coordinates(
     coordinates: Sequence[sp.Symbol],
     dwell_times: Sequence[sp.Symbol],
     constants: set[sp.Symbol],
-    choose: Mapping[sp.Symbol, sp.Expr],
+    choose: Values,
     rank: int,
     polynomials: Sequence[Equation] = (),
     known: Sequence[Elimination] = (),
@@ -115,7 +117,7 @@ def eliminate_coordinates(
 def reduce_forced(
     chain: Chain,
     constants: set[sp.Symbol],
-    choose: Mapping[sp.Symbol, sp.Expr],
+    choose: Values,
     rank: int,
 ) -> Reduction:
     """The reduction of a forced orbit, in which velocities are eliminated last.
@@ -170,7 +172,7 @@ def _part(
     coordinates: Sequence[sp.Symbol],
     kept: int,
     stages: Sequence[Stage],
-    choose: Mapping[sp.Symbol, sp.Expr],
+    choose: Values,
 ) -> tuple[tuple[int, ...], tuple[sp.Symbol, ...]]:
     """Indices of the equations to be solved, and the coordinates that stay unknown."""
     table = coefficients_of(equations, coordinates)[:, :-1]
@@ -196,9 +198,7 @@ def _part(
     return best[1:]
 
 
-def _cleared(
-    equation: Equation, solutions: Mapping[sp.Symbol, sp.Expr], block: LinearSolution
-) -> Equation:
+def _cleared(equation: Equation, solutions: Values, block: LinearSolution) -> Equation:
     """The only remaining equation, cleared of its pole.
 
     It is multiplied by a power of the determinant of the solved equations. If it is affine,
@@ -249,7 +249,7 @@ def _squared_sizes(stages: Sequence[Stage]) -> dict[sp.Symbol, sp.Expr]:
     return found
 
 
-def _squared_bound(coefficient: sp.Expr, sizes: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+def _squared_bound(coefficient: sp.Expr, sizes: Values) -> sp.Expr:
     """Sum of the squared bounds of the terms of a coefficient.
 
     The coefficient's own value is no scale: where its terms cancel only rounding is left.
@@ -262,8 +262,8 @@ def _squared_bound(coefficient: sp.Expr, sizes: Mapping[sp.Symbol, sp.Expr]) -> 
 class LinearSolution:
     """Linear equations, solved in terms of the unknowns that are kept."""
 
-    stages: tuple[Stage, ...]
-    numerators: Mapping[sp.Symbol, sp.Expr]  # of each coordinate, affine in what is kept
+    stages: Stages
+    numerators: Values  # of each coordinate, affine in what is kept
     divisor: sp.Expr  # what the numerators are divided by
     determinant: tuple[sp.Symbol, sp.Expr]  # with its bound
 
@@ -273,7 +273,7 @@ def solve_linear(
     coordinates: Sequence[sp.Symbol],
     kept: Sequence[sp.Symbol],
     stages: Sequence[Stage],
-    choose: Mapping[sp.Symbol, sp.Expr],
+    choose: Values,
 ) -> LinearSolution:
     """As many equations as coordinates, affine in these and in what is kept, solved for them.
 
@@ -298,7 +298,7 @@ def solve_linear(
             )
         more, numerators = _successively(table, numbers, names, coordinates, kept, determinant)
         divisor = sp.Integer(1)
-    used = tuple(s for s in (*naming, *more) if s.assignments)
+    used = filled((*naming, *more))
     return LinearSolution(used, numerators, divisor, (determinant, bound))
 
 

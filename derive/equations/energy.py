@@ -6,7 +6,7 @@ volume too, the multipliers of two coordinates' orbits are 1, mu and 1/mu.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import lru_cache
 
 import sympy as sp
@@ -18,6 +18,7 @@ from nonsmooth.derive.equations.chain import Chain
 from nonsmooth.derive.equations.program import Equation
 from nonsmooth.derive.equations.section import Passage, passages_of
 from nonsmooth.derive.errors import DerivationError
+from nonsmooth.derive.symbols import Values
 
 
 @lru_cache(maxsize=64)
@@ -88,7 +89,7 @@ def without_redundant(
     itinerary: Itinerary,
     chain: Chain,
     equations: Sequence[Equation],
-    known: Mapping[sp.Symbol, sp.Expr],
+    known: Values,
 ) -> tuple[Equation, ...]:
     """The equations without the closure that the first integral E makes redundant.
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -18,6 +18,7 @@ from nonsmooth.derive.equations.program import (
     Equation,
     Program,
     Stage,
+    Stages,
     evaluate,
     gradient,
     jacobian,
@@ -28,7 +29,7 @@ from nonsmooth.derive.equations.section import is_zero, row_of, section_of
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum
 from nonsmooth.derive.registry import registered
-from nonsmooth.derive.symbols import derivative
+from nonsmooth.derive.symbols import Values, derivative
 
 
 @dataclass(frozen=True)
@@ -109,16 +110,16 @@ class EquationSystem:
     flows: Mapping[str, Flow]
     chain: Chain
     unknowns: tuple[sp.Symbol, ...]
-    stages: tuple[Stage, ...]
+    stages: Stages
     equations: tuple[Equation, ...]
     parameters: tuple[sp.Symbol, ...]
     open_parameters: tuple[sp.Symbol, ...]
     reduction: Reduction
-    required: Mapping[sp.Symbol, sp.Expr]
+    required: Values
     vanishing: tuple[sp.Symbol, ...]
     conservative: bool
     reciprocal_pair: bool
-    known: Mapping[sp.Symbol, sp.Expr]
+    known: Values
 
     @property
     def residual(self) -> list[sp.Expr]:
@@ -143,7 +144,7 @@ class EquationSystem:
         """
         return self.trace_program.expressions
 
-    def stages_of(self, quantity: str) -> tuple[Stage, ...]:
+    def stages_of(self, quantity: str) -> Stages:
         """List the stages of a quantity, in the order in which they can be computed.
 
         Parameters
@@ -160,7 +161,7 @@ class EquationSystem:
         DerivationError
             If the quantity is none of these.
         """
-        stages = {
+        stages: dict[str, Callable[[], Stages]] = {
             "residual": lambda: self.stages,
             "jacobian": lambda: (*self.stages, *self.jacobian_program.stages),
             "map": lambda: (*self.chain.stages, *self.map_program.stages),

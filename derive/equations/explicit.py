@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from nonsmooth.derive.equations.program import Stage, assign
+from nonsmooth.derive.equations.program import Stages, assign, filled
 from nonsmooth.derive.flows.modal import TIME
 from nonsmooth.derive.symbols import Symbol
 
@@ -36,7 +36,7 @@ class ExplicitTime:
     """
 
     rule: str
-    stages: tuple[Stage, ...]
+    stages: Stages
     functions: Mapping[sp.Expr, sp.Expr]
     time: sp.Expr
     identities: tuple[Mapping[sp.Expr, sp.Expr], ...] = ()
@@ -104,7 +104,7 @@ def _first_return(
     naming, values = assign(title, [Symbol("cosine", dwell), Symbol("sine", dwell)], at)
     if identities:
         identities = ({**identities[0], **dict(zip(values, at, strict=True))}, identities[1])
-    stages = tuple(s for s in (parts, scale, naming) if s.assignments)
+    stages = filled((parts, scale, naming))
     time = Angle(values[1], values[0]) / (argument / TIME)
     return ExplicitTime(RETURN, stages, {cosine: values[0], sine: values[1]}, time, identities)
 

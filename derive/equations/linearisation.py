@@ -17,13 +17,11 @@ from collections.abc import Sequence
 import sympy as sp
 
 from nonsmooth.derive.equations.chain import Chain
-from nonsmooth.derive.equations.program import Program, Stage, assign, assign_matrix
+from nonsmooth.derive.equations.program import Program, Stages, assign, assign_matrix, filled
 from nonsmooth.derive.symbols import Symbol, derivative
 
 
-def sensitivities(
-    chain: Chain, unknowns: Sequence[sp.Symbol]
-) -> tuple[tuple[Stage, ...], list[sp.Matrix]]:
+def sensitivities(chain: Chain, unknowns: Sequence[sp.Symbol]) -> tuple[Stages, list[sp.Matrix]]:
     """Stages and derivatives (N x n) of the states at all ends of phases and behind the last.
 
     Columns follow `unknowns` (coordinates of the start, then dwell times). By the chain
@@ -90,7 +88,7 @@ def saltation_matrix(
     return reset + (behind - reset * before) * normal / (normal * before)[0]
 
 
-def saltation_matrices(chain: Chain) -> tuple[tuple[Stage, ...], list[sp.Matrix]]:
+def saltation_matrices(chain: Chain) -> tuple[Stages, list[sp.Matrix]]:
     """Stages and saltation matrix (N x N) of each transition along an orbit."""
     stages, matrices = [], []
     for index, link in enumerate(chain.links, start=1):
@@ -104,7 +102,7 @@ def saltation_matrices(chain: Chain) -> tuple[tuple[Stage, ...], list[sp.Matrix]
         matrices.append(
             saltation_matrix(link.reset, link.normal, fields[:size, :], fields[size:, :])
         )
-    return tuple(s for s in stages if s.assignments), matrices
+    return filled(stages), matrices
 
 
 def monodromy(chain: Chain) -> Program:

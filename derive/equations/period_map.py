@@ -14,7 +14,7 @@ contains the switching conditions by which the section knows z0', and takes thei
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -22,10 +22,10 @@ import sympy as sp
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.equations.chain import Chain, Link, name_functions
 from nonsmooth.derive.equations.elimination import solve_linear
-from nonsmooth.derive.equations.program import Equation, Stage, assign_matrix, prune
+from nonsmooth.derive.equations.program import Equation, Stage, Stages, assign_matrix, prune
 from nonsmooth.derive.equations.section import coordinates_of, is_zero, multiple_of
 from nonsmooth.derive.errors import DerivationError
-from nonsmooth.derive.symbols import Symbol, derivative
+from nonsmooth.derive.symbols import Symbol, Values, derivative
 
 
 @dataclass(frozen=True)
@@ -56,8 +56,8 @@ class PeriodMap:
         contains it.
     """
 
-    map_stages: tuple[Stage, ...]
-    start_stages: tuple[Stage, ...]
+    map_stages: Stages
+    start_stages: Stages
     matrix: sp.Matrix
     offset: sp.Matrix
     sought: tuple[int, ...]
@@ -85,7 +85,7 @@ def derive_period_map(
     chain: Chain,
     unknowns: Sequence[sp.Symbol],
     equations: Sequence[Equation],
-    choose: Mapping[sp.Symbol, sp.Expr],
+    choose: Values,
 ) -> PeriodMap:
     """The map of a turn and its equations; see the module's description.
 
@@ -173,7 +173,7 @@ def _tested(
 
 def _turn(
     itinerary: Itinerary, links: Sequence[Link], resets: Sequence[int]
-) -> tuple[tuple[Stage, ...], sp.Matrix, sp.Matrix]:
+) -> tuple[Stages, sp.Matrix, sp.Matrix]:
     """Stages, matrix and offset of the map of all phases, with names for its entries."""
     states, size = links[0].states, len(links[0].states)
     entries = coordinates_of(itinerary.start, states)

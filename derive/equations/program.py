@@ -9,11 +9,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from math import prod
 from typing import Any, NamedTuple
 
 import sympy as sp
 
-from nonsmooth.derive.symbols import Symbol, derivative
+from nonsmooth.derive.symbols import Symbol, Values, derivative
 
 Equation = tuple[str, sp.Expr]  # its meaning, and what vanishes
 
@@ -26,48 +27,43 @@ class Stage:
     assignments: tuple[tuple[sp.Symbol, sp.Expr], ...]
 
 
+Stages = tuple[Stage, ...]  # one after the other, each in terms of those before
+
+
 class Program(NamedTuple):
     """Expressions of symbols that stages assign, one after the other."""
 
-    stages: tuple[Stage, ...]
+    stages: Stages
     expressions: Any  # one expression, a matrix or a list of them
 
 
 @dataclass(frozen=True)
-class Argument:
-    """An array that a kernel takes: its name, its shape and the symbols of its entries.
+class Array:
+    """An array that a kernel takes or gives: its name, its shape and its entries, row by row.
 
-    The outputs before the one at the place `since` do without it.
+    Of what it gives, the outputs before the one at the place `since` do without it.
     """
 
     name: str
-    shape: tuple[int, ...]
-    symbols: tuple[sp.Symbol, ...]
+    shape: tuple[int, ...] = ()
+    entries: tuple[Any, ...] = ()  # symbols of an argument, expressions of an output
     since: int = 0
+    ctype: str = "double"
 
     @classmethod
-    def vector(cls, name: str, symbols: Iterable[sp.Symbol]) -> Argument:
-        """The array of some symbols."""
-        entries = tuple(symbols)
-        return cls(name, (len(entries),), entries)
-
-
-@dataclass(frozen=True)
-class Output:
-    """An array that a kernel gives: its name, its shape and its entries, row by row."""
-
-    name: str
-    shape: tuple[int, ...]
-    expressions: tuple[sp.Expr, ...]
-
-    @classmethod
-    def of(cls, name: str, value: sp.Expr | sp.Matrix | Sequence[sp.Expr]) -> Output:
+    def of(cls, name: str, value: sp.Expr | sp.Matrix | Iterable[sp.Expr]) -> Array:
         """The scalar of an expression, the table of a matrix, or the vector of several."""
         if isinstance(value, sp.MatrixBase):  # immutable ones are expressions, too
             return cls(name, value.shape, tuple(value))
         if isinstance(value, sp.Expr):
             return cls(name, (), (value,))
-        return cls(name, (len(value),), tuple(value))
+        entries = tuple(value)
+        return cls(name, (len(entries),), entries)
+
+    @property
+    def size(self) -> int:
+        """Number of entries."""
+        return prod(self.shape)
 
 
 @dataclass(frozen=True)
@@ -79,9 +75,23 @@ class Kernel:
 
     name: str
     title: str
-    arguments: tuple[Argument, ...]
-    outputs: tuple[Output, ...]
-    stages: tuple[Stage, ...]
+    arguments: tuple[Array, ...]
+    outputs: tuple[Array, ...]
+    stages: Stages
+
+    @classmethod
+    def of(
+        cls,
+        name: str,
+        title: str,
+        arguments: Iterable[Array],
+        outputs: Mapping[str, Any],
+        stages: Sequence[Stage] = (),
+    ) -> Kernel:
+        """The kernel of what its outputs have in them, with those stages that they need."""
+        given = tuple(Array.of(*output) for output in outputs.items())
+        wanted = [e for output in given for e in output.entries]
+        return cls(name, title, tuple(arguments), given, prune(stages, wanted))
 
 
 def assign(
@@ -132,9 +142,9 @@ def coefficients_of(equations: Sequence[Equation], unknowns: Sequence[sp.Symbol]
 
 def differentiate(
     stages: Sequence[Stage],
-    seeds: Mapping[sp.Symbol, Mapping[sp.Symbol, sp.Expr]],
+    seeds: Mapping[sp.Symbol, Values],
     rates: Mapping[tuple[sp.Symbol, sp.Symbol], sp.Expr] | None = None,
-) -> tuple[tuple[Stage, ...], dict[sp.Symbol, dict[sp.Symbol, sp.Expr]]]:
+) -> tuple[Stages, dict[sp.Symbol, dict[sp.Symbol, sp.Expr]]]:
     """Total derivatives of every assigned symbol.
 
     `seeds` has, for each symbol by which they are taken, the derivatives of the inputs that move
@@ -173,7 +183,7 @@ def differentiate(
 def jacobian(
     stages: Sequence[Stage],
     expressions: Sequence[sp.Expr],
-    seeds: Mapping[sp.Symbol, Mapping[sp.Symbol, sp.Expr]],
+    seeds: Mapping[sp.Symbol, Values],
     rates: Mapping[tuple[sp.Symbol, sp.Symbol], sp.Expr] | None = None,
 ) -> Program:
     """Stages and total derivatives of expressions, with a column for each direction."""
@@ -184,7 +194,7 @@ def jacobian(
 
 def gradient(
     stages: Sequence[Stage], expression: sp.Expr, inputs: Sequence[sp.Symbol]
-) -> tuple[tuple[Stage, ...], list[sp.Expr]]:
+) -> tuple[Stages, list[sp.Expr]]:
     """Derivatives of one expression by all inputs, backwards through the stages.
 
     Reverse accumulation (Linnainmaa 1970): its length does not grow with the number of inputs.
@@ -226,7 +236,7 @@ def _outer_derivative(symbol: sp.Symbol, expression: sp.Expr) -> tuple[sp.Expr, 
     return sp.Integer(1), expression
 
 
-def derivative_of(expression: sp.Expr, moving: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+def derivative_of(expression: sp.Expr, moving: Values) -> sp.Expr:
     """Derivative of an expression whose symbols have the given derivatives."""
     return sp.Add(
         *(
@@ -263,11 +273,11 @@ def partial_derivative(expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
     return sp.diff(expression, symbol)
 
 
-def prune(stages: Sequence[Stage], wanted: Iterable[sp.Expr]) -> tuple[Stage, ...]:
+def prune(stages: Sequence[Stage], wanted: Iterable[sp.Expr]) -> Stages:
     """The stages, without assignments that the wanted expressions do not need."""
     needed = required([a for stage in stages for a in stage.assignments], wanted)
     kept = (Stage(s.title, tuple(a for a in s.assignments if a[0] in needed)) for s in stages)
-    return tuple(stage for stage in kept if stage.assignments)
+    return filled(kept)
 
 
 def required(
@@ -281,19 +291,24 @@ def required(
     return found
 
 
-def merged(first: Sequence[Stage], second: Sequence[Stage]) -> tuple[Stage, ...]:
+def merged(first: Sequence[Stage], second: Sequence[Stage]) -> Stages:
     """Both lists of stages, without assigning a symbol twice."""
     known = {symbol for stage in first for symbol, _ in stage.assignments}
     rest = [
         Stage(s.title, tuple((x, e) for x, e in s.assignments if x not in known)) for s in second
     ]
-    return (*first, *(s for s in rest if s.assignments))
+    return (*first, *filled(rest))
+
+
+def filled(stages: Iterable[Stage]) -> Stages:
+    """Those of the stages that assign something."""
+    return tuple(stage for stage in stages if stage.assignments)
 
 
 def evaluate(
     stages: Sequence[Stage],
     expressions: Iterable[sp.Expr],
-    values: Mapping[sp.Symbol, sp.Expr],
+    values: Values,
     digits: int | None = None,
 ) -> list[sp.Expr]:
     """Expressions with every stage inserted, for reading and tests, as it is not fast.

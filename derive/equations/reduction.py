@@ -30,6 +30,7 @@ from nonsmooth.derive.equations.program import (
     Equation,
     Program,
     Stage,
+    Stages,
     affine_sum,
     assign_matrix,
     jacobian,
@@ -39,7 +40,7 @@ from nonsmooth.derive.equations.program import (
 )
 from nonsmooth.derive.equations.section import Passage, passages_of, section_of, smallest_section
 from nonsmooth.derive.flows.modal import TIME, Flow
-from nonsmooth.derive.symbols import Symbol, derivative
+from nonsmooth.derive.symbols import Symbol, Values, derivative
 
 
 @dataclass(frozen=True)
@@ -57,9 +58,9 @@ class Reduction:
     rank: int  # least dimension of a section, which bounds the number of nonzero multipliers
     unknowns: tuple[sp.Symbol, ...]  # those on which Newton's method works
     equations: tuple[Equation, ...]  # as many, in terms of the stages
-    stages: tuple[Stage, ...]
+    stages: Stages
     # every unknown of the full equations, in terms of the stages
-    values: Mapping[sp.Symbol, sp.Expr]
+    values: Values
     eliminations: tuple[Elimination, ...] = ()
     rotation: int = 0  # the phase at which the reduction starts
     # vector field: derivative of a phase's last state by its dwell time, by (symbol, dwell time)
@@ -225,7 +226,7 @@ def _through(
     after = flow.end(functions, state)
     used = bool(draft.unsolved)
     if used:
-        after = _use_for_coordinate(draft, passage, after)
+        after = _use_condition(draft, passage, after)
     if draft.unsolved:
         return after
     draft.settle()
@@ -233,7 +234,7 @@ def _through(
     if not used:
         velocity = flow.velocity(after)
         draft.rates |= {(s, dwell): v for s, v in zip(after, velocity, strict=True)}
-        draft.equations.append((passage.meaning, sp.expand(passage.value(after))))
+        after = _use_condition(draft, passage, after)
     return after
 
 
@@ -241,11 +242,9 @@ def _at_once(
     draft: _Draft, passage: Passage, flow: Flow, state: sp.Matrix, names: Sequence[sp.Symbol]
 ) -> sp.Matrix:
     """State of a phase of no duration, whose exit condition is one on the state at its start."""
-    if draft.unsolved:
-        return _use_for_coordinate(draft, passage, state)
-    after = draft.name(f"{flow.configuration} for no time", names, state)
-    draft.equations.append((passage.meaning, sp.expand(passage.value(after))))
-    return after
+    if not draft.unsolved:
+        state = draft.name(f"{flow.configuration} for no time", names, state)
+    return _use_condition(draft, passage, state)
 
 
 def _at_explicit_time(
@@ -271,7 +270,7 @@ def _at_explicit_time(
     return after.applyfunc(lambda e: _canonical(explicit.shorten(e), draft.constants))
 
 
-def _use_for_coordinate(draft: _Draft, passage: Passage, after: sp.Matrix) -> sp.Matrix:
+def _use_condition(draft: _Draft, passage: Passage, after: sp.Matrix) -> sp.Matrix:
     """The state at the end, once the exit condition is solved for a section coordinate.
 
     Without an unsolved coordinate in it the condition stays an equation.

@@ -7,7 +7,7 @@ crosses its boundaries from inside is taken. From a complete guess Newton's meth
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import mpmath
@@ -20,6 +20,7 @@ from nonsmooth.derive.equations.chain import Chain, affine_conditions
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.equations.program import coefficients_of, evaluate
 from nonsmooth.derive.flows.modal import Spectrum
+from nonsmooth.derive.symbols import Values
 
 _PHASES = 360  # at which a forcing is tried
 _GUESSED = 6  # digits of a guess
@@ -45,7 +46,7 @@ def reference_values(
     }
 
 
-def with_guess(itinerary: Itinerary, chain: Chain, known: Mapping[sp.Symbol, sp.Expr]) -> Itinerary:
+def with_guess(itinerary: Itinerary, chain: Chain, known: Values) -> Itinerary:
     """The itinerary, its reference completed by a guess of the start's coordinates.
 
     It is returned unchanged if the reference's data do not suffice. `known` has numbers of

@@ -7,18 +7,18 @@ times a map is the function in front of the map; a row times a field is its rate
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.algebra import cancel, factor, remembered
+from nonsmooth.derive.declaration.algebra import bordered, cancel, factor, remembered
 from nonsmooth.derive.declaration.configuration import Configuration
-from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.itinerary import Itinerary, dwell_symbol
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Transition
 from nonsmooth.derive.errors import DerivationError
+from nonsmooth.derive.symbols import Values
 
 
 @dataclass(frozen=True)
@@ -90,7 +90,7 @@ def passages_of(itinerary: Itinerary) -> tuple[Passage, ...]:
                 dwell_symbol(phase.dwell_time),
                 itinerary.duration(index),
                 row_of(configuration.boundary(phase.boundary).function, system),
-                bordered(*reset_matrix(transition.reset.items(), system.states)),
+                map_of(transition.reset, system),
             )
         )
     return tuple(found)
@@ -102,10 +102,10 @@ def row_of(function: sp.Expr, system: System) -> sp.Matrix:
     return sp.Matrix([[*normal, constant]])
 
 
-def bordered(matrix: sp.Matrix, offset: sp.Matrix, last: int = 1) -> sp.Matrix:
-    """The matrix [[matrix, offset], [0, last]] of an affine map, or with 0 of a field."""
-    below = sp.Matrix([[0] * matrix.cols + [last]])
-    return sp.Matrix.vstack(sp.Matrix.hstack(matrix, offset), below)
+def map_of(rules: Values, system: System) -> sp.Matrix:
+    """An affine map of a system's state, of which states without a rule stay, as its matrix."""
+    rows = (row_of(rules.get(s, s), system) for s in system.states)
+    return sp.Matrix.vstack(*rows, row_of(sp.S.One, system))
 
 
 def simplified(matrix: sp.Matrix) -> sp.Matrix:
@@ -122,18 +122,6 @@ def multiple_of(one: sp.Matrix, other: sp.Matrix) -> sp.Expr | None:
     """Factor by which a matrix is a multiple of another one; None if it is none."""
     ratio = next((cancel(a / b) for a, b in zip(one, other, strict=True) if b != 0), None)
     return ratio if ratio is not None and is_zero(one - ratio * other) else None
-
-
-def reset_matrix(
-    reset: Iterable[tuple[sp.Symbol, sp.Expr]], states: Sequence[sp.Symbol]
-) -> tuple[sp.Matrix, sp.Matrix]:
-    """Matrix R (N x N) and shift r (N x 1) of an affine reset ``y -> R y + r``."""
-    matrix, shift = sp.eye(len(states)), sp.zeros(len(states), 1)
-    for symbol, expression in reset:
-        row = list(states).index(symbol)
-        matrix[row, :] = sp.Matrix([[sp.diff(expression, state) for state in states]])
-        shift[row] = expression.subs(dict.fromkeys(states, 0))
-    return matrix, shift
 
 
 @dataclass(frozen=True)
@@ -177,12 +165,8 @@ class Section:
 
 def enforced_at(passage: Passage, system: System) -> sp.Matrix:
     """Rows of the functions that are zero where a phase ends, its boundary's first."""
-    dynamics, states = passage.configuration.dynamics, system.states
-    rows = [passage.row, *(row_of(f, system) for f in passage.configuration.constraints)]
-    if isinstance(dynamics, SecondOrder):
-        for index, velocity in dynamics.held_at(states).items():
-            rows.append(row_of(states[len(states) // 2 + index] - velocity, system))
-    return sp.Matrix.vstack(*rows)
+    functions = passage.configuration.vanishing(system.states)
+    return sp.Matrix.vstack(passage.row, *(row_of(f, system) for f in functions))
 
 
 @remembered

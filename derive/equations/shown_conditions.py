@@ -13,13 +13,12 @@ from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.algebra import cancel
+from nonsmooth.derive.declaration.algebra import bordered, cancel
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Condition, Transition
 from nonsmooth.derive.equations.section import (
     Passage,
-    bordered,
     enforced_at,
     is_zero,
     multiple_of,

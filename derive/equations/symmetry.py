@@ -16,11 +16,11 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.algebra import cancel, factor
+from nonsmooth.derive.declaration.algebra import bordered, cancel, factor
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.equations.chain import derived_time, name_functions
-from nonsmooth.derive.equations.program import Equation, Stage
-from nonsmooth.derive.equations.section import Section, bordered, is_zero, passages_of, reset_matrix
+from nonsmooth.derive.equations.program import Equation, Stage, Stages, filled
+from nonsmooth.derive.equations.section import Section, is_zero, map_of, passages_of
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.modal import Flow
 from nonsmooth.derive.symbols import Symbol
@@ -28,7 +28,7 @@ from nonsmooth.derive.symbols import Symbol
 
 def half_phases(
     itinerary: Itinerary, flows: Mapping[str, Flow], start: Section
-) -> tuple[tuple[Stage, ...], tuple[Equation, ...]]:
+) -> tuple[Stages, tuple[Equation, ...]]:
     """Stages, and conditions halfway through each phase with those that remain at its ends.
 
     The stages compute the flows' functions halfway; the conditions, as equations (meaning,
@@ -60,7 +60,7 @@ def half_phases(
             condition = _by_function((normal * middle)[0] + constant, functions)
             equations.append((f"{what} halfway through {flow.configuration}", condition))
     equations += [(m, e) for m, e in end_conditions(itinerary, start) if e != 0]
-    return tuple(s for s in stages if s.assignments), tuple(equations)
+    return filled(stages), tuple(equations)
 
 
 def required_values(itinerary: Itinerary, start: Section) -> dict[sp.Symbol, sp.Expr]:
@@ -130,12 +130,10 @@ def reversor_of(itinerary: Itinerary) -> tuple[sp.Matrix, sp.Matrix]:
 
     DerivationError refuses one that is no involution.
     """
-    states = itinerary.presented_system.states
-    reversor = reset_matrix(itinerary.reversor.items(), states)
-    twice = bordered(*reversor) ** 2
-    if not is_zero(twice - sp.eye(twice.rows)):
+    reversor = map_of(itinerary.reversor, itinerary.presented_system)
+    if not is_zero(reversor**2 - sp.eye(reversor.rows)):
         raise DerivationError(f"itinerary {itinerary.name!r}: its reversor is no involution")
-    return reversor
+    return reversor[:-1, :-1], reversor[:-1, -1]
 
 
 def _check_reversible(itinerary: Itinerary, flow: Flow) -> None:

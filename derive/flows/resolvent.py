@@ -18,12 +18,12 @@ modes, where the eigenvalues of L are known to be distinct.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import lru_cache
 from typing import Any
 
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
+from nonsmooth.derive.declaration.algebra import bordered, cancel, factor_terms
 from nonsmooth.derive.declaration.parameter import Parameter, is_positive, sign_of
 from nonsmooth.derive.errors import DerivationError
 
@@ -58,9 +58,9 @@ def resolvent(
     grows. DerivationError refuses a block with more than `MOST_ROOTS` roots and no modes.
     """
     size = matrix.rows
-    augmented = sp.zeros(size + 1, size + 1)
-    augmented[:size, :size], augmented[:size, size] = matrix, offset
-    blocks = _blocks(augmented)
+    augmented = bordered(matrix, offset, 0)
+    # each drives only those behind it
+    blocks = [sorted(block) for block in augmented.strongly_connected_components()]
     local = []
     for block in blocks:
         part = sp.ImmutableMatrix(augmented.extract(block, block))
@@ -88,11 +88,6 @@ def resolvent(
     order = {factors: place for place, (factors, _) in reversed([*enumerate(found)])}
     keys = sorted(found, key=lambda key: (order[key[0]], key[1]))
     return [(key, found[key][:size, :]) for key in keys]
-
-
-def _blocks(matrix: sp.Matrix) -> list[list[int]]:
-    """Strongly connected sets of coordinates; those that drive others come first."""
-    return [sorted(block) for block in matrix.strongly_connected_components()]
 
 
 def _exact(matrix: sp.Matrix) -> DomainMatrix:
@@ -129,7 +124,7 @@ def _shown(expression: sp.Expr) -> sp.Expr:
     found = expression
     while opaque := found.atoms(_Opaque):  # a root may stand for one of another
         found = found.xreplace({o: o.value for o in opaque})
-    return _tidy(found) if found is not expression else _factored(found)
+    return factor_terms(found if found is expression else cancel(found))
 
 
 def _add(total: _Sum, more: _Sum) -> None:
@@ -311,18 +306,9 @@ def _apart(one: sp.Expr, other: sp.Expr, parameters: tuple[Parameter, ...]) -> b
     return sign_of(difference, parameters) in (1, -1)
 
 
-@lru_cache(maxsize=4096)  # configurations of a system, and entries of each, are much alike
 def _tidy(expression: sp.Expr) -> sp.Expr:
     """A rational function in its shortest usual form."""
-    if expression.is_Atom:
-        return expression
-    return sp.factor_terms(sp.cancel(expression))
-
-
-@lru_cache(maxsize=4096)
-def _factored(expression: sp.Expr) -> sp.Expr:
-    """A rational function that is in lowest terms, with common factors of its terms in front."""
-    return sp.factor_terms(expression)
+    return factor_terms(cancel(expression))
 
 
 def _plain(expression: sp.Expr) -> sp.Expr:

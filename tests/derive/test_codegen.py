@@ -18,7 +18,7 @@ from nonsmooth.derive.codegen.body import Constant
 from nonsmooth.derive.codegen.c import c_kernel
 from nonsmooth.derive.codegen.emit import emit_library, emit_system
 from nonsmooth.derive.equations.explicit import Angle
-from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, evaluate
+from nonsmooth.derive.equations.program import Array, Kernel, Stage, evaluate
 from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
 from nonsmooth.runtime.model import kernels as door
 from tests.compiled_c import COMPILER, executed, library_of, pointer
@@ -69,8 +69,8 @@ POINT = dict(zip((*INPUTS, D), map(F, ("0.7", "1.3", "0.4", "-3")), strict=True)
 
 
 def kernel_of(*results, stages=(), name="probe"):
-    arguments = Argument.vector("parameters", (A, B)), Argument.vector("reduced", (C, D))
-    outputs = Output.of("first", results[:-1]), Output.of("second", sp.Matrix(results[-1:]))
+    arguments = Array.of("parameters", (A, B)), Array.of("reduced", (C, D))
+    outputs = Array.of("first", results[:-1]), Array.of("second", sp.Matrix(results[-1:]))
     return Kernel(name, "A probe.", arguments, outputs, tuple(stages))
 
 
@@ -126,7 +126,7 @@ def compiled(tmp_path_factory):
 
     def results(name):
         kernel, given = PROBES[name], np.array([float(v) for v in POINT.values()])
-        found = np.zeros(sum(len(output.expressions) for output in kernel.outputs))
+        found = np.zeros(sum(len(output.entries) for output in kernel.outputs))
         arrays = given[:2], given[2:], found[:-1], found[-1:]
         library[f"{name}_{kernel.name}"](*map(pointer, arrays))
         return found.tolist()
@@ -138,7 +138,7 @@ def compiled(tmp_path_factory):
 def test_what_is_emitted_has_its_value_in_every_arithmetic(name, compiled):
     kernel, lib, balls = PROBES[name], Mpmath(45), Balls()
     exact = {s: sp.Rational(v.numerator, v.denominator) for s, v in POINT.items()}
-    results = [e for output in kernel.outputs for e in output.expressions]
+    results = [e for output in kernel.outputs for e in output.entries]
     values = evaluate(kernel.stages, results, exact)
     expected = [sp.N(value.subs(Angle(0, -3), sp.pi), 40) for value in values]
     emitted = executed(kernel)

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from nonsmooth.derive.codegen.c import c_kernel
-from nonsmooth.derive.equations.program import Argument, Kernel, Output
+from nonsmooth.derive.equations.program import Array, Kernel
 from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.runtime.core.arithmetic import FLOATS
 from tests.compiled_c import executed, library_of, needs_compiler
@@ -42,7 +42,7 @@ def kernel_of(shape):
     t = sp.Symbol("T", real=True)
     degree = sum(len(f) for f in factors)
     results = [ExponentialDifference(k, t, *factors) for k in range(min(degree, 6))]
-    given, found = Argument.vector("a", (t, *symbols)), Output.of("found", results)
+    given, found = Array.of("a", (t, *symbols)), Array.of("found", results)
     return Kernel(f"shape_{shape}", "Derivatives.", (given,), (found,), ())
 
 
@@ -64,7 +64,7 @@ def compiled(tmp_path_factory):
     def call(shape, t, coefficients):
         arguments = (ctypes.c_double * (1 + len(coefficients)))(t, *coefficients)
         (output,) = kernel_of(shape).outputs
-        found = (ctypes.c_double * len(output.expressions))()
+        found = (ctypes.c_double * len(output.entries))()
         library[f"probe_shape_{shape}"](arguments, found)
         return list(found)
 

@@ -151,7 +151,7 @@ def compiled(library, name, values, t, state):
 
     known = case(name)
     first, second = known.kernels
-    spectrum, derivatives = (np.zeros(len(o.expressions)) for o in first.outputs)
+    spectrum, derivatives = (np.zeros(len(o.entries)) for o in first.outputs)
     own, parameters = (
         np.array([values[n] for n in names]) for names in (known.spectrum, known.parameters)
     )

@@ -137,15 +137,15 @@ def test_kernels_are_right_whatever_the_user_calls_things(names, tmp_path):
     exec((tmp_path / "ball.py").read_text(encoding="utf-8"), python)
     random = Random(names)
     for kernel in kernels:
-        symbols = [s for a in kernel.arguments for s in a.symbols]
+        symbols = [s for a in kernel.arguments for s in a.entries]
         values = {s: sp.Rational(random.randint(500, 1500), 1000) for s in symbols}
-        wanted = [e for o in kernel.outputs for e in o.expressions]
+        wanted = [e for o in kernel.outputs for e in o.entries]
         expected = [
             float(e.replace(Angle, lambda sine, cosine: sp.atan2(sine, cosine) % (2 * sp.pi)))
             for e in evaluate(kernel.stages, wanted, values, digits=30)
         ]
         given = [
-            np.array([float(values[s]) for s in a.symbols]).reshape(a.shape)
+            np.array([float(values[s]) for s in a.entries]).reshape(a.shape)
             for a in kernel.arguments
         ]
         found = python[f"hop_{kernel.name}"](*(a.tolist() for a in given), lib=FLOATS)
