@@ -7,11 +7,12 @@ user calls that: a parameter `x_1` is not the state x behind phase 1.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import sympy as sp
 
+Symbols = Sequence[sp.Symbol]
 Values = Mapping[sp.Symbol, sp.Expr]  # what stands, or is put, in the place of each symbol
 
 # name of a symbol by its meaning, from its parts

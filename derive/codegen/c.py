@@ -143,6 +143,12 @@ class Scope:
         inner._names = dict(self._names)
         return inner
 
+    def entry(self, array: Array, position: int) -> str:
+        """C expression of one entry of an array."""
+        if not self.lanes:
+            return f"{array.name}[{position}]" if array.shape else f"*{array.name}"
+        return f"{array.name}[{position}*lanes + lane]" if position else f"{array.name}[lane]"
+
     def named(self, kind: str, name: str, call: str) -> str:
         """Name of the result of a call; the first time a declaration is prepared."""
         if call not in self._names:
@@ -279,7 +285,7 @@ def _statements(body: Body, *, lanes: bool) -> list[str]:
     for place, (output, part) in enumerate(zip(body.outputs, body.parts, strict=True)):
         for argument in body.arguments:
             if argument.since == place:
-                lines += _loads(argument, body.used, lanes=lanes)
+                lines += _loads(argument, body.used, scope)
         lines += line_sources(part, scope)
         if some:
             lines += [f"    if ({output.name}) {{", *_stores(output, scope.nested()), "    }"]
@@ -291,25 +297,18 @@ def _statements(body: Body, *, lanes: bool) -> list[str]:
     return lines
 
 
-def _loads(argument: Array, used: frozenset[sp.Symbol], *, lanes: bool) -> list[str]:
+def _loads(argument: Array, used: frozenset[sp.Symbol], scope: Scope) -> list[str]:
     """C statements that name the entries of an argument."""
     if not set(argument.entries) & used:
         return [f"    (void){argument.name};"]
     if not argument.shape:
         return []
     named = (
-        f"{symbol} = {_entry(argument, position, lanes=lanes)}"
+        f"{symbol} = {scope.entry(argument, position)}"
         for position, symbol in enumerate(argument.entries)
         if symbol in used
     )
     return listed("const double ", named, ";", "    ", " " * 8)
-
-
-def _entry(array: Array, position: int, *, lanes: bool) -> str:
-    """C expression of one entry of an array."""
-    if not lanes:
-        return f"{array.name}[{position}]" if array.shape else f"*{array.name}"
-    return f"{array.name}[{position}*lanes + lane]" if position else f"{array.name}[lane]"
 
 
 def _stores(output: Array, scope: Scope) -> list[str]:
@@ -326,6 +325,6 @@ def _stores(output: Array, scope: Scope) -> list[str]:
             line
             for position, expression in enumerate(expressions)
             if expression != 0 or not some
-            for line in scope.assigned(_entry(output, position, lanes=scope.lanes), expression)
+            for line in scope.assigned(scope.entry(output, position), expression)
         ),
     ]

@@ -32,6 +32,12 @@ MOST_PHASES = 6
 # should: 12 states take 2 to 9 seconds, 24 take 15
 MOST_STATES = 12
 
+Progress = Callable[[str], None]  # gets the name of each step when it begins
+
+
+def silent(step: str) -> None:
+    """Progress of which nobody is told."""
+
 
 class Use(Enum):
     """The purpose of kernels, which decides which orbits get them."""
@@ -90,7 +96,7 @@ class DerivedSystem:
 def derive_system(
     system: System,
     orbits: Sequence[Itinerary],
-    progress: Callable[[str], None] = lambda step: None,
+    progress: Progress = silent,
     *,
     use: Use = Use.ANYTHING,
 ) -> DerivedSystem:

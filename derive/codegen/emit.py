@@ -15,7 +15,7 @@ import sympy as sp
 
 from nonsmooth.derive.codegen.admissibility import admissible_function, admissible_source
 from nonsmooth.derive.codegen.c import c_kernel, in_lane
-from nonsmooth.derive.codegen.derived import DerivedSystem, Use, derive_system
+from nonsmooth.derive.codegen.derived import DerivedSystem, Progress, Use, derive_system, silent
 from nonsmooth.derive.codegen.function import Function, function_of_kernel
 from nonsmooth.derive.codegen.gufunc import Wrapped, extension_source, wrapped
 from nonsmooth.derive.codegen.header import header_file
@@ -78,7 +78,7 @@ def emit_system(
     system: System,
     orbits: Sequence[Itinerary],
     source: str,
-    progress: Callable[[str], None] = lambda step: None,
+    progress: Progress = silent,
     command: str = COMMAND,
 ) -> EmittedSystem:
     """Derive a system and its orbits; gives all its files.

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from itertools import zip_longest
 from os.path import commonprefix
 from pathlib import Path
 
 import sympy as sp
 
+from nonsmooth.derive.codegen.derived import Progress, silent
 from nonsmooth.derive.codegen.emit import PROVENANCE, EmittedSystem, emit_package, emit_system
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.systems import SYSTEMS, declaration
@@ -46,9 +47,7 @@ def _is_checkout(root: Path) -> bool:
     return project.is_file() and 'name = "nonsmooth"' in project.read_text(encoding="utf-8")
 
 
-def emit_systems(
-    names: Sequence[str], progress: Callable[[str], None] = lambda step: None
-) -> list[EmittedSystem]:
+def emit_systems(names: Sequence[str], progress: Progress = silent) -> list[EmittedSystem]:
     """The built-in systems of those names, derived and emitted.
 
     DerivationError refuses an orbit without a closed form, which each built-in orbit has.
@@ -65,7 +64,7 @@ def emit_systems(
 def outdated(
     folder: Path | None = None,
     system: str | None = None,
-    progress: Callable[[str], None] = lambda step: None,
+    progress: Progress = silent,
 ) -> dict[str, str]:
     """Texts by file name of those files that are missing or differ from the derivation.
 
@@ -84,7 +83,7 @@ def outdated(
 def check(
     folder: Path | None = None,
     system: str | None = None,
-    progress: Callable[[str], None] = lambda step: None,
+    progress: Progress = silent,
 ) -> tuple[str, ...]:
     """Differences between the files and what the derivation gives now; nothing is written.
 
@@ -145,9 +144,7 @@ def _first_difference(name: str, lines: list[str], derived: list[str]) -> str:
     return "\n".join(told)
 
 
-def _wanted(
-    folder: Path | None, system: str | None, progress: Callable[[str], None]
-) -> dict[str, str]:
+def _wanted(folder: Path | None, system: str | None, progress: Progress) -> dict[str, str]:
     if system is not None and folder is not None:
         return emit_package(emit_systems([system], progress))
     emitted = emit_systems(list(SYSTEMS), progress)

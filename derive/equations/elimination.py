@@ -36,7 +36,7 @@ from nonsmooth.derive.equations.program import (
 from nonsmooth.derive.equations.reduction import Elimination, Reduction
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.entire import ExponentialDifference
-from nonsmooth.derive.symbols import Symbol, Values
+from nonsmooth.derive.symbols import Symbol, Symbols, Values
 
 MOST_BY_CRAMER = 3
 _SOUND = sp.Rational(1, 1000)  # of a determinant, in units of its bound
@@ -45,8 +45,8 @@ _SOUND = sp.Rational(1, 1000)  # of a determinant, in units of its bound
 def eliminate_coordinates(
     stages: Sequence[Stage],
     equations: Sequence[Equation],
-    coordinates: Sequence[sp.Symbol],
-    dwell_times: Sequence[sp.Symbol],
+    coordinates: Symbols,
+    dwell_times: Symbols,
     constants: set[sp.Symbol],
     choose: Values,
     rank: int,
@@ -151,7 +151,7 @@ def reduce_forced(
 
 def _constant_pivot(
     equations: Sequence[Equation],
-    coordinates: Sequence[sp.Symbol],
+    coordinates: Symbols,
     constants: set[sp.Symbol],
     kept: int,
 ) -> tuple[Equation, sp.Symbol] | None:
@@ -169,7 +169,7 @@ def _constant_pivot(
 
 def _part(
     equations: Sequence[Equation],
-    coordinates: Sequence[sp.Symbol],
+    coordinates: Symbols,
     kept: int,
     stages: Sequence[Stage],
     choose: Values,
@@ -221,7 +221,7 @@ def _cleared(equation: Equation, solutions: Values, block: LinearSolution) -> Eq
     return meaning, sp.Add(*terms)
 
 
-def _roots(equation: Equation, unknowns: Sequence[sp.Symbol]) -> tuple[sp.Expr, ...]:
+def _roots(equation: Equation, unknowns: Symbols) -> tuple[sp.Expr, ...]:
     """Both roots of a quadratic equation for the only unknown; none for another equation."""
     if len(unknowns) != 1:
         return ()
@@ -270,8 +270,8 @@ class LinearSolution:
 
 def solve_linear(
     equations: Sequence[Equation],
-    coordinates: Sequence[sp.Symbol],
-    kept: Sequence[sp.Symbol],
+    coordinates: Symbols,
+    kept: Symbols,
     stages: Sequence[Stage],
     choose: Values,
 ) -> LinearSolution:
@@ -313,7 +313,7 @@ def _sides(symbol: Symbol, kept: Iterable[sp.Symbol]) -> list[Symbol]:
 
 
 def _named(
-    entries: sp.Matrix, size: int, kept: Sequence[sp.Symbol]
+    entries: sp.Matrix, size: int, kept: Symbols
 ) -> tuple[list[Stage], sp.Matrix, list[list[Symbol]]]:
     """Stages, table and names of linear equations: their matrix, then right-hand sides.
 
@@ -347,8 +347,8 @@ def _named_cells(
 
 def _cramer(
     table: sp.Matrix,
-    coordinates: Sequence[sp.Symbol],
-    kept: Sequence[sp.Symbol],
+    coordinates: Symbols,
+    kept: Symbols,
     determinant: sp.Symbol,
 ) -> tuple[list[Stage], dict[sp.Symbol, sp.Expr]]:
     """Stages and numerators of linear equations solved by Cramer's rule."""
@@ -377,8 +377,8 @@ def _successively(
     table: sp.Matrix,
     numbers: sp.Matrix,
     entries: list[list[Symbol]],
-    coordinates: Sequence[sp.Symbol],
-    kept: Sequence[sp.Symbol],
+    coordinates: Symbols,
+    kept: Symbols,
     determinant: sp.Symbol,
 ) -> tuple[list[Stage], dict[sp.Symbol, sp.Expr]]:
     """Stages and solutions of linear equations by elimination, with the pivots best for numbers."""

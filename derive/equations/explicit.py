@@ -9,7 +9,7 @@ import sympy as sp
 
 from nonsmooth.derive.equations.program import Stages, assign, filled
 from nonsmooth.derive.flows.modal import TIME
-from nonsmooth.derive.symbols import Symbol
+from nonsmooth.derive.symbols import Symbol, Symbols
 
 
 class Angle(sp.Function):
@@ -49,7 +49,7 @@ class ExplicitTime:
 
 
 def explicit_time(
-    coefficients: Mapping[sp.Expr, sp.Expr], dwell: sp.Symbol, variables: Sequence[sp.Symbol]
+    coefficients: Mapping[sp.Expr, sp.Expr], dwell: sp.Symbol, variables: Symbols
 ) -> ExplicitTime | None:
     """Closed form of the dwell time after which an exit condition is first met; else None.
 
@@ -70,7 +70,7 @@ def _linear_time(present: Mapping[sp.Expr, sp.Expr]) -> ExplicitTime | None:
 
 
 def _first_return(
-    present: Mapping[sp.Expr, sp.Expr], dwell: sp.Symbol, variables: Sequence[sp.Symbol]
+    present: Mapping[sp.Expr, sp.Expr], dwell: sp.Symbol, variables: Symbols
 ) -> ExplicitTime | None:
     """Dwell time of an exit condition ``a cos(w t) + b sin(w t) + c = 0`` that is met rising.
 
@@ -110,7 +110,7 @@ def _first_return(
 
 
 def _amplitude_identities(
-    parts: Sequence[tuple[sp.Expr, sp.Symbol]], r: sp.Expr, variables: Sequence[sp.Symbol]
+    parts: Sequence[tuple[sp.Expr, sp.Symbol]], r: sp.Expr, variables: Symbols
 ) -> tuple[dict[sp.Expr, sp.Expr], dict[sp.Expr, sp.Expr]]:
     """State symbols in terms of a and b, and a^2 = r^2 - b^2: the state reduces to r."""
     used = set().union(*(e.free_symbols for e, _ in parts))
@@ -121,9 +121,7 @@ def _amplitude_identities(
     return solved, {a**2: r**2 - b**2}
 
 
-def _linear_solution(
-    equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]
-) -> Sequence[sp.Expr]:
+def _linear_solution(equations: Sequence[sp.Expr], unknowns: Symbols) -> Sequence[sp.Expr]:
     """Solution of linear equations; the unknowns themselves if there is none."""
     if any(sp.diff(e, x, y) != 0 for e in equations for x in unknowns for y in unknowns):
         return unknowns

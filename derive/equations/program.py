@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 import sympy as sp
 
-from nonsmooth.derive.symbols import Symbol, Values, derivative
+from nonsmooth.derive.symbols import Symbol, Symbols, Values, derivative
 
 Equation = tuple[str, sp.Expr]  # its meaning, and what vanishes
 
@@ -121,19 +121,19 @@ def assign_matrix(
 
 
 def name_parts(
-    solved: sp.Symbol, parts: Sequence[sp.Expr], others: Sequence[sp.Symbol]
+    solved: sp.Symbol, parts: Sequence[sp.Expr], others: Symbols
 ) -> tuple[Stage, list[sp.Expr]]:
     """Stage and names of the constant and the rates of a solution that is affine in others."""
     names = [Symbol("constant", solved), *(Symbol("times", solved, q) for q in others)]
     return assign(f"parts of {solved}", names, parts)
 
 
-def affine_sum(parts: Sequence[sp.Expr], others: Sequence[sp.Symbol]) -> sp.Expr:
+def affine_sum(parts: Sequence[sp.Expr], others: Symbols) -> sp.Expr:
     """The first part, and one of the other parts times each of the others."""
     return sp.Add(*(p * q for p, q in zip(parts, (1, *others), strict=True)))
 
 
-def coefficients_of(equations: Sequence[Equation], unknowns: Sequence[sp.Symbol]) -> sp.Matrix:
+def coefficients_of(equations: Sequence[Equation], unknowns: Symbols) -> sp.Matrix:
     """Matrix (n x (k + 1)) of equations affine in k unknowns: their coefficients, the constant."""
     zero = dict.fromkeys(unknowns, 0)
     rows = ([*(sp.diff(e, q) for q in unknowns), e.subs(zero)] for _, e in equations)
@@ -193,7 +193,7 @@ def jacobian(
 
 
 def gradient(
-    stages: Sequence[Stage], expression: sp.Expr, inputs: Sequence[sp.Symbol]
+    stages: Sequence[Stage], expression: sp.Expr, inputs: Symbols
 ) -> tuple[Stages, list[sp.Expr]]:
     """Derivatives of one expression by all inputs, backwards through the stages.
 

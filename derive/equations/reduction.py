@@ -40,7 +40,7 @@ from nonsmooth.derive.equations.program import (
 )
 from nonsmooth.derive.equations.section import Passage, passages_of, section_of, smallest_section
 from nonsmooth.derive.flows.modal import TIME, Flow
-from nonsmooth.derive.symbols import Symbol, Values, derivative
+from nonsmooth.derive.symbols import Symbol, Symbols, Values, derivative
 
 
 @dataclass(frozen=True)
@@ -147,7 +147,7 @@ class _Draft:
         self.stages += reversed(self.solved)
         self.solved = []
 
-    def name(self, title: str, names: Sequence[sp.Symbol], state: sp.Matrix) -> sp.Matrix:
+    def name(self, title: str, names: Symbols, state: sp.Matrix) -> sp.Matrix:
         """The state with names for its entries, which a stage assigns."""
         step, named = assign_matrix(title, names, state)
         self.stages.append(step)
@@ -158,7 +158,7 @@ def reduce_itinerary(
     itinerary: Itinerary,
     flows: Mapping[str, Flow],
     constants: set[sp.Symbol],
-    swapped: Sequence[sp.Symbol],
+    swapped: Symbols,
 ) -> Reduction:
     """The reduction of an itinerary; see the module's description.
 
@@ -207,7 +207,7 @@ def reduce_itinerary(
 
 
 def _through(
-    draft: _Draft, passage: Passage, flow: Flow, state: sp.Matrix, names: Sequence[sp.Symbol]
+    draft: _Draft, passage: Passage, flow: Flow, state: sp.Matrix, names: Symbols
 ) -> sp.Matrix:
     """State (N x 1) at the end of a phase, once its exit condition is used as far as possible."""
     dwell = passage.dwell
@@ -239,7 +239,7 @@ def _through(
 
 
 def _at_once(
-    draft: _Draft, passage: Passage, flow: Flow, state: sp.Matrix, names: Sequence[sp.Symbol]
+    draft: _Draft, passage: Passage, flow: Flow, state: sp.Matrix, names: Symbols
 ) -> sp.Matrix:
     """State of a phase of no duration, whose exit condition is one on the state at its start."""
     if not draft.unsolved:
@@ -299,7 +299,7 @@ def _use_condition(draft: _Draft, passage: Passage, after: sp.Matrix) -> sp.Matr
 
 
 def _named_solution(
-    others: Sequence[sp.Symbol], chosen: sp.Symbol, right: sp.Expr, slope: sp.Expr
+    others: Symbols, chosen: sp.Symbol, right: sp.Expr, slope: sp.Expr
 ) -> tuple[Stage, sp.Expr]:
     """Stage and solution of ``slope * chosen = right``, affine in other coordinates.
 

@@ -20,19 +20,16 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from itertools import count
-from typing import Any
 
 import sympy as sp
 
 from nonsmooth.derive.declaration.algebra import cancel
 from nonsmooth.derive.declaration.dynamics import Dynamics, SecondOrder
-from nonsmooth.derive.declaration.parameter import Parameter, is_positive
+from nonsmooth.derive.declaration.parameter import Parameter
 from nonsmooth.derive.declaration.system import TIME, System
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.entire import ExponentialDifference
-from nonsmooth.derive.flows.resolvent import resolvent
-from nonsmooth.derive.symbols import Symbol
+from nonsmooth.derive.flows.resolvent import SpectralNames, resolvent
 
 __all__ = ["TIME", "Flow", "Mode", "Spectrum", "derive_flows"]
 
@@ -137,41 +134,6 @@ class Mode:
         return len(self.terms) // (2 if self.oscillates else 1)
 
 
-class _Names:
-    """Spectral symbols in use, so that equal expressions of two configurations share one."""
-
-    def __init__(self, taken: Iterable[str]) -> None:
-        self.taken = set(taken)  # names of the states and parameters
-        self.entries: dict[sp.Expr, sp.Symbol] = {}
-        self.resolvents: dict[sp.ImmutableMatrix, Any] = {}  # of blocks of configurations
-
-    def symbol(self, stem: str, expression: sp.Expr) -> sp.Expr:
-        """Symbol in place of an expression; the expression itself if it is a number or a symbol."""
-        expression = sp.sympify(expression)
-        if expression.is_number or expression.is_Symbol:
-            return expression
-        if expression not in self.entries:
-            assumptions = {"positive": True} if expression.is_positive else {"real": True}
-            self.entries[expression] = self._fresh(stem, assumptions)
-        return self.entries[expression]
-
-    def coefficient(self, expression: sp.Expr) -> sp.Expr:
-        """A coefficient of a characteristic factor, named if it is long or may be rewritten.
-
-        Factors are identified by their coefficients, which must survive an expansion of the
-        expressions that contain them: (1 + g)/g would become 1 + 1/g.
-        """
-        simple = expression.count_ops() <= 2 and sp.expand(expression) == expression
-        return expression if simple else self.symbol("factor", expression)
-
-    def _fresh(self, stem: str, assumptions: dict[str, bool]) -> Symbol:
-        """A symbol whose name, the stem and a number, is not in use yet."""
-        symbols = (Symbol("spectrum", stem, i, **assumptions) for i in count(1))
-        found = next(s for s in symbols if s.name not in self.taken)
-        self.taken.add(found.name)
-        return found
-
-
 def derive_flows(system: System) -> tuple[Spectrum, dict[str, Flow]]:
     """Spectrum of all configurations of a system, and the flow of each by its name.
 
@@ -188,28 +150,24 @@ def _derived(
     parameters: tuple[Parameter, ...],
     motions: tuple[tuple[str, Dynamics], ...],
 ) -> tuple[Spectrum, dict[str, Flow]]:
-    names = _Names([*map(str, states), *(p.name for p in parameters)])
-    flows = {name: _flow(name, dynamics, states, parameters, names) for name, dynamics in motions}
+    names = SpectralNames(states, parameters)
+    flows = {name: _flow(name, dynamics, states, names) for name, dynamics in motions}
     entries = tuple((symbol, expression) for expression, symbol in names.entries.items())
     used = frozenset().union(*(expression.free_symbols for expression in names.entries))
     return Spectrum(entries, tuple(p.symbol for p in parameters if p.symbol in used)), flows
 
 
 def _flow(
-    name: str,
-    dynamics: Dynamics,
-    states: tuple[sp.Symbol, ...],
-    parameters: tuple[Parameter, ...],
-    names: _Names,
+    name: str, dynamics: Dynamics, states: tuple[sp.Symbol, ...], names: SpectralNames
 ) -> Flow:
     field = dynamics.field(states)
     terms = None
     if isinstance(dynamics, SecondOrder) and dynamics.damping.is_zero_matrix:
         held = sorted(dynamics.held_at(states))
-        terms = _undamped_terms(field, held, parameters, names)
+        terms = _undamped_terms(field, held, names)
     if terms is None:
         try:
-            terms = _general_terms(field, parameters, names)
+            terms = _general_terms(field, names)
         except DerivationError as problem:
             raise DerivationError(f"configuration {name!r}: {problem}") from None
     size = len(states)
@@ -228,38 +186,31 @@ def _flow(
     )
 
 
-def _general_terms(
-    field: tuple[sp.Matrix, sp.Matrix], parameters: tuple[Parameter, ...], names: _Names
-) -> list[_Term]:
+def _general_terms(field: tuple[sp.Matrix, sp.Matrix], names: SpectralNames) -> list[_Term]:
     """Terms of the flow of any linear motion, from the resolvent of its field."""
     terms = []
-    for (given, k), numerator in resolvent(*field, parameters, names.symbol, names.resolvents):
+    for (given, k), numerator in resolvent(*field, names):
         if not numerator.is_zero_matrix:
             factors = tuple(f.func(*map(names.coefficient, f)) for f in given)
-            terms.append((_function_of_time(k, factors, parameters, names), numerator))
+            terms.append((_function_of_time(k, factors, names), numerator))
     return terms
 
 
-def _function_of_time(
-    k: int, factors: tuple[sp.Tuple, ...], parameters: tuple[Parameter, ...], names: _Names
-) -> sp.Expr:
+def _function_of_time(k: int, factors: tuple[sp.Tuple, ...], names: SpectralNames) -> sp.Expr:
     """Function of time whose Laplace transform is s^k over the product of the factors.
 
     It is trigonometric where the only roots are shown to be imaginary.
     """
     if len(factors) == 1 and len(factors[0]) == 2:
         square, damping = factors[0]
-        if damping == 0 and is_positive(square, parameters):
+        if damping == 0 and names.positive(square):
             omega = names.symbol("omega", sp.sqrt(square))
             return sp.cos(omega * TIME) if k else sp.sin(omega * TIME) / omega
     return ExponentialDifference(k, TIME, *factors)
 
 
 def _undamped_terms(
-    field: tuple[sp.Matrix, sp.Matrix],
-    held: Sequence[int],
-    parameters: tuple[Parameter, ...],
-    names: _Names,
+    field: tuple[sp.Matrix, sp.Matrix], held: Sequence[int], names: SpectralNames
 ) -> list[_Term] | None:
     """Terms of the flow of free and held coordinates where L is nonsingular; None elsewhere.
 
@@ -279,7 +230,7 @@ def _undamped_terms(
             offset.extract(rows, [0]),
         )
     )
-    modes = _positive_modes(stiffness, parameters, names)
+    modes = _positive_modes(stiffness, names)
     if modes is None:
         return None
     quasi_static = stiffness.LUsolve(coupling).applyfunc(cancel)
@@ -306,14 +257,14 @@ def _undamped_terms(
 
 
 def _positive_modes(
-    stiffness: sp.Matrix, parameters: tuple[Parameter, ...], names: _Names
+    stiffness: sp.Matrix, names: SpectralNames
 ) -> list[tuple[sp.Expr, sp.Matrix]] | None:
     """Frequencies and projectors of L if its eigenvalues are provably positive and distinct."""
     size = stiffness.rows
     if size == 0:
         return []
     if size == 1:
-        if not is_positive(stiffness[0], parameters):
+        if not names.positive(stiffness[0]):
             return None
         return [(names.symbol("omega", sp.sqrt(stiffness[0])), sp.eye(1))]
     if size > 2:
@@ -321,7 +272,7 @@ def _positive_modes(
     a, b, c, d = stiffness
     trace, determinant = a + d, sp.factor(a * d - b * c)
     discriminant = (a - d) ** 2 + 4 * b * c
-    if not all(is_positive(e, parameters) for e in (trace, determinant, discriminant)):
+    if not all(map(names.positive, (trace, determinant, discriminant))):
         return None
     separation = discriminant / trace**2
     if separation.is_number and separation < sp.Rational(1, 10**4):

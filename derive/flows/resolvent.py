@@ -17,7 +17,8 @@ modes, where the eigenvalues of L are known to be distinct.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
+from itertools import count
 from typing import Any
 
 import sympy as sp
@@ -26,14 +27,13 @@ from sympy.polys.matrices import DomainMatrix
 from nonsmooth.derive.declaration.algebra import bordered, cancel, factor_terms
 from nonsmooth.derive.declaration.parameter import Parameter, is_positive, sign_of
 from nonsmooth.derive.errors import DerivationError
+from nonsmooth.derive.symbols import Symbol
 
 # A block whose characteristic polynomial does not factor further is written out up to here. Beyond,
 # doubles lose digits: of 100 periods of 3, 4 and 5 damped masses in a row the worst errors were
 # 1.4, 6 and 70 times the unit of tests/derive/test_flow_accuracy.py, their conditions in it.
 MOST_ROOTS = 6
 _NEAR = sp.Rational(1, 10**4)
-
-Naming = Callable[[str, sp.Expr], sp.Expr]
 
 
 # rectangular blocks by their characteristic factors and the power of s; a factor is a monic
@@ -42,20 +42,51 @@ _Key = tuple[tuple[sp.Tuple, ...], int]
 _Sum = dict[_Key, DomainMatrix]
 
 
+class SpectralNames:
+    """Spectral symbols in use, so that equal expressions of two configurations share one."""
+
+    def __init__(self, states: tuple[sp.Symbol, ...], parameters: tuple[Parameter, ...]) -> None:
+        self.parameters = parameters
+        self.taken = {*map(str, states), *(p.name for p in parameters)}
+        self.entries: dict[sp.Expr, sp.Symbol] = {}
+        self.resolvents: dict[sp.ImmutableMatrix, _Sum] = {}  # of blocks of configurations
+
+    def positive(self, expression: sp.Expr) -> bool:
+        """Whether an expression is shown to be positive on the domains of the parameters."""
+        return is_positive(expression, self.parameters)
+
+    def symbol(self, stem: str, expression: sp.Expr) -> sp.Expr:
+        """Symbol in place of an expression; the expression itself if it is a number or a symbol."""
+        expression = sp.sympify(expression)
+        if expression.is_number or expression.is_Symbol:
+            return expression
+        if expression not in self.entries:
+            assumptions = {"positive": True} if expression.is_positive else {"real": True}
+            symbols = (Symbol("spectrum", stem, i, **assumptions) for i in count(1))
+            found = next(s for s in symbols if s.name not in self.taken)
+            self.taken.add(found.name)
+            self.entries[expression] = found
+        return self.entries[expression]
+
+    def coefficient(self, expression: sp.Expr) -> sp.Expr:
+        """A coefficient of a characteristic factor, named if it is long or may be rewritten.
+
+        Factors are identified by their coefficients, which must survive an expansion of the
+        expressions that contain them: (1 + g)/g would become 1 + 1/g.
+        """
+        simple = expression.count_ops() <= 2 and sp.expand(expression) == expression
+        return expression if simple else self.symbol("factor", expression)
+
+
 def resolvent(
-    matrix: sp.Matrix,
-    offset: sp.Matrix,
-    parameters: tuple[Parameter, ...],
-    naming: Naming,
-    known: dict[sp.ImmutableMatrix, _Sum],
+    matrix: sp.Matrix, offset: sp.Matrix, names: SpectralNames
 ) -> list[tuple[_Key, sp.Matrix]]:
     """The resolvent of ``y' = matrix y + offset`` as a sum of fractions.
 
     Each is a key, the characteristic factors below and the power of s above, with a matrix
-    N x (N + 1), whose last column is the offset's. The domains of the `parameters` decide which
-    eigenvalues are distinct. `naming` takes a stem and an expression that needs a root, and gives
-    a symbol for it. `known` has resolvents of blocks of the system's other configurations, and
-    grows. DerivationError refuses a block with more than `MOST_ROOTS` roots and no modes.
+    N x (N + 1), whose last column is the offset's. `names` are those of the system's spectrum so
+    far, to which roots are added. DerivationError refuses a block with more than `MOST_ROOTS`
+    roots and no modes.
     """
     size = matrix.rows
     augmented = bordered(matrix, offset, 0)
@@ -64,9 +95,9 @@ def resolvent(
     local = []
     for block in blocks:
         part = sp.ImmutableMatrix(augmented.extract(block, block))
-        if part not in known:
-            known[part] = _local(part, parameters, naming)
-        local.append(known[part])
+        if part not in names.resolvents:
+            names.resolvents[part] = _local(part, names)
+        local.append(names.resolvents[part])
     found: dict[_Key, sp.Matrix] = {}
     for first, source in enumerate(blocks):
         reached: dict[int, _Sum] = {first: local[first]}
@@ -143,9 +174,9 @@ def _product(left: _Sum, right: _Sum) -> _Sum:
     return total
 
 
-def _local(block: sp.ImmutableMatrix, parameters: tuple[Parameter, ...], naming: Naming) -> _Sum:
+def _local(block: sp.ImmutableMatrix, names: SpectralNames) -> _Sum:
     """Resolvent of one block by itself."""
-    modes = _modes(block, parameters, naming) if block.rows > 2 else None
+    modes = _modes(block, names) if block.rows > 2 else None
     if modes is not None:
         return modes
     size = block.rows
@@ -198,7 +229,7 @@ def _irreducible(coefficients: Sequence[sp.Expr]) -> list[tuple[list[sp.Expr], i
     return factors
 
 
-def _modes(block: sp.Matrix, parameters: tuple[Parameter, ...], naming: Naming) -> _Sum | None:
+def _modes(block: sp.Matrix, names: SpectralNames) -> _Sum | None:
     """Resolvent of x'' + D x' + L x = 0 mode by mode; None unless D and L commute."""
     size = block.rows // 2
     places = _positions(block)
@@ -209,7 +240,7 @@ def _modes(block: sp.Matrix, parameters: tuple[Parameter, ...], naming: Naming) 
     damping = -block.extract(velocities, velocities)
     if not (stiffness * damping - damping * stiffness).applyfunc(_tidy).is_zero_matrix:
         return None
-    projectors = _projectors(stiffness, parameters, naming)
+    projectors = _projectors(stiffness, names)
     if projectors is None:
         return None
     total: _Sum = {}
@@ -240,11 +271,9 @@ def _positions(block: sp.Matrix) -> tuple[list[int], list[int]] | None:
     return (positions, velocities) if distinct else None
 
 
-def _projectors(
-    matrix: sp.Matrix, parameters: tuple[Parameter, ...], naming: Naming
-) -> list[tuple[sp.Expr, sp.Matrix]] | None:
+def _projectors(matrix: sp.Matrix, names: SpectralNames) -> list[tuple[sp.Expr, sp.Matrix]] | None:
     """Eigenvalues and projectors of a matrix if its eigenvalues are shown real and distinct."""
-    eigenvalues = _eigenvalues(matrix, parameters, naming)
+    eigenvalues = _eigenvalues(matrix, names)
     if eigenvalues is None:
         return None
     found: list[tuple[sp.Expr, sp.Matrix]] = []
@@ -254,16 +283,14 @@ def _projectors(
         for other in eigenvalues:
             if other is not one:
                 projector = projector * (matrix - other * sp.eye(matrix.rows)) / (one - other)
-        projector = projector.applyfunc(lambda e: naming("p", _plain(e)))
+        projector = projector.applyfunc(lambda e: names.symbol("p", _plain(e)))
         found.append((one, projector))
         rest = rest - projector
     # they add up to one exactly: errors of projectors that nearly cancel do so too
     return [*found, (eigenvalues[-1], rest)]
 
 
-def _eigenvalues(
-    matrix: sp.Matrix, parameters: tuple[Parameter, ...], naming: Naming
-) -> list[sp.Expr] | None:
+def _eigenvalues(matrix: sp.Matrix, names: SpectralNames) -> list[sp.Expr] | None:
     """Real, distinct eigenvalues in radicals; None where they are not shown to be."""
     exact = _exact(matrix)
     coefficients = [_shown(exact.domain.to_sympy(c)) for c in _characteristic(exact)]
@@ -271,39 +298,37 @@ def _eigenvalues(
     for factor, multiplicity in _irreducible(coefficients):
         if multiplicity > 1 or len(factor) > 2:
             return None
-        roots = _roots(factor, parameters, naming)
-        if roots is None or not all(_apart(a, b, parameters) for a in roots for b in found):
+        roots = _roots(factor, names)
+        if roots is None or not all(_apart(a, b, names) for a in roots for b in found):
             return None
         found += roots
     return found
 
 
-def _roots(
-    coefficients: Sequence[sp.Expr], parameters: tuple[Parameter, ...], naming: Naming
-) -> list[sp.Expr] | None:
+def _roots(coefficients: Sequence[sp.Expr], names: SpectralNames) -> list[sp.Expr] | None:
     """Real, distinct roots of a monic polynomial of degree one or two; None if not shown."""
     if len(coefficients) == 1:
         return [-coefficients[0]]
     product, negative_sum = coefficients
     discriminant = _tidy(negative_sum**2 - 4 * product)
-    if not is_positive(discriminant, parameters):
+    if not names.positive(discriminant):
         return None
     if discriminant.is_number and discriminant < negative_sum**2 * _NEAR:
         return None  # known to nearly coalesce: the projectors would cancel
-    gap = naming("gap", _plain(sp.sqrt(discriminant)))
-    larger = naming("lambda", _plain((gap - negative_sum) / 2))
+    gap = names.symbol("gap", _plain(sp.sqrt(discriminant)))
+    larger = names.symbol("lambda", _plain((gap - negative_sum) / 2))
     # the smaller one by the product of both: a difference would cancel
-    stable = is_positive(product, parameters) and is_positive(-negative_sum, parameters)
+    stable = names.positive(product) and names.positive(-negative_sum)
     smaller = product / larger if stable else (-negative_sum - gap) / 2
-    return [larger, naming("lambda", _plain(smaller))]
+    return [larger, names.symbol("lambda", _plain(smaller))]
 
 
-def _apart(one: sp.Expr, other: sp.Expr, parameters: tuple[Parameter, ...]) -> bool:
+def _apart(one: sp.Expr, other: sp.Expr, names: SpectralNames) -> bool:
     """Whether the roots of two factors are shown to be distinct, numbers by a margin."""
     difference = one - other
     if difference.is_number:
         return bool(difference**2 > _NEAR * (one**2 + other**2))
-    return sign_of(difference, parameters) in (1, -1)
+    return sign_of(difference, names.parameters) in (1, -1)
 
 
 def _tidy(expression: sp.Expr) -> sp.Expr:
