@@ -7,6 +7,7 @@ the first, second, third, ... unknown. What the letters say is proved here, box 
 saves nothing but the search for it.
 """
 
+import math
 from collections.abc import Callable, Sequence
 from functools import cached_property
 from typing import Any
@@ -155,12 +156,13 @@ class Walk:
             (),
         )
 
-    def follow(self, advice: Callable[[CoveringBox], str]) -> None:
-        """Go on to the end, by the letters that `advice` gives for each box.
+    def follow(self, advice: Callable[[CoveringBox], str], most: float = math.inf) -> None:
+        """Go on through at most so many boxes, by the letters that `advice` gives for each.
 
         `Failure` is raised if a letter says what is not proved.
         """
-        while self._state[0]:
+        while self._state[0] and most > 0:
+            most -= 1
             (part, waiting), letters = self._state
             letter = advice(part)
             for sides in reversed(self._inner(part, letter)):

@@ -33,9 +33,9 @@ from nonsmooth.runtime.proof.boxes.tile_fold import FoldSearch
 from nonsmooth.runtime.proof.boxes.tile_places import Place
 from nonsmooth.runtime.proof.certificate import CLAIMS, Stated, check_same_orbits, file_json
 from nonsmooth.runtime.proof.exact_tables import rational_of
-from nonsmooth.runtime.proof.kept_state import KeptState
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 from nonsmooth.runtime.proof.refusals import as_read, asking, refusal
+from nonsmooth.runtime.proof.search_loop import Steps, proved_by_steps
 
 
 class BoxRefusals:
@@ -258,14 +258,9 @@ def certify_box(
     if resume is not None:
         check_same_orbits(empty, resume, "box")
     work = _Work(region, resume or empty, refusals)
-    with KeptState(lambda: whole_map(record(region, work.stated())), keep) as state:
-        for looked_at in range(_looked_at(work.state) + 1, tiles + 1):
-            if not work.look():
-                break
-            progress(work.decided, looked_at)
-            state.step()
-        stated = work.stated(whole=True)
-    return whole_map(record(region, stated))
+    return proved_by_steps(
+        work.steps(tiles), lambda: whole_map(record(region, work.stated())), progress, keep
+    )
 
 
 class _Work:
@@ -286,6 +281,7 @@ class _Work:
         self.reached: dict[Place, Tile] = {}  # the orbit is proved there
         self.tubes: dict[Place, MapTile] = {}
         self.decided = 0.0
+        self.whole = False  # whether no further tile is looked at
         self._order = count()
         for tile in state.tiles:
             if tile.verdict == "undecided" and not tile.looked_at:
@@ -302,14 +298,14 @@ class _Work:
         done, waiting, stranded = self._settled
         return [*done, *(tile for *_, tile in sorted(waiting, key=itemgetter(0, 1))), *stranded]
 
-    def stated(self, whole: bool = False) -> list[Tile]:
+    def stated(self) -> list[Tile]:
         """The tiles that fill the box, each with the claims that the checker proves.
 
         The checker is asked about every tile with claims that it has not seen. A tile that was not
-        looked at gets no claim instead, unless `whole`. Over two parameters, tiles with verdicts
+        looked at gets no claim instead, until that is over. Over two parameters tiles with verdicts
         have the same orbit where they meet; where that is not proved the second one is undecided.
         """
-        tiles = [self._stated(tile, whole) for tile in self.tiles]
+        tiles = [*map(self._stated, self.tiles)]
         if len(self.region.names) != _PLANE:
             return tiles
         for number, others in enumerate(neighbours([tile.place.steps for tile in tiles])):
@@ -325,21 +321,28 @@ class _Work:
                     self.same.add(pair)
         return tiles
 
-    def _stated(self, tile: Tile, whole: bool) -> Tile:
+    def _stated(self, tile: Tile) -> Tile:
         """A tile with the claims that the checker proves."""
         nothing = "proved" not in tile.claims.values() and tile.event is None
         if nothing or tile.place in self.known or self.refusals.has_proved(tile):
             return tile
-        if not (whole or tile.looked_at):
+        if not (self.whole or tile.looked_at):
             return replace(unproved(tile.place, _NOT_TRIED, looked_at=False), guess=tile.guess)
         reason = self.refusals.of_tile(tile)
         return unproved(tile.place, reason, looked_at=tile.looked_at) if reason else tile
 
-    def look(self) -> bool:
-        """Look at the largest waiting tile that the orbit has reached; False if there is none."""
-        found = self._look()
-        self._settled = self._all()  # an interruption leaves the old ones, or the new ones
-        return found
+    def steps(self, most: int) -> Steps:
+        """Look at the largest waiting tile that the orbit has reached, until there is none.
+
+        At most so many are looked at; the share that is decided and their number are yielded.
+        """
+        for looked_at in range(_looked_at(self.state) + 1, most + 1):
+            found = self._look()
+            self._settled = self._all()  # an interruption leaves the old ones, or the new ones
+            if not found:
+                break
+            yield self.decided, looked_at
+        self.whole = True
 
     def _all(self) -> tuple[list[Tile], list[tuple[Fraction, int, Tile]], list[Tile]]:
         return list(self.done), list(self.waiting), list(self.stranded)

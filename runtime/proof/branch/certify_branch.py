@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -27,7 +26,7 @@ from nonsmooth.runtime.proof.boxes.orbit_over_box import (
     with_open_ones,
 )
 from nonsmooth.runtime.proof.branch.beyond_border import BordersOfBranch
-from nonsmooth.runtime.proof.branch.certified_branch import BranchTile, CertifiedBranch
+from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
 from nonsmooth.runtime.proof.branch.tiles import (
     JudgedTile,
     checked_curve,
@@ -39,9 +38,9 @@ from nonsmooth.runtime.proof.branch.tiles import (
 )
 from nonsmooth.runtime.proof.certificate import check_same_orbits
 from nonsmooth.runtime.proof.exact_tables import rational_of
-from nonsmooth.runtime.proof.kept_state import KeptState
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 from nonsmooth.runtime.proof.refusals import REFUSED, holds
+from nonsmooth.runtime.proof.search_loop import Steps, proved_by_steps
 
 _FIRST = Fraction(1, 8)  # of the interval, or of the size of an unknown
 _GROWTH, _SHRINK = Fraction(2), Fraction(1, 3)
@@ -310,19 +309,11 @@ def certify_branch(
     if resume is not None:
         check_same_orbits(empty, resume, "parameter", "interval")
     work = _Following(curve, begin, resume or empty, branch)
-    until = time.monotonic() + seconds
-    with KeptState(lambda: work.state, keep) as state:
-        steps = work.steps()
-        while len(work.state.tiles) < tiles and next(steps, None) is not None:
-            progress(work.share, len(work.state.tiles))
-            state.step()
-            if time.monotonic() > until:
-                break
-        if beyond:
-            borders = BordersOfBranch(content, curve, branch, orbit)
-            for place, tile in enumerate(work.state.tiles):
-                work.put(place, borders.with_beyond(tile))
-    return work.state
+    found = proved_by_steps(work.steps(tiles), lambda: work.state, progress, keep, seconds)
+    if not beyond:
+        return found
+    borders = BordersOfBranch(content, curve, branch, orbit)
+    return proved_by_steps(work.with_beyond(borders), lambda: work.state, keep=keep)
 
 
 def asked_interval(
@@ -353,20 +344,28 @@ class _Following:
             except REFUSED:
                 raise InputError(_NO_STATE) from None
 
-    def steps(self) -> Iterator[BranchStep]:
-        """Yield the tiles as they are proved: first towards the beginning, then towards the end."""
+    def steps(self, most: int) -> Steps:
+        """Prove at most so many tiles: first towards the beginning, then towards the end.
+
+        The share of the branch that is done and their number are yielded.
+        """
         for onwards in (False, True):
-            if self.state.ends[onwards] or self._outwards(onwards):
+            full = len(self.state.tiles) >= most
+            if full or self.state.ends[onwards] or self._outwards(onwards):
                 continue
             place, join = self._place(onwards), partial(self._join, onwards)
-            for step in march(self.curve, place, onwards=onwards, join=join):
+            steps = march(self.curve, place, onwards=onwards, join=join)
+            while len(self.state.tiles) < most and (step := next(steps, None)):
                 self._take(step, onwards)
-                yield step
+                yield self.share, len(self.state.tiles)
 
-    def put(self, place: int, tile: BranchTile) -> None:
-        """Replace one tile."""
-        before, behind = self.state.tiles[:place], self.state.tiles[place + 1 :]
-        self.state = replace(self.state, tiles=(*before, tile, *behind))
+    def with_beyond(self, borders: BordersOfBranch) -> Steps:
+        """Prove of one tile after another which other itineraries begin at its event."""
+        for place, tile in enumerate(self.state.tiles):
+            tiles = [*self.state.tiles]
+            tiles[place] = borders.with_beyond(tile)
+            self.state = replace(self.state, tiles=tuple(tiles))
+            yield ()
 
     def _place(self, onwards: bool) -> MarchPlace:
         """Return the point at which the march goes on, on one side of the branch."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any, cast
 
@@ -44,6 +44,7 @@ from nonsmooth.runtime.proof.certify_orbit import stated
 from nonsmooth.runtime.proof.exact_tables import rational_of
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 from nonsmooth.runtime.proof.refusals import as_read, refusal
+from nonsmooth.runtime.proof.search_loop import Steps, proved_by_steps
 
 _FLIP_BITS = 192  # bits of the numbers at the flip
 _NEWTON_STEPS = 3  # of Newton's method: each doubles the powers of the amplitude that are right
@@ -224,14 +225,8 @@ def certify_doubling(
         progress=progress,
         keep=keep,
     )
-    state = work.begun(resume)
-    try:
-        if not work.over:
-            state = work.ended(state)
-    except KeyboardInterrupt:
-        raise Interrupted(state) from None
-    if work.stopped:
-        raise Interrupted(state)
+    work.begin(resume)
+    state = proved_by_steps(work.steps(), lambda: work.state, progress)
     if state.ended == "unfinished":
         state = replace(state, end=f"the {seconds:g} s that were given are over")
     progress(1.0, 0 if state.doubled is None else len(state.doubled.branch.tiles))
@@ -259,15 +254,15 @@ class _DoublingWork:
     until: float
     progress: Callable[[float, int], object]
     keep: Callable[[CertifiedDoubling], object] | None
-    stopped: bool = False  # by Ctrl-C, along a branch
+    state: CertifiedDoubling = field(init=False)
 
     @property
     def over(self) -> bool:
-        """Whether Ctrl-C or the time ends the work."""
-        return self.stopped or time.monotonic() > self.until
+        """Whether the time ends the work."""
+        return time.monotonic() > self.until
 
-    def begun(self, resume: CertifiedDoubling | None) -> CertifiedDoubling:
-        """Return the state to go on from, with the branch of the flip proved to the end."""
+    def begin(self, resume: CertifiedDoubling | None) -> None:
+        """Set the state to go on from, with the branch of the flip proved to the end."""
         first = continue_orbit(self.base, self.parameter, _floats(self.interval))
 
         def with_first(found: CertifiedBranch) -> CertifiedDoubling:
@@ -281,24 +276,31 @@ class _DoublingWork:
 
         # refuses another orbit's branch, or another interval
         known = None if resume is None else resume.branch
-        return with_first(self._certified(first, self.interval, (0, _FLIP), with_first, known))
+        proved = self._certified(first, self.interval, (0, _FLIP), with_first, known)
+        self.state = with_first(proved)
 
-    def ended(self, state: CertifiedDoubling) -> CertifiedDoubling:
-        """Return the state with the doubled orbits, or with the reason why there are none."""
+    def steps(self) -> Steps:
+        """Prove the doubled orbits and follow them, or find the reason why there are none."""
+        state = self.state
+        if self.over:
+            return
         try:
             if state.doubled is None:
-                self.progress(_FLIP, 0)
+                yield _FLIP, 0
                 beside = self._beside(state.branch, self._tile_of_flip(state.branch))
-                self.progress(_TUBE, 0)
-                state = self._with_branch(state, beside)
+                yield _TUBE, 0
+                self.state = self._with_branch(state, beside)
             else:
-                state = self._finished(state, state.doubled)
+                self.state = self._finished(state, state.doubled)
         except (_Stopped, NotCovered) as reason:
             why: Ended = getattr(reason, "ended", "not covered")
-            return state if why == "unfinished" else replace(state, ended=why, end=str(reason))
+            if why != "unfinished":
+                self.state = replace(state, ended=why, end=str(reason))
+            return
         if self.keep is not None:
-            self.keep(state)
-        return state if self.over else replace(state, ended="complete")
+            self.keep(self.state)
+        if not self.over:
+            self.state = replace(self.state, ended="complete")
 
     def _certified(
         self,
@@ -322,8 +324,7 @@ class _DoublingWork:
                 keep=None if keep is None else lambda found: keep(with_branch(found)),
             )
         except Interrupted as stopped:
-            self.stopped = True
-            return cast(CertifiedBranch, stopped.partial)
+            raise Interrupted(with_branch(cast(CertifiedBranch, stopped.partial))) from None
 
     def _finished(self, state: CertifiedDoubling, doubled: DoubledOrbits) -> CertifiedDoubling:
         """Return the state with the doubled branch followed to its ends."""

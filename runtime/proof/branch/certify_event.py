@@ -27,9 +27,9 @@ from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, region_of, stat
 from nonsmooth.runtime.proof.branch.event_certificate import EventCertificate
 from nonsmooth.runtime.proof.certificate import GUARD, Unknown, file_json
 from nonsmooth.runtime.proof.certify_orbit import FEWEST_BITS, MOST_BITS, refined, stated
-from nonsmooth.runtime.proof.kept_state import KeptState
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, guess_of
 from nonsmooth.runtime.proof.refusals import REFUSED, as_read
+from nonsmooth.runtime.proof.search_loop import Steps, proved_by_steps
 from nonsmooth.runtime.proof.statement import decimals
 
 _NEIGHBOURS = 4
@@ -115,11 +115,13 @@ def certify_events(
         if event is None or not _is_of(certificate, _undecided(branch, event, bits)):
             raise InputError("the events to resume are not those of this branch, to these bits")
     found = list(known)
-    with KeptState(lambda: tuple(found), None):
+
+    def steps() -> Steps:
         for event in branch.events[len(known) :]:
             found.append(certify_event(branch, event, bits))
-            progress(len(found))
-    return tuple(found)
+            yield (len(found),)
+
+    return proved_by_steps(steps(), lambda: tuple(found), progress)
 
 
 def _is_of(certificate: EventCertificate, asked: EventCertificate) -> bool:

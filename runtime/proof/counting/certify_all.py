@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -34,9 +34,9 @@ from nonsmooth.runtime.proof.certificate import GUARD, Certificate
 from nonsmooth.runtime.proof.certify_orbit import FEWEST_BITS, MOST_BITS, certify
 from nonsmooth.runtime.proof.counting.census import Bounds, Census, Counted, Open
 from nonsmooth.runtime.proof.exact_tables import exact_tables
-from nonsmooth.runtime.proof.kept_state import KeptState
 from nonsmooth.runtime.proof.orbit_to_prove import symplectic_form
 from nonsmooth.runtime.proof.refusals import as_read
+from nonsmooth.runtime.proof.search_loop import Steps, proved_by_steps
 from nonsmooth.runtime.proof.statement import system_declaration
 from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
@@ -342,16 +342,8 @@ def certify_all(
             raise InputError(f"the orbits cannot be counted: {problem}") from None
         _check_size(judge.equations, limit)
         walks = [Walk(equations) for equations in judge.equations]
-        searches = [
-            _TreeSearch(walk, _share(progress, k, len(walks))) for k, walk in enumerate(walks)
-        ]
-        count = _Count(asked, judge, sides, searches)
-        with KeptState(count.census, None):
-            begin("searching")
-            for search in searches:
-                search.go(limit - sum(other.looked for other in searches))
-            count.certify_orbits(begin)
-            return count.census()
+        count = _Count(asked, judge, sides, [*map(_TreeSearch, walks)])
+        return proved_by_steps(count.steps(limit, begin), count.census, progress)
 
 
 class _Count:
@@ -367,8 +359,17 @@ class _Count:
         self._asked, self._judge, self._sides, self._searches = asked, judge, sides, searches
         self._certified: list[tuple[Certificate | None, str]] = []  # of the orbits in turn
 
-    def certify_orbits(self, begin: Callable[[str], object]) -> None:
-        """Certify each orbit that the trees have; boxes that still wait are too many."""
+    def steps(self, limit: int, begin: Callable[[str], object]) -> Steps:
+        """Search all boxes, `limit` at most, then certify each orbit that the trees have.
+
+        The share that is searched is yielded; `begin` is told what begins. Boxes that still wait
+        then are too many.
+        """
+        begin("searching")
+        for place, search in enumerate(self._searches):
+            left = limit - sum(other.looked for other in self._searches)
+            for share in search.shares(left):
+                yield ((place + share) / len(self._searches),)
         inside = self._found(_MANY).inside
         for number, (equations, root) in enumerate(inside, 1):
             begin(f"certifying orbit {number} of {len(inside)}")
@@ -428,17 +429,22 @@ class _Count:
 class _TreeSearch:
     """The search for a tree of boxes: where to cut, and when a box is worth a closer look."""
 
-    def __init__(self, walk: Walk, progress: Callable[[float], object]) -> None:
-        self.walk, self._progress = walk, progress
+    def __init__(self, walk: Walk) -> None:
+        self.walk = walk
         self._sizes = [high - low for low, high in walk.equations.domain]
         self._patience = [0]  # of each box that waits: how often it is cut before it is contracted
         self._limit, self._done, self.looked = 0, 0.0, 0
         self.reason = _SINGULAR  # why boxes are left open
 
-    def go(self, limit: int) -> None:
-        """Search on, and look at `limit` boxes at most; the others are left open."""
+    def shares(self, limit: int) -> Iterator[float]:
+        """Search on, and yield the share that is searched every so many boxes.
+
+        At most `limit` boxes are looked at; the others are left open.
+        """
         self._limit = limit
-        self.walk.follow(self._advice)
+        while self.walk.waits:
+            self.walk.follow(self._advice, _TOLD)
+            yield self._done
 
     def leave_rest(self, reason: str) -> None:
         """Leave all boxes open that still wait, for a reason."""
@@ -455,8 +461,6 @@ class _TreeSearch:
         self._done += 0.0 if letter in CUTS else self._part_of(part.sides)
         self._done -= self._part_of(part.kept) if letter == "=" else 0.0
         self.looked += 1
-        if self.looked % _TOLD == 0:
-            self._progress(self._done)
         return letter
 
     def _letter(self, part: CoveringBox, patience: int) -> tuple[str, int]:
@@ -532,13 +536,6 @@ def _orbit(asked: Asked, equations: DwellEquations, root: Root) -> Orbit:
         0,
         CONVERGED,
     )
-
-
-def _share(
-    progress: Callable[[float], object], place: int, count: int
-) -> Callable[[float], object]:
-    """A function that reports the progress of all searches, given that of one."""
-    return lambda share: progress((place + share) / count)
 
 
 def _bounds(equations: DwellEquations, sides: Sides) -> Bounds:

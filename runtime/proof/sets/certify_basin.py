@@ -20,7 +20,7 @@ from nonsmooth.runtime.explore.finding.find import start_box
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
 from nonsmooth.runtime.proof.exact_tables import ExactSystem, exact_system
-from nonsmooth.runtime.proof.kept_state import KeptState
+from nonsmooth.runtime.proof.search_loop import Steps, proved_by_steps
 from nonsmooth.runtime.proof.sets.attracting_core import AttractingCore, Undecided, attracting_core
 from nonsmooth.runtime.proof.sets.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.sets.section_choice import MetSection, section_of
@@ -326,18 +326,16 @@ class _BasinQuestion:
         def state() -> BasinCertificate:
             return replace(known, looked=looked.copy(), attracted=attracted.copy())
 
-        done = 0
-        with (
-            KeptState(state, keep) as kept,
-            refused_as_input(),
-            closing(in_processes(_begin_tiles, _entries(known), batches(), workers)) as found,
-        ):
-            for numbers, good in found:
-                looked[numbers], attracted[numbers] = True, good
-                done += len(numbers)
-                self.progress(done / goal, int(attracted.sum()))
-                kept.step()
-        return state()
+        def steps() -> Steps:
+            done, told = 0, (_begin_tiles, _entries(known), batches(), workers)
+            with closing(in_processes(*told)) as found:
+                for numbers, good in found:
+                    looked[numbers], attracted[numbers] = True, good
+                    done += len(numbers)
+                    yield done / goal, int(attracted.sum())
+
+        with refused_as_input():
+            return proved_by_steps(steps(), state, self.progress, keep)
 
     def undecided(self, met: MetSection, reason: str) -> BasinCertificate:
         """The certificate that nothing is proved, for a reason."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import closing
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -20,7 +20,7 @@ from nonsmooth.runtime.core.values import by_name, flint_precision
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.proof.exact_tables import ExactSystem, exact_system
-from nonsmooth.runtime.proof.kept_state import KeptState
+from nonsmooth.runtime.proof.search_loop import Steps, proved_by_steps
 from nonsmooth.runtime.proof.sets.box_graphs import BoxGraph
 from nonsmooth.runtime.proof.sets.graph_certificate import RegionCertificate
 from nonsmooth.runtime.proof.sets.section_choice import Sampled, sampled_sections
@@ -175,8 +175,9 @@ def certify_graph(
                 longest=max(transitions, resume.longest),
             )
     question = section_entries(known, "widest", "most", "longest", "bits")
+    work = _BoxImages(question, known, workers)
     with refused_as_input():
-        return _BoxImages(question, known, workers, progress, keep).refined(levels)
+        return proved_by_steps(work.steps(levels), lambda: work.known, progress, keep)
 
 
 def _begin_images(question: Mapping[str, Any]) -> Callable[[ManySets], Arrivals]:
@@ -197,40 +198,40 @@ class _BoxImages:
     question: Mapping[str, Any]
     known: RegionCertificate
     workers: int
-    progress: Callable[[int, int], object]
-    keep: Callable[[RegionCertificate], object] | None
-    kept: KeptState[RegionCertificate] = field(init=False)
 
-    def refined(self, levels: int) -> RegionCertificate:
-        """The certificate after all unknown images are enclosed and boxes are divided."""
-        graph, left = self.known.graph, np.flatnonzero(self.known.graph.unknown)
-        with KeptState(lambda: self.known, self.keep) as self.kept:
-            graph = self._seen(graph, left)
-            while len(graph.grid.divided) <= levels:
-                coarse = graph.coarse
-                more = int(coarse.sum()) * (2 ** len(graph.grid.grid.counts) - 1)
-                if not more or len(graph.grid) + more > _MOST_BOXES:
-                    break
-                graph, left = graph.halved(coarse)
-                self.known = replace(self.known, graph=graph)
-                graph = self._seen(graph, left)
+    @property
+    def graph(self) -> BoxGraph:
+        """The graph as far as it is known."""
+        return self.known.graph
+
+    def steps(self, levels: int) -> Steps:
+        """Enclose all unknown images, then divide boxes, and enclose theirs, so many times.
+
+        How many boxes of how many were mapped is yielded, at each level.
+        """
+        yield from self._seen(np.flatnonzero(self.graph.unknown))
+        while len(self.graph.grid.divided) <= levels:
+            coarse, grid = self.graph.coarse, self.graph.grid
+            more = int(coarse.sum()) * (2 ** len(grid.grid.counts) - 1)
+            if not more or len(grid) + more > _MOST_BOXES:
+                break
+            graph, left = self.graph.halved(coarse)
+            self.known = replace(self.known, graph=graph)
+            yield from self._seen(left)
+        graph = self.graph
         assert self.known.proved == stays(graph.found, graph.trapping, graph.labels, graph.ranks)
-        return self.known
 
-    def _seen(self, graph: BoxGraph, left: NDArray[np.int_]) -> BoxGraph:
-        """The graph with the enclosed images of some boxes."""
+    def _seen(self, left: NDArray[np.int_]) -> Steps:
+        """Enclose the images of some boxes."""
         size = max(1, min(_AT_ONCE, -(-len(left) // self.workers)))
         batches = [left[first : first + size] for first in range(0, len(left), size)]
-        sets, done = map(graph.grid.sets, batches), 0
-        self.progress(done, len(left))
+        sets, done = map(self.graph.grid.sets, batches), 0
+        yield done, len(left)
         with closing(in_processes(_begin_images, self.question, sets, self.workers)) as found:
             for numbers, (_, leaves) in zip(batches, found, strict=True):
-                graph = graph.seen(numbers, leaves)
-                self.known = replace(self.known, graph=graph)
+                self.known = replace(self.known, graph=self.graph.seen(numbers, leaves))
                 done += len(numbers)
-                self.progress(done, len(left))
-                self.kept.step()
-        return graph
+                yield done, len(left)
 
 
 def _extents(motion: Trajectory) -> Floats:
