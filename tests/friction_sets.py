@@ -10,8 +10,8 @@ from nonsmooth.runtime.checker.state_sets.many_sets import ManyMotions
 from nonsmooth.runtime.checker.state_sets.switching import StatedSection
 from nonsmooth.runtime.core.float_sets import ManySets
 from nonsmooth.runtime.model.kernels import load_system
-from nonsmooth.runtime.proof.exact_tables import exact_system
 from nonsmooth.runtime.proof.sets.sections import listed_declaration, transition_section
+from nonsmooth.runtime.proof.statement import exact_system
 from tests.two_masses import STICKING
 
 # with the paper's orbit, which has a phase in which both masses stick

@@ -9,8 +9,8 @@ from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.proof.chaos.certify_chaos import _ChaosQuestion
 from nonsmooth.runtime.proof.chaos.h_sets import HSet
 from nonsmooth.runtime.proof.chaos.search import Horseshoe
-from nonsmooth.runtime.proof.exact_tables import exact_system
 from nonsmooth.runtime.proof.sets.sections import forcing_section, transition_section
+from nonsmooth.runtime.proof.statement import exact_system
 
 INVERTED = Path(__file__).with_name("inverted_oscillator.py")
 INVERTED_DATA = {"r": "0.7", "a": "2", "w": "4"}

@@ -110,7 +110,7 @@ def simulate(
 
         observed = observe_motion(motion, observed_since)
     if prove:
-        from nonsmooth.runtime.proof.motion.validate import certify_motion
+        from nonsmooth.runtime.proof.certify_motion import certify_motion
 
         begin = motion.configurations[0]
         proof = certify_motion(system, values, exact, begin, motion.transitions)

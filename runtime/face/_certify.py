@@ -10,10 +10,10 @@ from nonsmooth.runtime.proof.boxes.certify_box import certify_box
 from nonsmooth.runtime.proof.branch.certify_branch import certify_branch
 from nonsmooth.runtime.proof.branch.certify_doubling import certify_doubling
 from nonsmooth.runtime.proof.branch.certify_event import certify_event
+from nonsmooth.runtime.proof.certify_all import certify_all
+from nonsmooth.runtime.proof.certify_motion import certify_motion
 from nonsmooth.runtime.proof.certify_orbit import certify as certify_orbit
 from nonsmooth.runtime.proof.chaos.certify_chaos import certify_chaos
-from nonsmooth.runtime.proof.counting.certify_all import certify_all
-from nonsmooth.runtime.proof.motion.validate import certify_motion
 from nonsmooth.runtime.proof.sets.certify_basin import certify_basin
 from nonsmooth.runtime.proof.sets.certify_graph import certify_graph
 

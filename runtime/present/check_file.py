@@ -26,7 +26,7 @@ from nonsmooth.runtime.model.kernels import SystemKernels, load_orbit, load_syst
 from nonsmooth.runtime.model.saved_system import same_system
 from nonsmooth.runtime.present.compare_declarations import check_domains, compare
 from nonsmooth.runtime.present.files.kept import format_named
-from nonsmooth.runtime.proof.branch.event_certificate import EventCertificates, events_claim
+from nonsmooth.runtime.proof.branch.certified_branch import EventCertificates, events_claim
 
 _MOST = 500_000_000  # bytes of a file
 _HELD = "{} is the system as the file holds it: no declaration was run"

@@ -33,12 +33,6 @@ from nonsmooth.runtime.model.saved_system import SavedSystem, system_in
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.table_solve import whole_names
 from nonsmooth.runtime.proof.certificate import GUARD
-from nonsmooth.runtime.proof.exact_tables import (
-    ExactSystem,
-    exact_system,
-    exact_tables,
-    tables_over,
-)
 from nonsmooth.runtime.proof.sets.sections import (
     Way,
     listed_declaration,
@@ -46,9 +40,13 @@ from nonsmooth.runtime.proof.sets.sections import (
 )
 from nonsmooth.runtime.proof.statement import (
     PERIOD,
+    ExactSystem,
     declaration_json,
+    exact_system,
+    exact_tables,
     kernels_with,
     system_declaration,
+    tables_over,
 )
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, itinerary_shape
 

@@ -14,13 +14,16 @@ from nonsmooth.runtime.present.told import Listing, Rows, Told, first, given, ma
 if TYPE_CHECKING:
     from nonsmooth.runtime.present.check_file import Check
     from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
-    from nonsmooth.runtime.proof.branch.certified_branch import BranchEvent, CertifiedBranch
-    from nonsmooth.runtime.proof.branch.certified_doubling import CertifiedDoubling
-    from nonsmooth.runtime.proof.branch.event_certificate import EventCertificate
+    from nonsmooth.runtime.proof.branch.certified_branch import (
+        BranchEvent,
+        CertifiedBranch,
+        CertifiedDoubling,
+        EventCertificate,
+    )
+    from nonsmooth.runtime.proof.census import Bounds, Census, Counted
     from nonsmooth.runtime.proof.certificate import Certificate
     from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
-    from nonsmooth.runtime.proof.counting.census import Bounds, Census, Counted
-    from nonsmooth.runtime.proof.motion.motion_proof import Enclosure, Proof
+    from nonsmooth.runtime.proof.motion_proof import Enclosure, Proof
     from nonsmooth.runtime.proof.sets.basin_certificate import BasinCertificate
     from nonsmooth.runtime.proof.sets.graph_certificate import Component, RegionCertificate
 

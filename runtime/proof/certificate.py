@@ -27,7 +27,7 @@ from nonsmooth.runtime.core.registry import Certified
 from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.core.values import LARGEST_EXPONENT, Value, flint_precision
 from nonsmooth.runtime.model.saved_system import KeptOrbitName
-from nonsmooth.runtime.proof.motion.motion_proof import Enclosure
+from nonsmooth.runtime.proof.motion_proof import Enclosure
 from nonsmooth.runtime.proof.statement import decimals
 
 GUARD = 32  # bits beyond those of the enclosures

@@ -17,7 +17,6 @@ from nonsmooth.runtime.checker.stated.exact import Elimination, Failure
 from nonsmooth.runtime.core.errors import check_integer, chosen_names
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
-from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, region_at
 from nonsmooth.runtime.proof.certificate import (
     CLAIMS,
     GUARD,
@@ -26,19 +25,24 @@ from nonsmooth.runtime.proof.certificate import (
     Stated,
     Unknown,
 )
-from nonsmooth.runtime.proof.exact_tables import (
-    NotRational,
-    Row,
-    rational_of,
-    tables_over,
-)
 from nonsmooth.runtime.proof.orbit_to_prove import (
     ClosureConditions,
     NotCovered,
+    Region,
     closing_of,
+    region_at,
     subject_near,
 )
-from nonsmooth.runtime.proof.statement import PERIOD, closing_json, decimals, system_declaration
+from nonsmooth.runtime.proof.statement import (
+    PERIOD,
+    NotRational,
+    Row,
+    closing_json,
+    decimals,
+    rational_of,
+    system_declaration,
+    tables_over,
+)
 
 Direction = Mapping[str, Fraction]  # how parameters of the system, or the period, move
 

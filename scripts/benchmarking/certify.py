@@ -14,8 +14,8 @@ from nonsmooth.runtime.present.check_file import check_certificate
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.boxes.certify_box import certify_box
 from nonsmooth.runtime.proof.branch.certify_event import certify_event
+from nonsmooth.runtime.proof.certify_all import certify_all
 from nonsmooth.runtime.proof.certify_orbit import certify
-from nonsmooth.runtime.proof.counting.certify_all import certify_all
 
 ORBIT = "dry-friction/global-stick"
 BITS = 100

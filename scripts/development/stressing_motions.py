@@ -15,7 +15,7 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.engine_run import Run
 from nonsmooth.runtime.model.kernels import compiled_engine
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
-from nonsmooth.runtime.proof.motion.validate import Proof, certify_motion
+from nonsmooth.runtime.proof.certify_motion import Proof, certify_motion
 from nonsmooth.runtime.simulation.engines import run_compiled
 from nonsmooth.runtime.simulation.starting import configuration_of
 from nonsmooth.runtime.simulation.stepping import run as reference

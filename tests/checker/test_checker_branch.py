@@ -12,9 +12,8 @@ from flint import arb, arb_mat, ctx
 import nonsmooth as ns
 from nonsmooth.derive import SoftStop
 from nonsmooth.runtime.checker import Failure
-from nonsmooth.runtime.checker.ranges.branch import checked_tiles, curve_of
+from nonsmooth.runtime.checker.ranges.branch import CheckedTile, checked_tiles, curve_of
 from nonsmooth.runtime.checker.ranges.branch_curve import solution
-from nonsmooth.runtime.checker.ranges.branch_tile import CheckedTile
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import range_of
 from tests.certified import (

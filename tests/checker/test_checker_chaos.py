@@ -13,8 +13,7 @@ from typer.testing import CliRunner
 import nonsmooth as ns
 from nonsmooth import Interrupted
 from nonsmooth.runtime.checker import Failure
-from nonsmooth.runtime.checker.state_sets.chaos import Covered, StretchedSets, _placed
-from nonsmooth.runtime.checker.state_sets.cones import check_cones
+from nonsmooth.runtime.checker.state_sets.chaos import Covered, StretchedSets, _placed, check_cones
 from nonsmooth.runtime.checker.state_sets.sets import StateSet
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.proof.chaos.cone_conditions import ConeCondition
@@ -240,7 +239,7 @@ def narrower(cones, place, side):
 )
 def test_cones_that_say_too_much_are_refused(coned, tmp_path, monkeypatch, change, told):
     # fewer rounds before it gives up, and what is not of cones is proved elsewhere
-    monkeypatch.setattr("nonsmooth.runtime.checker.state_sets.cones.SPREADS", (1.0, 0.4))
+    monkeypatch.setattr("nonsmooth.runtime.checker.state_sets.chaos.SPREADS", (1.0, 0.4))
     monkeypatch.setattr(StretchedSets, "covered", lambda *_: Covered((), (), {}))
     found = changed(coned, tmp_path, lambda content: change(content["cones"]))
     assert found.difference is None if told is None else told in found.difference

@@ -7,8 +7,7 @@ from flint import arb
 
 import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure
-from nonsmooth.runtime.checker.ranges.branch import curve_of
-from nonsmooth.runtime.checker.ranges.branch_tile import CheckedTile
+from nonsmooth.runtime.checker.ranges.branch import CheckedTile, curve_of
 from nonsmooth.runtime.checker.ranges.doubling import (
     JudgedDoubling,
     check_doubled,

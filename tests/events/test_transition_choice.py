@@ -23,7 +23,7 @@ from nonsmooth.derive import (
 from nonsmooth.runtime.events.transition_choice import Decider
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import TransitionShape
-from nonsmooth.runtime.proof.exact_tables import exact_system
+from nonsmooth.runtime.proof.statement import exact_system
 from tests.engines import with_both
 from tests.simulation.test_contact_law import SIGN, drawn
 

@@ -11,11 +11,10 @@ import nonsmooth as ns
 from nonsmooth.derive import SoftStop
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
-from nonsmooth.runtime.proof.exact_tables import exact_system
-from nonsmooth.runtime.proof.sets.attracting_core import Undecided, attracting_core
-from nonsmooth.runtime.proof.sets.certify_basin import next_tiles
+from nonsmooth.runtime.proof.sets.certify_basin import Undecided, attracting_core, next_tiles
+from nonsmooth.runtime.proof.sets.section_choice import FloatSection
 from nonsmooth.runtime.proof.sets.section_choice import section_of as basin_section
+from nonsmooth.runtime.proof.statement import exact_system
 from tests.certified import accepted
 from tests.friction_sets import BOX, DATA, SIDE, TILES, arrival, prove_basin, section_of
 from tests.one_mass import one_mass

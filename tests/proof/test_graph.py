@@ -10,7 +10,7 @@ import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.runtime.core.box_grid import BoxGrid, DividedGrid
 from nonsmooth.runtime.model.kernels import load_system
-from nonsmooth.runtime.proof.sets.box_graphs import BoxGraph
+from nonsmooth.runtime.proof.sets.graph_certificate import BoxGraph
 from tests.friction_sets import DATA, arrival
 from tests.horseshoes import FRICTION_DATA
 from tests.pictures import legend_of

@@ -118,7 +118,7 @@ def test_a_tile_of_a_branch_is_divided(tmp_path):
     """What is stated is what the check proves, however little that can do."""
     widest = fmpq(1, 1000)
     with refusing(
-        "checker.ranges.branch_tile.CheckedTile.claims", lambda tile: tile.high - tile.low >= widest
+        "checker.ranges.branch.CheckedTile.claims", lambda tile: tile.high - tile.low >= widest
     ):
         found = ns.certify.branch(branch(), interval=("1.075", "1.085"))
     assert found.complete, found.statement
@@ -160,7 +160,7 @@ def test_chaos():
 
 
 def test_cones():
-    with refusing("checker.state_sets.cones.Derivatives.hulls"):
+    with refusing("checker.state_sets.chaos.Derivatives.hulls"):
         found = folded_horseshoe(exponents=True)
     assert found.proved
     assert found.cones is None

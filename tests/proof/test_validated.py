@@ -24,8 +24,8 @@ from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.state_sets.one_motion import OneMotion
 from nonsmooth.runtime.checker.state_sets.sets import TooWide
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.exact_tables import exact_system
 from nonsmooth.runtime.proof.sets.sections import whole_system
+from nonsmooth.runtime.proof.statement import exact_system
 from tests.counting import calls_of
 from tests.declared import elastic_stop, rigid_stop
 from tests.declared_motion import DeclaredMotion, mp

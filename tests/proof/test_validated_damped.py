@@ -19,7 +19,7 @@ from nonsmooth.derive import (
     System,
     Transition,
 )
-from nonsmooth.runtime.checker.state_sets.for_ever import stays_negative
+from nonsmooth.runtime.checker.state_sets.one_motion import stays_negative
 from nonsmooth.runtime.core.values import flint_precision
 from tests.declared_motion import DeclaredMotion
 from tests.one_mass import one_mass

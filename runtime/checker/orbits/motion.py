@@ -11,9 +11,8 @@ from typing import Any, NamedTuple
 
 from flint import arb, ctx, fmpq
 
-from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, lower
+from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, lower, vanishing
 from nonsmooth.runtime.checker.orbits.stability import MULTIPLIERS, characteristic, passing
-from nonsmooth.runtime.checker.orbits.vanishing import vanishing
 from nonsmooth.runtime.checker.stated.declared import StatedBoundary, StatedPhase, Way
 from nonsmooth.runtime.checker.stated.exact import Verdict, demand, exact, product
 from nonsmooth.runtime.core.taylor_models import matrix, range_of

@@ -15,8 +15,13 @@ from flint import arb, ctx, fmpq
 
 from nonsmooth.runtime.checker.orbits.motion import Border, borders_of
 from nonsmooth.runtime.checker.orbits.stability import MULTIPLIERS
-from nonsmooth.runtime.checker.ranges.branch import checked_tiles
-from nonsmooth.runtime.checker.ranges.branch_tile import BITS, NO_MOTION, SHARP, CheckedTile
+from nonsmooth.runtime.checker.ranges.branch import (
+    BITS,
+    NO_MOTION,
+    SHARP,
+    CheckedTile,
+    checked_tiles,
+)
 from nonsmooth.runtime.checker.stated.exact import (
     Elimination,
     Failure,

@@ -19,14 +19,13 @@ from flint import arb, arb_mat, ctx
 from nonsmooth.runtime.checker.orbits.motion import admissibility
 from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, flows_over, krawczyk, newton
 from nonsmooth.runtime.checker.orbits.stability import CORNER, characteristic, passing, stability
-from nonsmooth.runtime.checker.ranges.branch import checked_tiles, curve_of
+from nonsmooth.runtime.checker.ranges.branch import CheckedTile, checked_tiles, curve_of
 from nonsmooth.runtime.checker.ranges.branch_curve import (
     CheckedCurve,
     prove_on_parts,
     solution,
     without_entry,
 )
-from nonsmooth.runtime.checker.ranges.branch_tile import CheckedTile
 from nonsmooth.runtime.checker.stated.exact import Failure, demand, exact, inside
 from nonsmooth.runtime.checker.stated.parameters import number_at
 from nonsmooth.runtime.checker.stated.shape import check_file

@@ -17,7 +17,7 @@ import numpy as np
 from flint import arb, ctx, fmpq
 
 from nonsmooth.runtime.checker.state_sets.many_sets import ManyMotions
-from nonsmooth.runtime.checker.state_sets.section_maps import Parallelepiped, SectionMap, divided
+from nonsmooth.runtime.checker.state_sets.one_way import Parallelepiped, SectionMap, divided
 from nonsmooth.runtime.checker.state_sets.sets import TooWide
 from nonsmooth.runtime.checker.state_sets.switching import StatedSection
 from nonsmooth.runtime.checker.stated.exact import demand, exact

@@ -14,7 +14,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from flint import arb, arb_mat, ctx, fmpq
 
-from nonsmooth.runtime.checker.state_sets.exits import negative, rounded
 from nonsmooth.runtime.checker.state_sets.portions import (
     Departure,
     DividingPhase,
@@ -23,7 +22,9 @@ from nonsmooth.runtime.checker.state_sets.portions import (
     Remaining,
     direction,
     joined_portions,
+    negative,
     opposite,
+    rounded,
 )
 from nonsmooth.runtime.checker.state_sets.sets import matrix_of
 from nonsmooth.runtime.checker.state_sets.switching import (

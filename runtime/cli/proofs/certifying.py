@@ -152,7 +152,7 @@ def certify_all(
 ) -> int:
     """Prove how many orbits an itinerary has with dwell times in a box."""
     from nonsmooth.runtime.cli.display import steps
-    from nonsmooth.runtime.proof.counting.certify_all import certify_all as count
+    from nonsmooth.runtime.proof.certify_all import certify_all as count
 
     values, ranged = values_and_ranges(parameters, blank=True)
     for name, (_, high) in ranged.items():

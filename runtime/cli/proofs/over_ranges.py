@@ -208,8 +208,8 @@ def certify_event(
     """Enclose what happens on a branch over one parameter: bifurcations and collisions."""
     from nonsmooth.runtime.cli.display import counted
     from nonsmooth.runtime.present.files.kept import save_result
+    from nonsmooth.runtime.proof.branch.certified_branch import events_claim
     from nonsmooth.runtime.proof.branch.certify_event import certify_events as enclose
-    from nonsmooth.runtime.proof.branch.event_certificate import events_claim
 
     known = reply.known.events if reply.resume else ()
     branch, (lower, upper) = _followed(orbit, parameters, guess)

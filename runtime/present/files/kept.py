@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.explore.finding.sweep import Sweep
     from nonsmooth.runtime.explore.fitting.fit import Fit
     from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
-    from nonsmooth.runtime.proof.branch.event_certificate import (
+    from nonsmooth.runtime.proof.branch.certified_branch import (
         EventCertificate,
         EventCertificates,
     )
@@ -118,7 +118,7 @@ def _check_fit(fit: Fit) -> None:
 
 
 def _check_basin(found: BasinCertificate) -> None:
-    from nonsmooth.runtime.proof.sets.runs import check_size
+    from nonsmooth.runtime.proof.sets.graph_certificate import check_size
 
     for grid, each in ((found.grid, found.ranks), (found.tiles, found.looked)):
         check_size(each, 0 if grid is None else len(grid))
@@ -169,7 +169,7 @@ KINDS: dict[str, KeptKind] = {
     ),
     "nonsmooth event certificate": KeptKind(
         "set of certificates of events",
-        ".proof.branch.event_certificate:EventCertificates",
+        ".proof.branch.certified_branch:EventCertificates",
         _PROOF,
     ),
     "nonsmooth certified branch": KeptKind(
@@ -177,10 +177,10 @@ KINDS: dict[str, KeptKind] = {
     ),
     "nonsmooth certified doubling": KeptKind(
         "certified doubling",
-        ".proof.branch.certified_doubling:CertifiedDoubling",
+        ".proof.branch.certified_branch:CertifiedDoubling",
         1 + SAVED_VERSION,
     ),
-    "nonsmooth census": KeptKind("census", ".proof.counting.census:Census", _PROOF),
+    "nonsmooth census": KeptKind("census", ".proof.census:Census", _PROOF),
     "nonsmooth basin certificate": KeptKind(
         "certificate of a basin",
         ".proof.sets.basin_certificate:BasinCertificate",
@@ -216,7 +216,7 @@ def save_result(result: Any, path: str | os.PathLike[str]) -> None:
     if type(result).__name__ == "EventCertificate":
         result = [result]
     if isinstance(result, Sequence):
-        from nonsmooth.runtime.proof.branch.event_certificate import EventCertificates
+        from nonsmooth.runtime.proof.branch.certified_branch import EventCertificates
 
         result = EventCertificates(events=tuple(result))
     own = type(result).__name__

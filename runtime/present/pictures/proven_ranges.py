@@ -12,8 +12,11 @@ from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.model.naming import shown_name, units_of
 from nonsmooth.runtime.present.pictures.drawing import drawn_alone, finish, line_style, mark_style
 from nonsmooth.runtime.proof.boxes.box_certificate import VERDICTS, BoxCertificate, Tile
-from nonsmooth.runtime.proof.branch.certified_branch import BranchTile, CertifiedBranch
-from nonsmooth.runtime.proof.branch.certified_doubling import CertifiedDoubling
+from nonsmooth.runtime.proof.branch.certified_branch import (
+    BranchTile,
+    CertifiedBranch,
+    CertifiedDoubling,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

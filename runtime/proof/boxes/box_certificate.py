@@ -24,8 +24,7 @@ from nonsmooth.runtime.proof.boxes.regions import (
     open_boxes_of,
     regions_of,
 )
-from nonsmooth.runtime.proof.boxes.tile_event import TileEvent
-from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
+from nonsmooth.runtime.proof.boxes.tile import Interval, Place, TileEvent
 from nonsmooth.runtime.proof.certificate import (
     CLAIMS,
     NO_ORBIT,

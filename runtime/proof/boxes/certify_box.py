@@ -20,22 +20,20 @@ from nonsmooth.runtime.core.errors import check_integer
 from nonsmooth.runtime.core.json_codec import encode
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.proof.asking import Steps, as_read, asking, proved_by_steps, refusal
 from nonsmooth.runtime.proof.boxes.box_certificate import BITS, DIGITS, BoxCertificate, Tile
-from nonsmooth.runtime.proof.boxes.orbit_over_box import (
+from nonsmooth.runtime.proof.boxes.tile import Fold, Place, TileEvent
+from nonsmooth.runtime.proof.boxes.tile_search import FoldSearch, event_on
+from nonsmooth.runtime.proof.certificate import CLAIMS, Stated, check_same_orbits, file_json
+from nonsmooth.runtime.proof.orbit_to_prove import (
+    NotCovered,
     Region,
     checked_box,
     region_of,
     stated_orbits,
     with_open_ones,
 )
-from nonsmooth.runtime.proof.boxes.tile_event import Fold, TileEvent, event_on
-from nonsmooth.runtime.proof.boxes.tile_fold import FoldSearch
-from nonsmooth.runtime.proof.boxes.tile_places import Place
-from nonsmooth.runtime.proof.certificate import CLAIMS, Stated, check_same_orbits, file_json
-from nonsmooth.runtime.proof.exact_tables import rational_of
-from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
-from nonsmooth.runtime.proof.refusals import as_read, asking, refusal
-from nonsmooth.runtime.proof.search_loop import Steps, proved_by_steps
+from nonsmooth.runtime.proof.statement import rational_of
 
 
 class BoxRefusals:

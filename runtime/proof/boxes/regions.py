@@ -17,10 +17,16 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple, TypeVar
 import numpy as np
 
 from nonsmooth.runtime.checker.ranges.divided import Band
-from nonsmooth.runtime.checker.ranges.folded import neighbours
+from nonsmooth.runtime.checker.ranges.folded import BEYOND, neighbours
 from nonsmooth.runtime.core.json_codec import Several, by
-from nonsmooth.runtime.proof.boxes.tile_event import BEYOND, Fold, TileEvent, WhatHappens
-from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place, Point
+from nonsmooth.runtime.proof.boxes.tile import (
+    Fold,
+    Interval,
+    Place,
+    Point,
+    TileEvent,
+    WhatHappens,
+)
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate, Tile

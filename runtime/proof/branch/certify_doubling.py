@@ -12,9 +12,8 @@ from typing import Any, cast
 import numpy as np
 from flint import arb
 
-from nonsmooth.runtime.checker.ranges.branch import curve_of
+from nonsmooth.runtime.checker.ranges.branch import CheckedTile, curve_of
 from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve
-from nonsmooth.runtime.checker.ranges.branch_tile import CheckedTile
 from nonsmooth.runtime.checker.ranges.doubling import (
     ORDER,
     DoubledEquations,
@@ -30,10 +29,13 @@ from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit
 from nonsmooth.runtime.explore.continuation.next_orbits import composed_family
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
+from nonsmooth.runtime.proof.asking import Steps, as_read, proved_by_steps, refusal
 from nonsmooth.runtime.proof.boxes.box_certificate import BITS
-from nonsmooth.runtime.proof.boxes.tile_places import Interval
-from nonsmooth.runtime.proof.branch.certified_branch import STATED, UNDECIDED, CertifiedBranch
-from nonsmooth.runtime.proof.branch.certified_doubling import (
+from nonsmooth.runtime.proof.boxes.tile import Interval
+from nonsmooth.runtime.proof.branch.certified_branch import (
+    STATED,
+    UNDECIDED,
+    CertifiedBranch,
     CertifiedDoubling,
     DoubledOrbits,
     Ended,
@@ -41,10 +43,8 @@ from nonsmooth.runtime.proof.branch.certified_doubling import (
 from nonsmooth.runtime.proof.branch.certify_branch import MOST_TILES, asked_interval, certify_branch
 from nonsmooth.runtime.proof.certificate import file_json
 from nonsmooth.runtime.proof.certify_orbit import stated
-from nonsmooth.runtime.proof.exact_tables import rational_of
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
-from nonsmooth.runtime.proof.refusals import as_read, refusal
-from nonsmooth.runtime.proof.search_loop import Steps, proved_by_steps
+from nonsmooth.runtime.proof.statement import rational_of
 
 _FLIP_BITS = 192  # bits of the numbers at the flip
 _NEWTON_STEPS = 3  # of Newton's method: each doubles the powers of the amplitude that are right

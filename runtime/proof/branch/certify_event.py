@@ -23,13 +23,17 @@ from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.model.saved_system import same_system
 from nonsmooth.runtime.orbits.kernel_problem import chosen_parameters
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, region_of, stated_orbits
-from nonsmooth.runtime.proof.branch.event_certificate import EventCertificate
+from nonsmooth.runtime.proof.asking import REFUSED, Steps, as_read, proved_by_steps
+from nonsmooth.runtime.proof.branch.certified_branch import EventCertificate
 from nonsmooth.runtime.proof.certificate import GUARD, Unknown, file_json
 from nonsmooth.runtime.proof.certify_orbit import FEWEST_BITS, MOST_BITS, refined, stated
-from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, guess_of
-from nonsmooth.runtime.proof.refusals import REFUSED, as_read
-from nonsmooth.runtime.proof.search_loop import Steps, proved_by_steps
+from nonsmooth.runtime.proof.orbit_to_prove import (
+    NotCovered,
+    Region,
+    guess_of,
+    region_of,
+    stated_orbits,
+)
 from nonsmooth.runtime.proof.statement import decimals
 
 _NEIGHBOURS = 4

@@ -20,17 +20,16 @@ from flint import arb
 from nonsmooth.runtime.checker.orbits.motion import Border, admissibility
 from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, followed
 from nonsmooth.runtime.checker.orbits.stability import demand_alone
-from nonsmooth.runtime.checker.ranges.branch import curve_of
+from nonsmooth.runtime.checker.ranges.branch import BITS, ORDER, SHARP, CheckedTile, curve_of
 from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve, with_entry
-from nonsmooth.runtime.checker.ranges.branch_tile import BITS, ORDER, SHARP, CheckedTile
 from nonsmooth.runtime.checker.stated.exact import Failure, Verdict, demand
 from nonsmooth.runtime.core.json_codec import encode
 from nonsmooth.runtime.core.taylor_models import TaylorModel, range_of, space_of
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, stated_orbits
-from nonsmooth.runtime.proof.boxes.tile_event import touching_window, window_balls
-from nonsmooth.runtime.proof.boxes.tile_places import Interval
+from nonsmooth.runtime.proof.asking import REFUSED, as_read, asking, holds
+from nonsmooth.runtime.proof.boxes.tile import Interval
+from nonsmooth.runtime.proof.boxes.tile_search import touching_window, window_balls
 from nonsmooth.runtime.proof.branch.certified_branch import (
     STATED,
     UNDECIDED,
@@ -39,8 +38,8 @@ from nonsmooth.runtime.proof.branch.certified_branch import (
     CertifiedBranch,
 )
 from nonsmooth.runtime.proof.certificate import Stated, file_json
-from nonsmooth.runtime.proof.exact_tables import rational_of
-from nonsmooth.runtime.proof.refusals import REFUSED, as_read, asking, holds
+from nonsmooth.runtime.proof.orbit_to_prove import Region, stated_orbits
+from nonsmooth.runtime.proof.statement import rational_of
 
 _LONG = 6  # phases of a cycle beyond which rounding errors grow too much for few bits
 _NARROW = Fraction(1, 2**24)  # size of a tile, in that of its coordinate, that takes more, too

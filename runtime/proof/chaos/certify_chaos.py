@@ -14,14 +14,12 @@ from nonsmooth.runtime.core.json_codec import encode
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
+from nonsmooth.runtime.proof.asking import REFUSED
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
 from nonsmooth.runtime.proof.chaos.cone_conditions import cone_condition
-from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
 from nonsmooth.runtime.proof.chaos.h_sets import HSet, growth, logarithm_below, outline
 from nonsmooth.runtime.proof.chaos.search import Horseshoe, candidates, orbits_on
-from nonsmooth.runtime.proof.exact_tables import ExactSystem, exact_system
-from nonsmooth.runtime.proof.refusals import REFUSED
-from nonsmooth.runtime.proof.sets.section_choice import sampled_sections
+from nonsmooth.runtime.proof.sets.section_choice import FloatSection, sampled_sections
 from nonsmooth.runtime.proof.sets.sections import (
     MapSection,
     Way,
@@ -31,6 +29,7 @@ from nonsmooth.runtime.proof.sets.sections import (
     stated_section,
     visited_declaration,
 )
+from nonsmooth.runtime.proof.statement import ExactSystem, exact_system
 from nonsmooth.runtime.simulation.simulate import simulate_one
 
 _BITS = 80

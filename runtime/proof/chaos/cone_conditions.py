@@ -25,15 +25,21 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from nonsmooth.runtime.checker.state_sets.chaos import SetMap, StretchedSets
-from nonsmooth.runtime.checker.state_sets.cones import SPREADS, Derivatives, check_rates, positive
+from nonsmooth.runtime.checker.state_sets.chaos import (
+    SPREADS,
+    Derivatives,
+    SetMap,
+    StretchedSets,
+    check_rates,
+    positive,
+)
 from nonsmooth.runtime.checker.stated.exact import Failure, exact
 from nonsmooth.runtime.core.json_codec import Exact
-from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
 from nonsmooth.runtime.proof.chaos.h_sets import HSet, grid_in_cube, logarithm_below
+from nonsmooth.runtime.proof.sets.section_choice import FloatSection
 
 if TYPE_CHECKING:
-    from nonsmooth.runtime.checker.state_sets.cones import Matrix
+    from nonsmooth.runtime.checker.state_sets.chaos import Matrix
 
 _SHARES = tuple(Fraction(4) ** k for k in range(-3, 4))  # of the stable coordinates in a form
 _SEARCHED = 24  # powers of 2 of rates

@@ -19,8 +19,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
 from nonsmooth.runtime.proof.chaos.h_sets import HSet, decimal_set, grid_in_cube, growth
+from nonsmooth.runtime.proof.sets.section_choice import FloatSection
 
 _SEED = 3
 _POINT = 1e-9  # of the range along a motion: points of a section that are one

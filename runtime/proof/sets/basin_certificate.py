@@ -16,7 +16,7 @@ from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.model.saved_system import KeptOrbitName
 from nonsmooth.runtime.proof.certificate import Decided
 from nonsmooth.runtime.proof.chaos.h_sets import HSet
-from nonsmooth.runtime.proof.sets.runs import Flags, Numbers
+from nonsmooth.runtime.proof.sets.graph_certificate import Flags, Numbers
 from nonsmooth.runtime.proof.sets.sections import SectionRecord
 
 

@@ -19,10 +19,8 @@ from nonsmooth.runtime.core.parallel import check_workers, in_processes
 from nonsmooth.runtime.core.values import by_name, flint_precision
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
-from nonsmooth.runtime.proof.exact_tables import ExactSystem, exact_system
-from nonsmooth.runtime.proof.search_loop import Steps, proved_by_steps
-from nonsmooth.runtime.proof.sets.box_graphs import BoxGraph
-from nonsmooth.runtime.proof.sets.graph_certificate import RegionCertificate
+from nonsmooth.runtime.proof.asking import Steps, proved_by_steps
+from nonsmooth.runtime.proof.sets.graph_certificate import BoxGraph, RegionCertificate
 from nonsmooth.runtime.proof.sets.section_choice import Sampled, sampled_sections
 from nonsmooth.runtime.proof.sets.sections import (
     check_same_section,
@@ -31,6 +29,7 @@ from nonsmooth.runtime.proof.sets.sections import (
     section_entries,
     stated_section,
 )
+from nonsmooth.runtime.proof.statement import ExactSystem, exact_system
 from nonsmooth.runtime.simulation.simulate import follow, simulate_one
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 

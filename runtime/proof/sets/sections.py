@@ -33,8 +33,7 @@ from nonsmooth.runtime.model.kernels import SystemKernels, known_system
 from nonsmooth.runtime.model.saved_system import KeptSystemName, check_same_system
 from nonsmooth.runtime.model.structure import TransitionShape
 from nonsmooth.runtime.proof.certificate import Declaration
-from nonsmooth.runtime.proof.exact_tables import ExactSystem, Row
-from nonsmooth.runtime.proof.statement import declaration_json, system_declaration
+from nonsmooth.runtime.proof.statement import ExactSystem, Row, declaration_json, system_declaration
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 
 Way = tuple[int, frozenset[int], int]  # configuration, boundaries, configuration

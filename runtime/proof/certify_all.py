@@ -30,14 +30,12 @@ from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
 from nonsmooth.runtime.orbits.problem import OrbitProblem, orbit_of
 from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.orbits.table_solve import unknowns_of, with_routes
+from nonsmooth.runtime.proof.asking import Steps, as_read, proved_by_steps
+from nonsmooth.runtime.proof.census import Bounds, Census, Counted, Open
 from nonsmooth.runtime.proof.certificate import GUARD, Certificate
 from nonsmooth.runtime.proof.certify_orbit import FEWEST_BITS, MOST_BITS, certify
-from nonsmooth.runtime.proof.counting.census import Bounds, Census, Counted, Open
-from nonsmooth.runtime.proof.exact_tables import exact_tables
 from nonsmooth.runtime.proof.orbit_to_prove import symplectic_form
-from nonsmooth.runtime.proof.refusals import as_read
-from nonsmooth.runtime.proof.search_loop import Steps, proved_by_steps
-from nonsmooth.runtime.proof.statement import system_declaration
+from nonsmooth.runtime.proof.statement import exact_tables, system_declaration
 from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
 from nonsmooth.runtime.shooting.translations import translations_of

@@ -1,10 +1,16 @@
-"""Places of tiles: a box of parameters, halved again and again."""
+"""Tiles of a box of parameters: their places, halved again and again, and the events on them."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass, fields
 from fractions import Fraction
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
+
+from nonsmooth.runtime.checker.ranges.divided import Band
+from nonsmooth.runtime.checker.ranges.folded import BEYOND
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.json_codec import FromOne, Ordinal, Several, one_of
 
 Interval = tuple[Fraction, Fraction]
 Point = tuple[Fraction, Fraction]  # of a plane
@@ -82,3 +88,88 @@ class Place(NamedTuple):
             return Place(tuple(steps))
 
         return half(0), half(1)
+
+
+_PLANE = 2  # parameters of a box with curves, and the fewest coefficients of one
+_OTHERS = ("proved", "unstable", "not admissible")
+Side = Annotated[str, one_of(("below", "above"))]
+Instant = Annotated[str, one_of(("", "start", "inside", "end"))]
+# kinds, phases, boundaries and instants of events
+Events = tuple[tuple[str, Ordinal, str, Instant], ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class BandEntries:
+    """Entries for a band about a curve: the parameter across by its number, from 1."""
+
+    axis: Ordinal
+    centre: tuple[float, ...]
+    radius: float
+
+
+def _band(found: BandEntries) -> Band:
+    if found.axis not in (0, 1) or len(found.centre) < _PLANE:
+        raise InputError("a curve crosses no parameter of the box")
+    return Band(found.axis, found.centre, found.radius)
+
+
+KeptBand = Annotated[Band, Several(BandEntries, lambda band: BandEntries(**band._asdict()), _band)]
+
+
+@dataclass(frozen=True)
+class Fold:
+    """Two sheets of orbits that meet along a curve: a tube around both.
+
+    In the tube one unknown is within `half` of a polynomial of the parameter along the curve.
+    The other unknowns, and the parameter across, are near functions of these two.
+    """
+
+    coordinate: str  # the unknown of the orbit's equations that distinguishes the orbits
+    # coefficients of the polynomial: where the orbits meet, approximately
+    centre: tuple[float, ...]
+    half: float  # half of the tube's width in that unknown
+    sheet: Side  # the map's own sheet, by that unknown
+    other: Annotated[str, one_of(_OTHERS)]  # verdict on the other sheet
+
+
+@dataclass(frozen=True, eq=False)
+class WhatHappens:
+    """An event of an orbit, and where in its cycle it happens."""
+
+    # "flip", "neimark-sacker", "fold", or a border: "grazing", "tangent", "entry", "simultaneous",
+    # "vanishing-phase"
+    kind: str
+    phase: FromOne
+    configuration: str
+    boundary: str
+    instant: Instant
+
+    @staticmethod
+    def of(event: WhatHappens) -> WhatHappens:
+        """Only that, of an event of which more is known."""
+        return WhatHappens(**{own.name: getattr(event, own.name) for own in fields(WhatHappens)})
+
+
+@dataclass(frozen=True)
+class TileEvent(WhatHappens):
+    """A curve of one event that divides a tile.
+
+    Verdicts are "proved", "unstable", "not admissible" or "beyond a fold". They hold for all
+    parameters below the band and above it, along its axis.
+    """
+
+    # times in the phase of a grazing (perhaps in `also`) between which the boundary function is
+    # concave
+    window: tuple[Fraction, ...]
+    # kind, phase, boundary and instant of further events in the same band
+    also: Events
+    band: KeptBand
+    below: Annotated[str, one_of((*_OTHERS, BEYOND))]  # verdict below the band
+    above: Annotated[str, one_of((*_OTHERS, BEYOND))]  # verdict above the band
+    # the orbits that meet; on the side beyond the fold none is in their tube
+    fold: Fold | None
+
+    @property
+    def name(self) -> tuple[str, int | None, str, str]:
+        """Kind, phase, boundary and instant, which distinguish the orbit's events."""
+        return self.kind, self.phase, self.boundary, self.instant

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonsmooth.runtime.checker.state_sets.entries import Unlisted
 from nonsmooth.runtime.checker.state_sets.one_motion import OneMotion
+from nonsmooth.runtime.checker.state_sets.one_way import Unlisted
 from nonsmooth.runtime.checker.state_sets.sets import TooWide, row_of
 from nonsmooth.runtime.checker.stated.exact import Elimination, Failure, fixed, reduced
 from nonsmooth.runtime.core.errors import InputError, check_integer, unknown_name
@@ -24,9 +24,9 @@ from nonsmooth.runtime.model.contacts.unfolding import Route, unfolded
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.structure import Structure
-from nonsmooth.runtime.proof.exact_tables import ExactSystem, exact_system
-from nonsmooth.runtime.proof.motion.motion_proof import Enclosure, Proof, exactly
+from nonsmooth.runtime.proof.motion_proof import Enclosure, Proof, exactly
 from nonsmooth.runtime.proof.sets.sections import whole_system
+from nonsmooth.runtime.proof.statement import ExactSystem, exact_system
 from nonsmooth.runtime.simulation.starting import forcing_start
 
 if TYPE_CHECKING:

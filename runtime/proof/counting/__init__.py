@@ -1,1 +1,0 @@
-"""All orbits of an itinerary in a box of dwell times: each proved, and no other."""

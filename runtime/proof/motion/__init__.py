@@ -1,1 +1,0 @@
-"""Simulation in ball arithmetic: the sequence of configurations of a motion, proved."""
