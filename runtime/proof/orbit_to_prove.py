@@ -27,7 +27,7 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from nonsmooth.runtime.checker.stated.exact import Elimination, product
+from nonsmooth.runtime.checker.stated.exact import Elimination, form_between, products
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.values import Value, as_value, axes
@@ -178,7 +178,7 @@ def _form(
     constants = dict(zip(visited, values[len(pairs) :], strict=True))
     energies: dict[int, Matrix] = {}
     for configuration in visited:
-        upper = _times(omega, tables.fields[configuration][:-1])
+        upper = products(omega, tables.fields[configuration][:-1])
         below = (*(row[-1] for row in upper), constants[configuration])
         energies[configuration] = (*upper, below)
     return SymplecticForm(omega, constants, energies)
@@ -197,24 +197,16 @@ def _missed(tables: Tables, cycle: ItineraryShape, form: SymplecticForm) -> list
         reset = tables.resets[transition.reset]
         on = Elimination().left_kernel([[entry] for entry in row])
         missed += _difference(
-            _seen(_seen(form.energies[after], _transposed(reset)), on),
-            _seen(form.energies[before], on),
+            form_between(form_between(form.energies[after], _transposed(reset)), on),
+            form_between(form.energies[before], on),
         )
         linear = tuple(r[:-1] for r in reset[:-1])
         along = Elimination().left_kernel([[entry] for entry in row[:-1]])
         missed += _difference(
-            _seen(_seen(form.omega, _transposed(linear)), along), _seen(form.omega, along)
+            form_between(form_between(form.omega, _transposed(linear)), along),
+            form_between(form.omega, along),
         )
     return missed
-
-
-def _seen(form: Sequence[Row], rows: Sequence[Row]) -> Matrix:
-    """Return the matrix of a bilinear form between vectors that are given as rows."""
-    return _times(_times(rows, form), _transposed(rows))
-
-
-def _times(left: Sequence[Row], right: Sequence[Row]) -> Matrix:
-    return tuple(product(row, right) for row in left)
 
 
 def _transposed(rows: Sequence[Row]) -> Matrix:

@@ -7,7 +7,6 @@ that is searched. An orbit's own certificate is proved as any other, and that it
 import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
 from typing import Any, NamedTuple
 
 from flint import arb, ctx
@@ -17,7 +16,7 @@ from nonsmooth.runtime.checker.counting.covering import Root, Walk
 from nonsmooth.runtime.checker.counting.dwell_equations import DwellEquations, Given, Setting
 from nonsmooth.runtime.checker.orbits.points import check_stated
 from nonsmooth.runtime.checker.stated.declared import StatedSystem
-from nonsmooth.runtime.checker.stated.exact import Failure, ball, demand, exact
+from nonsmooth.runtime.checker.stated.exact import ball, demand, exact, naming
 from nonsmooth.runtime.checker.stated.parameters import independent, number_at, number_in, values_of
 from nonsmooth.runtime.checker.stated.shape import check_bits, check_file
 from nonsmooth.runtime.core.rational_functions import RationalFunction
@@ -308,7 +307,7 @@ def check_census(content: dict[str, Any]) -> None:
     _check_listed(content, counted, counted.judged(walks))
     for number, orbit in enumerate(content["orbits"], 1):
         if orbit["certificate"] is not None:
-            with _of_orbit(number):
+            with naming(f"orbit {number}"):
                 check_stated(orbit["certificate"])
 
 
@@ -332,7 +331,7 @@ def _check_listed(content: dict[str, Any], counted: CountedBox, found: CensusVer
             continue
         told = orbit["certificate"]
         demand(bool(orbit["reason"]) == (told is None), "a reason for another orbit")
-        with _of_orbit(number):
+        with naming(f"orbit {number}"):
             demand(told is not None or not equations.surplus, "it is not proved to exist")
             if told is not None:
                 counted.check_orbit(told, equations, root)
@@ -344,16 +343,6 @@ def _check_listed(content: dict[str, Any], counted: CountedBox, found: CensusVer
     certified = [orbit["certificate"] for orbit in content["orbits"] if orbit["certificate"]]
     verdicts = [told["claims"]["admissibility"] for told in certified]
     demand(content["admissible"] == verdicts.count("proved"), "another number is admissible")
-
-
-@contextmanager
-def _of_orbit(number: int) -> Iterator[None]:
-    """Name the orbit in the message of a `Failure` raised within the context."""
-    try:
-        yield
-    except Failure as problem:
-        problem.args = (f"orbit {number}: {problem}",)
-        raise
 
 
 def _common_turns(declared: StatedSystem) -> int:

@@ -14,7 +14,7 @@ from typing import Any
 from flint import arb, arb_mat, ctx
 
 from nonsmooth.runtime.checker.orbits.motion import Border
-from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, krawczyk_step, newton
+from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, krawczyk_step, near_inverse, newton
 from nonsmooth.runtime.checker.orbits.stability import (
     MULTIPLIERS,
     characteristic,
@@ -22,10 +22,11 @@ from nonsmooth.runtime.checker.orbits.stability import (
     passing,
 )
 from nonsmooth.runtime.checker.stated.exact import (
-    Failure,
     demand,
+    demand_sign,
     exact,
     inside,
+    naming,
 )
 from nonsmooth.runtime.checker.stated.parameters import number_at, stated_system
 from nonsmooth.runtime.checker.stated.shape import check_bits, check_file, check_sharp
@@ -91,7 +92,7 @@ class JudgedEvent:
             point = [middles[self.place] + arb(0, radii[self.place]), *self.constants]
             for divisor in self.declared.exactly.divisors:
                 value = divisor(point) if callable(divisor) else divisor
-                demand(value > 0 or value < 0, "what is zero there cannot be told")
+                demand_sign(value, "what is zero there cannot be told")
             # all roots are in a smaller box, where all is sharper
             roots = [m + r * e for m, r, e in zip(middles, radii, found, strict=True)]
             unit, middles = arb(2) ** -ctx.prec, [x.mid() for x in roots]
@@ -132,11 +133,8 @@ def check_events(content: dict[str, Any]) -> None:
     check_file(content, "nonsmooth event certificate")
     demand(content["events"], "the file tells of no event")
     for number, event in enumerate(content["events"], 1):
-        try:
-            with ctx.workprec(check_bits(event) + _GUARD):
-                _check(event)
-        except Failure as failure:
-            raise Failure(f"event {number}, {event['kind']}: {failure}") from None
+        with naming(f"event {number}, {event['kind']}"), ctx.workprec(check_bits(event) + _GUARD):
+            _check(event)
 
 
 def _check(event: dict[str, Any]) -> None:
@@ -158,10 +156,7 @@ def _image(values: Sequence[Any]) -> list[Any]:
     fits = all(len(value.parts) == size + 1 for value in values)
     demand(fits, "as many equations as unknowns are needed")
     slopes = arb_mat([[part or 0 for part in value.parts[1:]] for value in values])
-    try:
-        y = slopes.mid().inv().mid()
-    except ZeroDivisionError:
-        raise Failure("the equations are singular in the middle of the box") from None
+    y = near_inverse(slopes)
     missed = arb_mat([[value.parts[0]] for value in values])
     return krawczyk_step(missed, y, slopes, [arb(0, 1)] * size)
 

@@ -17,7 +17,14 @@ from flint import arb, arb_mat, ctx
 from nonsmooth.runtime.checker.orbits.matrix_chains import along_chain, framed_phases
 from nonsmooth.runtime.checker.orbits.short import Short, quotient, quotients
 from nonsmooth.runtime.checker.stated.declared import StatedSystem
-from nonsmooth.runtime.checker.stated.exact import Failure, demand, exact, product, reduced
+from nonsmooth.runtime.checker.stated.exact import (
+    Failure,
+    demand,
+    demand_sign,
+    exact,
+    product,
+    reduced,
+)
 from nonsmooth.runtime.core.rational_functions import pivot
 from nonsmooth.runtime.core.taylor_models import (
     TaylorModel,
@@ -213,7 +220,7 @@ class CheckedOrbit:
             return list((range_of(inside) - inverse * values).entries())
 
         now = at(centre, slopes=inverse is None)
-        inverse = _inverse(now.slopes) if inverse is None else inverse
+        inverse = near_inverse(now.slopes) if inverse is None else inverse
         moved = (inverse * now.values).entries()
         for _ in range(1 if radii else _TRIES):
             tried = radii or [(2 * abs(d) + arb(2) ** -50).upper() for d in moved]
@@ -253,14 +260,14 @@ class CheckedOrbit:
         if not energies:
             return
         omega = range_of(self.numbers(self.declared.omega)).det()
-        demand(omega > 0 or omega < 0, "no symplectic form")
+        demand_sign(omega, "no symplectic form")
         first, *_, last = self.now.starts
         k = self.declared.dropped
         between = first.entries()
         between[k] = between[k] + (last[k, 0] - between[k]) * arb("0.5 +/- 0.5")
         row = energies[self.declared.steps[0].name][k]
         force = self.value(row, between)
-        demand(force > 0 or force < 0, "the energy does not give the coordinate left out")
+        demand_sign(force, "the energy does not give the coordinate left out")
 
     def value(self, row: Any, state: Sequence[Any]) -> Any:
         """Return an exact affine function (N + 1) of a state (N + 1), whose last entry is 1."""
@@ -390,7 +397,7 @@ def followed(
         last = cut is cuts[-1]
         unknowns = list(map(cut, unknowns))
         values, slopes = equations(cut, unknowns, not last)
-        inverse = cut(inverse) if last else _inverse(slopes)
+        inverse = cut(inverse) if last else near_inverse(slopes)
         step = (inverse * values).entries()
         unknowns = [(x - d).mid() for x, d in zip(unknowns, step, strict=True)]
     return unknowns, inverse
@@ -452,12 +459,15 @@ def krawczyk(
     return [x + d for x, d in zip(centre, moved, strict=True)], inside
 
 
-def _inverse(slopes: Any) -> Any:
-    """Return about the inverse of the slopes: any matrix is sound, as the test judges it."""
+_SINGULAR = "the equations are singular in the middle of the box"
+
+
+def near_inverse(slopes: Any, otherwise: str = _SINGULAR) -> Any:
+    """Return about the inverse of a matrix: any is sound, as a test judges it."""
     try:
         return slopes.mid().inv().mid()
     except ZeroDivisionError:
-        raise Failure("the equations are singular in the middle of the box") from None
+        raise Failure(otherwise) from None
 
 
 def trace_of(square: Any) -> Any:
@@ -479,7 +489,7 @@ def vanishing(orbit: CheckedOrbit) -> list[Any]:
     demand(fits and first, "no functions that vanish")
     demand(declared.exactly.echelon(first) == first, "functions that vanish are not reduced")
     facts, count = first, len(first)
-    u = arb_mat([[int(i == j) for j in range(count)] for i in range(count)])
+    u = unit_matrix(count)
     for step, time in zip(declared.steps, orbit.dwell, strict=True):
         kept = declared.exactly.lasting(facts, step.field)
         rates = [_factors(product(row, step.field), kept) for row in kept]
@@ -487,17 +497,13 @@ def vanishing(orbit: CheckedOrbit) -> list[Any]:
         if kept:
             u = (orbit.numbers(rates) * time).exp() * u
         end = declared.exactly.echelon([*kept, step.exit])
-        facts = declared.exactly.echelon(
-            declared.exactly.left_kernel([reduced(row, end) for row in step.reset])
-        )
+        facts = declared.exactly.behind(end, step.reset)
         behind = [_less_exit(orbit, product(row, step.reset), step.exit, kept) for row in facts]
         u = _times(orbit, [_factors(row, kept) for row in behind], u, count)
     lasts = not any(any(reduced(row, facts)) for row in first)
     demand(lasts, "functions that vanish depend on others")
     u = _times(orbit, [_factors(row, facts) for row in first], u, count)
-    unit = arb_mat([[int(i == j) for j in range(count)] for i in range(count)])
-    missed = (unit - u).det()
-    demand(missed > 0 or missed < 0, "functions need not vanish")
+    demand_sign((unit_matrix(count) - u).det(), "functions need not vanish")
     return first
 
 

@@ -5,11 +5,17 @@ from itertools import combinations, pairwise
 from math import comb
 from typing import Any
 
-from flint import acb, acb_poly, arb, arb_mat, arb_poly, ctx
+from flint import acb, acb_poly, arb, arb_poly, ctx
 
 from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, trace_of
-from nonsmooth.runtime.checker.stated.exact import Verdict, demand
-from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, middle_of, range_of
+from nonsmooth.runtime.checker.stated.exact import Verdict, demand, demand_sign
+from nonsmooth.runtime.core.taylor_models import (
+    TaylorModel,
+    matrix,
+    middle_of,
+    range_of,
+    unit_matrix,
+)
 
 MULTIPLIERS = {"flip": -1, "fold": 1, "neimark-sacker": 0}
 _LEAST_SLOPE = 2.0**-72  # of a polynomial at its roots that are told apart
@@ -172,7 +178,7 @@ def characteristic(square: Any) -> list[Any]:
     a matrix of balls or Taylor models.
     """
     size = square.nrows()
-    unit = arb_mat([[int(i == j) for j in range(size)] for i in range(size)])
+    unit = unit_matrix(size)
     found, power = [arb(1)], unit
     for k in range(1, size + 1):
         power = square * power
@@ -306,4 +312,4 @@ def demand_alone(orbit: CheckedOrbit, kind: str) -> None:
     for other in MULTIPLIERS:
         if other != kind and (other != "neimark-sacker" or len(polynomial) > 2):
             value = range_of(passing(polynomial, other))
-            demand(value > 0 or value < 0, f"there may be another event: {other}")
+            demand_sign(value, f"there may be another event: {other}")

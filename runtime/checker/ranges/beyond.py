@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import Any, NamedTuple
 
-from flint import arb, ctx, fmpq
+from flint import arb, ctx
 
 from nonsmooth.runtime.checker.orbits.motion import Border, borders_of
 from nonsmooth.runtime.checker.orbits.stability import MULTIPLIERS
@@ -25,9 +25,14 @@ from nonsmooth.runtime.checker.ranges.branch import (
 from nonsmooth.runtime.checker.stated.exact import (
     Elimination,
     Failure,
+    agree,
     demand,
+    demand_sign,
+    naming,
     product,
+    products,
     reduced,
+    unit_rows,
 )
 from nonsmooth.runtime.checker.stated.parameters import number_at
 from nonsmooth.runtime.checker.stated.shape import check_file
@@ -49,10 +54,8 @@ def check_branch(content: dict[str, Any]) -> None:
     for number, tile in enumerate(tiles, 1):
         told = [] if tile.event is None else tile.event.get("beyond", [])
         for beyond in told:
-            try:
+            with naming(f"beyond the event of tile {number}"):
                 _check(content, tile, beyond)
-            except Failure as failure:
-                raise Failure(f"beyond the event of tile {number}: {failure}") from None
         ways = [_rotations(beyond["branch"]["itinerary"]) for beyond in told]
         apart = all(not one & other for k, one in enumerate(ways) for other in ways[:k])
         demand(apart, f"beyond the event of tile {number}: an itinerary twice")
@@ -215,7 +218,7 @@ class _CheckedState:
     def __init__(self, met: _Met, place: int) -> None:
         self.met, self.place, self.chain = met, place, met.chain(place)
         size = met.curve.declared.size + 1
-        self.map: Any = [tuple(fmpq(int(i == j)) for j in range(size)) for i in range(size)]
+        self.map: Any = unit_rows(size)
         self.before: dict[int, Any] = {}
         self.rows: list[Any] = []
         for k in self.chain:
@@ -224,7 +227,7 @@ class _CheckedState:
             self.rows.append(product(step.exit, self.map))
             if k != place and met.short is not None and met.short[::2] == (k, True):
                 self.rows.append(product(product(step.exit, step.field), self.map))
-            self.map = _times(step.reset, self.map)
+            self.map = products(step.reset, self.map)
         self.behind = (self.chain[-1] + 1) % len(met.steps), self.map
 
     def facts(self) -> list[Any]:
@@ -243,7 +246,7 @@ class _CheckedState:
         finite = all(number(entry).is_finite() for row in rows for entry in row)
         demand(finite, "what is zero has a pole at this parameter")
         for divisor in map(number, exactly.divisors):
-            demand(divisor > 0 or divisor < 0, "what is zero may depend at this parameter")
+            demand_sign(divisor, "what is zero may depend at this parameter")
         contradicts = any(not any(row[:-1]) for row in found)
         demand(not contradicts, "what is zero contradicts itself")
         return found
@@ -264,11 +267,11 @@ class _CheckedState:
         demand(len(self.chain) == 2, "the branch turns elsewhere")
         first, gone = (met.steps[k] for k in self.chain)
         begins = self.before[self.chain[1]]
-        short = _times(gone.field, begins)
+        short = products(gone.field, begins)
         ahead = met.steps[self.behind[0]].field
-        demand(_alike(short, _times(begins, first.field), facts), "the branch may turn beside it")
-        left, right = _times(ahead, self.map), _times(gone.reset, short)
-        demand(_alike(left, right, facts), "the branch may turn beside it")
+        demand(agree(short, products(begins, first.field), facts), "the branch may turn beside it")
+        left, right = products(ahead, self.map), products(gone.reset, short)
+        demand(agree(left, right, facts), "the branch may turn beside it")
 
 
 def _demand_one_motion(longer: _Met, shorter: _Met) -> None:
@@ -340,7 +343,7 @@ def _demand_exactly(longer: _Met, shorter: _Met, parts: _Parts) -> None:
     ends = _CheckedState(shorter, y)
     asked = all(not any(reduced(row, facts)) for row in ends.rows)
     demand(asked, "the other itinerary asks for more")
-    demand(_alike(junction.map, ends.map, facts), "the itineraries lead to two states")
+    demand(agree(junction.map, ends.map, facts), "the itineraries lead to two states")
     ends.demand_met(facts)
 
 
@@ -351,9 +354,7 @@ def _demand_touch(shorter: _Met, junction: _CheckedState, facts: list[Any]) -> N
     rate = product(row, shorter.steps[border.phase].field)
     touched = not any(reduced(row, facts)) and not any(reduced(rate, facts))
     demand(touched, "the boundary may not be touched")
-    size = len(row)
-    identity = [tuple(fmpq(int(i == j)) for j in range(size)) for i in range(size)]
-    demand(_alike(junction.map, identity, facts), "the state jumps")
+    demand(agree(junction.map, unit_rows(len(row)), facts), "the state jumps")
 
 
 def _demand_free(longer: _Met, shorter: _Met) -> None:
@@ -419,19 +420,5 @@ def _holds(tile: CheckedTile, point: Sequence[Any]) -> bool:
     return bool(inside) and tile.holds(value, others)
 
 
-def _times(left: Any, right: Any) -> Any:
-    return [product(row, right) for row in left]
-
-
-def _difference(left: Any, right: Any) -> Iterator[Any]:
-    for a, b in zip(left, right, strict=True):
-        yield tuple(x - y for x, y in zip(a, b, strict=True))
-
-
 def _same(left: Any, right: Any) -> bool:
-    return len(left) == len(right) and not any(any(row) for row in _difference(left, right))
-
-
-def _alike(left: Any, right: Any, facts: list[Any]) -> bool:
-    """Return whether two affine maps agree wherever the facts are true."""
-    return not any(any(reduced(row, facts)) for row in _difference(left, right))
+    return len(left) == len(right) and agree(left, right)

@@ -38,7 +38,14 @@ from nonsmooth.runtime.checker.ranges.branch_curve import (
     without_entry,
 )
 from nonsmooth.runtime.checker.ranges.divided import curve_at
-from nonsmooth.runtime.checker.stated.exact import Failure, demand, exact, inside
+from nonsmooth.runtime.checker.stated.exact import (
+    Failure,
+    demand,
+    demand_sign,
+    exact,
+    inside,
+    naming,
+)
 from nonsmooth.runtime.checker.stated.parameters import independent, stated_system
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import TaylorModel, range_of, space_of
@@ -196,7 +203,7 @@ class CheckedTile:
 
         def moves(point: Sequence[Any]) -> None:
             over = range_of(rate(point))
-            demand(over > 0 or over < 0, otherwise)
+            demand_sign(over, otherwise)
             signs.add(bool(over > 0))
 
         self.parts(moves)
@@ -221,7 +228,7 @@ class CheckedTile:
         """Demand that the parameter is strictly monotone along a part of the tile."""
         if self.place != self.curve.last:
             slope = range_of(part_of(self.curve.jets(self.place, point, 1)[-1], 1))
-            demand(slope > 0 or slope < 0, "the branch may turn")
+            demand_sign(slope, "the branch may turn")
 
     def _judge(self, point: Sequence[Any]) -> str:
         """Return the verdict on the orbits of a part."""
@@ -395,15 +402,11 @@ def checked_tiles(content: dict[str, Any]) -> list[CheckedTile]:
         for why, proved in zip(content["ends"], reached, strict=True):
             demand(why == proved or why not in (FINISHED, VANISHED), f"it goes on: not {why!r}")
         for number, tile in enumerate(found, 1):
-            try:
+            with naming(f"in tile {number} of the branch"):
                 tile.check_sharply()
-            except Failure as failure:
-                raise Failure(f"in tile {number} of the branch: {failure}") from None
         for number, (tile, other) in enumerate(pairwise(found), 1):
-            try:
+            with naming(f"tiles {number} and {number + 1}"):
                 check_joint(tile, other)
-            except Failure as failure:
-                raise Failure(f"tiles {number} and {number + 1}: {failure}") from None
         independent(curve.declared, curve.constants, [curve.interval])
     return found
 
@@ -477,7 +480,7 @@ def _same_equations(tile: CheckedTile, other: CheckedTile) -> None:
         for divided in (tile.curve.short, other.curve.short):
             if divided is not None:
                 time = point[first + divided.place]
-                demand(time > 0 or time < 0, f"{own.tile['coordinate']}: a phase vanishes there")
+                demand_sign(time, f"{own.tile['coordinate']}: a phase vanishes there")
 
 
 def _meets(tile: CheckedTile, point: Sequence[Any], *, entering: bool) -> None:

@@ -6,7 +6,7 @@ from typing import Any
 
 from flint import arb, ctx
 
-from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, krawczyk, newton
+from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, krawczyk, near_inverse, newton
 from nonsmooth.runtime.checker.orbits.short import Short, short_phase
 from nonsmooth.runtime.checker.stated.declared import StatedSystem
 from nonsmooth.runtime.checker.stated.exact import Failure, demand
@@ -167,10 +167,7 @@ class CheckedCurve:
         found: list[Any] = [jet(x, None, *none) for x in point]
         found[place] = jet(point[place], arb(1), *none)
         _, square = self.square(place, point)
-        try:
-            y = square.mid().inv().mid()
-        except ZeroDivisionError:
-            raise Failure("the derivative along the branch is not known") from None
+        y = near_inverse(square, "the derivative along the branch is not known")
         for k in range(1, order + 1):
             orbit = self._with(found[-1])
             missed = part_of(matrix([[v] for v in orbit.along(found[:-1])]), k)

@@ -28,7 +28,7 @@ from nonsmooth.runtime.checker.orbits.stability import (
     stability,
 )
 from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve
-from nonsmooth.runtime.checker.stated.exact import demand
+from nonsmooth.runtime.checker.stated.exact import demand, demand_sign
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import TaylorModel, range_of, space_of
 
@@ -205,7 +205,7 @@ class Division:
         for which in self.borders or [kind]:
             found = event_number(which, moving, lambda: orbit, self.window)
             number, rate = part_of(found, 0), range_of(part_of(found, 1))
-            demand(rate > 0 or rate < 0, "an event may happen twice, or be touched only")
+            demand_sign(rate, "an event may happen twice, or be touched only")
             self._beyond(number, part, 1 if rate > 0 else -1)
             self.signs.add(bool(rate > 0))
 

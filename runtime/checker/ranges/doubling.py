@@ -17,7 +17,13 @@ from typing import Any
 from flint import arb, arb_mat, ctx
 
 from nonsmooth.runtime.checker.orbits.motion import admissibility
-from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, flows_over, krawczyk, newton
+from nonsmooth.runtime.checker.orbits.orbit import (
+    CheckedOrbit,
+    flows_over,
+    krawczyk,
+    near_inverse,
+    newton,
+)
 from nonsmooth.runtime.checker.orbits.stability import CORNER, characteristic, passing, stability
 from nonsmooth.runtime.checker.ranges.branch import CheckedTile, checked_tiles, curve_of
 from nonsmooth.runtime.checker.ranges.branch_curve import (
@@ -26,7 +32,7 @@ from nonsmooth.runtime.checker.ranges.branch_curve import (
     solution,
     without_entry,
 )
-from nonsmooth.runtime.checker.stated.exact import Failure, demand, exact, inside
+from nonsmooth.runtime.checker.stated.exact import demand, demand_sign, exact, inside, naming
 from nonsmooth.runtime.checker.stated.parameters import number_at
 from nonsmooth.runtime.checker.stated.shape import check_file
 from nonsmooth.runtime.core.jets import jet, part_of
@@ -64,10 +70,8 @@ def check_doubling(content: dict[str, Any]) -> None:
     if doubled is not None:
         branches.append(doubled["branch"])
     for name, branch in zip(("the branch", "the doubled branch"), branches, strict=False):
-        try:
+        with naming(name):
             tiles.append(checked_tiles(branch))
-        except Failure as failure:
-            raise Failure(f"{name}: {failure}") from None
     if doubled is not None:
         check_doubled(doubled, branches, tiles)
 
@@ -183,7 +187,7 @@ class JudgedDoubling:
             over = range_of(found[-1])
             demand(over > low and over < high, "it is outside of the interval")
             rate = range_of(self.equations.rate(a, found))
-            demand(rate > 0 or rate < 0, "on which side of the flip they are is not known")
+            demand_sign(rate, "on which side of the flip they are is not known")
         self.side = "above" if rate > 0 else "below"
         with ctx.workprec(_SHARP):
             flip = self.equations.flip_near([x.at([arb(0)]) for x in self.centre])
@@ -220,7 +224,7 @@ class JudgedDoubling:
             other += passed.dwell[half:]
             apart = [(x - y) / 2 for x, y in zip(one, other, strict=True)]
             a = apart[self.scaled]
-            demand(a > 0 or a < 0, "the halves of the doubled orbit may be the same")
+            demand_sign(a, "the halves of the doubled orbit may be the same")
             middle = [(x + y) / 2 for x, y in zip(one, other, strict=True)]
             away = [x / a for x in without_entry(self.scaled, apart)]
             inside_it = self._holds(a, [*middle, *away, orbit[-1]])
@@ -258,7 +262,7 @@ class JudgedDoubling:
         kinds = ["flip"] + ["neimark-sacker"] * (len(polynomial) > 2)
         for kind in kinds:
             value = range_of(passing(polynomial, kind))
-            demand(value > 0 or value < 0, f"there may be another event: {kind}")
+            demand_sign(value, f"there may be another event: {kind}")
 
 
 class DoubledEquations:
@@ -334,10 +338,7 @@ class DoubledEquations:
         second = averaged(part_of(bend.slopes, 1) * wide, MEAN)
         third = averaged(2 * part_of(bend.slopes, 2) * wide, BENT_MEAN)
         _, slopes = self.at(a, unknowns)
-        try:
-            y = slopes.mid().inv().mid()
-        except ZeroDivisionError:
-            raise Failure("the derivative by the amplitude is not known") from None
+        y = near_inverse(slopes, "the derivative by the amplitude is not known")
         right = matrix([[-x / 2] for x in (*second.entries(), *third.entries())])
         return solution(slopes, y, right)[-1]
 

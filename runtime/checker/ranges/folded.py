@@ -25,7 +25,7 @@ from nonsmooth.runtime.checker.ranges.branch_curve import (
 )
 from nonsmooth.runtime.checker.ranges.divided import VERDICTS, Band, curve_at, fraction, monotone
 from nonsmooth.runtime.checker.stated.declared import StatedSystem
-from nonsmooth.runtime.checker.stated.exact import demand
+from nonsmooth.runtime.checker.stated.exact import demand, demand_sign
 from nonsmooth.runtime.checker.stated.parameters import number_at
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import (
@@ -161,7 +161,7 @@ class FoldedTile:
         point = with_entry(self.place, value, self.root)
         jets = curve.jets(self.place, point, 2)
         slope, bend = part_of(jets[-1], 1), range_of(2 * part_of(jets[-1], 2))
-        demand(bend > 0 or bend < 0, "the parameter may not be bent one way")
+        demand_sign(bend, "the parameter may not be bent one way")
         self._leaves(slope, bend)
         self._meets(slope, bend)
         self._judge(curve, beside, point)

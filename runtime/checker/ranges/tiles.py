@@ -30,6 +30,7 @@ from nonsmooth.runtime.checker.stated.exact import (
     demand,
     exact,
     inside,
+    naming,
 )
 from nonsmooth.runtime.checker.stated.parameters import independent, number_at, stated_system
 from nonsmooth.runtime.checker.stated.shape import check_file
@@ -125,10 +126,8 @@ class CheckedBox:
         where = self.where(tile["place"])
         with ctx.workprec(_BITS):
             found = MapTile(self.declared, self.energies, self.constants, tile, self.names)
-            try:
+            with naming(_in_tile(where)):
                 found.check(where)
-            except Failure as failure:
-                raise Failure(f"{_in_tile(where)}: {failure}") from None
             self.check_divisors()
         return found
 
@@ -177,11 +176,8 @@ class CheckedBox:
 
     def check_joint(self, tile: "MapTile", other: "MapTile") -> None:
         """Prove that two proved tiles of two parameters have the same orbits where they meet."""
-        with ctx.workprec(_BITS):
-            try:
-                tile.meets(other)
-            except Failure as failure:
-                raise Failure(f"{_in_tile(tile.where)}: {failure}") from None
+        with ctx.workprec(_BITS), naming(_in_tile(tile.where)):
+            tile.meets(other)
 
     def check_divisors(self) -> None:
         """Prove that the exact arithmetic divided by nothing that is zero throughout the box."""

@@ -12,7 +12,7 @@ from itertools import chain
 from typing import Any, NamedTuple
 
 import numpy as np
-from flint import arb, arb_mat, ctx, fmpq
+from flint import arb, arb_mat, ctx
 
 from nonsmooth.runtime.checker.state_sets.portions import (
     Departure,
@@ -30,19 +30,20 @@ from nonsmooth.runtime.checker.state_sets.sets import matrix_of
 from nonsmooth.runtime.checker.state_sets.switching import (
     StatedSection,
     SwitchingSystem,
-    echelon_behind,
 )
 from nonsmooth.runtime.checker.stated.declared import Transition
 from nonsmooth.runtime.checker.stated.exact import (
     Elimination,
     demand,
+    free_places,
     leading,
     product,
     reduced,
+    spanned,
+    unit_rows,
 )
 from nonsmooth.runtime.core.exponentials.float_flows import FloatFlow
 from nonsmooth.runtime.core.float_sets import LONGEST, Floats, ManySets, Rounded, within
-from nonsmooth.runtime.core.rational_functions import pivot
 
 _ABOUT_ZERO = 2.0**-30  # a time
 _HALVINGS = 16  # of a set that is lost or comes elsewhere too, as a whole
@@ -95,7 +96,7 @@ class ManyMotions:
         self.most, self.longest, self.finest, self.bits = most, longest, finest, bits
         self.exactly = Elimination()
         self.facts, self.forced = section.facts(self.system, self.exactly)
-        self.free = _without_pivots(self.facts, self.system.size)
+        self.free = free_places(self.facts, self.system.size)
         self._flows: dict[str, FloatFlow] = {}
         self._phases: dict[KnownStart, DividingPhase] = {}
 
@@ -245,8 +246,7 @@ class ManyMotions:
         inside += map(opposite, end.rising)
         signs = frozenset(direction(reduced(row, end.facts)) for row in inside)
         if not end.names:
-            stays = [tuple(fmpq(int(i == j)) for j in range(size + 1)) for i in range(size + 1)]
-            ways = iter([(stays, here, end.portions, end.facts, signs)])
+            ways = iter([(unit_rows(size + 1), here, end.portions, end.facts, signs)])
         else:
             orders = self.system.orders.get((here, end.names), [[]])
             ways = chain.from_iterable(self._chosen(x, end, signs, remaining) for x in orders)
@@ -255,7 +255,7 @@ class ManyMotions:
             if target not in self.system.fields:
                 remaining.lose(portions.origin)
                 continue
-            facts = echelon_behind(self.exactly, before, reset)
+            facts = self.exactly.behind(before, reset)
             if not all(any(row[:-1]) for row in facts):
                 continue  # there are no such states
             matrix = Rounded.of(matrix_of(reset, runs=False))
@@ -343,7 +343,7 @@ class ManyMotions:
     # what exact facts leave free
 
     def _places(self, facts: Any) -> list[int]:
-        free = _without_pivots(facts, self.system.size)
+        free = free_places(facts, self.system.size)
         return [*free, self.system.size] if self.forced else free
 
     def lift(self, facts: Any, timed: bool) -> Rounded:
@@ -352,18 +352,10 @@ class ManyMotions:
         Free coordinates are those that the facts, reduced rows, do not determine. If `timed`,
         time is the last of these coordinates; else it is 0.
         """
-        size = self.system.size
-        places = [*_without_pivots(facts, size), *([size] if timed else [])]
-        found = arb_mat(size + 2, len(places) + 1)
-        for column, k in enumerate(places):
-            found[k, column] = arb(1)
-        for row in facts:
-            own = pivot(row)
-            for column, k in enumerate(places):
-                found[own, column] = arb(0 if k == size else -row[k])
-            found[own, len(places)] = arb(-row[size])
-        found[size + 1, len(places)] = arb(1)
-        return Rounded.of(found)
+        rows = [[*row[:-1], *[0] * timed, row[-1]] for row in spanned(facts, self.system.size)]
+        *still, last = unit_rows(len(rows[0]))
+        rows += [still[-1] if timed else [0] * len(last), last]
+        return Rounded.of(arb_mat([[*map(arb, row)] for row in rows]))
 
     def flow(self, configuration: str) -> FloatFlow:
         """Return the flow of a configuration."""
@@ -373,8 +365,3 @@ class ManyMotions:
             _, exponent = math.frexp(_RADIANS / max(*rates, 2.0**-6))
             self._flows[configuration] = FloatFlow(matrix, 2.0 ** (exponent - 1))
         return self._flows[configuration]
-
-
-def _without_pivots(facts: Any, size: int) -> list[int]:
-    pivots = {*map(pivot, facts)}
-    return [k for k in range(size) if k not in pivots]

@@ -21,17 +21,20 @@ from nonsmooth.runtime.checker.state_sets.sets import (
 from nonsmooth.runtime.checker.state_sets.switching import (
     StatedSection,
     SwitchingSystem,
-    echelon_behind,
 )
 from nonsmooth.runtime.checker.stated.exact import (
     Elimination,
     Failure,
+    agree,
     demand,
     exact,
+    free_places,
     leading,
+    products,
     reduced,
+    spanned,
+    unit_rows,
 )
-from nonsmooth.runtime.core.rational_functions import pivot
 
 
 class Unlisted(Failure):
@@ -122,10 +125,8 @@ class Entry:
         facts, orders = self._behind[reached, at_once]
         taken, *others = (_following(ways, states.hull, reached) for ways in orders)
         for other in others:
-            pairs = zip(taken.reset, other.reset, strict=True)
-            apart = [tuple(x - y for x, y in zip(*rows, strict=True)) for rows in pairs]
             alike = other.entry.here == taken.entry.here
-            alike = alike and not any(any(reduced(row, facts)) for row in apart)
+            alike = alike and agree(taken.reset, other.reset, facts)
             told = " and ".join(sorted(reached))
             demand(alike, f"the orders in which {told} act need not agree")
         return states.through(taken.matrix), taken.entry
@@ -148,10 +149,8 @@ class Entry:
                     signs.append((None if first is None else row_of(first), holds))
                     decided &= k >= (way.early or 0) or (not order and first is not None)
                 if way.early is not None:
-                    for k, row in enumerate(way.reset):
-                        moved = tuple(x - int(j == k) for j, x in enumerate(row))
-                        decided &= not any(reduced(moved, facts))
-                behind = echelon_behind(owner.exactly, facts, way.reset)
+                    decided &= agree(way.reset, unit_rows(len(way.reset)), facts)
+                behind = owner.exactly.behind(facts, way.reset)
                 leads = matrix_of(way.reset, runs=False), Entry(owner, way.target, behind)
                 ways.append(_FollowingWay(signs, way.reset, *leads, way.early is not None, decided))
             orders.append(ways)
@@ -248,8 +247,7 @@ class SectionMap(CarryingSystem):
         demand(self.iterates > 0, "no iterate of the map")
         super().__init__(SwitchingSystem(content["declaration"], content["parameters"]))
         self.facts, self.forced = self.section.facts(self.system, self.exactly)
-        pivots = {*map(pivot, self.facts)}
-        self.free = [k for k in range(self.system.size) if k not in pivots]
+        self.free = free_places(self.facts, self.system.size)
         named = [self.system.states[k] for k in self.free]
         told = [*content["coordinates"]] == named
         demand(told, "the coordinates are not those of the section")
@@ -327,20 +325,10 @@ class SectionMap(CarryingSystem):
 
     def _lifted(self, columns: list[list[Any]]) -> list[list[Any]]:
         """Return columns of (states, time 0, 1): the first of a point, the others of directions."""
-        given = {pivot(row): row for row in self.facts}
-        rows = []
-        for k in range(self.system.size):
-            row = []
-            for place, column in enumerate(columns):
-                if k in given:
-                    shares = zip((-given[k][j] for j in self.free), column, strict=True)
-                    last = -given[k][-1] if place == 0 else fmpq(0)
-                    row.append(sum((x * y for x, y in shares), last))
-                else:
-                    row.append(column[self.free.index(k)])
-            rows.append(row)
-        rows.append([fmpq(0) for _ in columns])
-        rows.append([fmpq(int(place == 0)) for place in range(len(columns))])
+        none = [fmpq(0)] * len(columns)
+        first = [fmpq(1), *none[1:]]
+        matrix = [*zip(*columns, strict=True), first]
+        rows = [*products(spanned(self.facts, self.system.size), matrix), none, first]
         found: list[list[Any]] = arb_mat(fmpq_mat(rows)).tolist()
         return found
 

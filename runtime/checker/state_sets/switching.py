@@ -8,10 +8,8 @@ from collections.abc import Mapping
 from math import factorial
 from typing import Any, NamedTuple
 
-from flint import fmpq
-
 from nonsmooth.runtime.checker.stated.declared import StatedTables, Transition
-from nonsmooth.runtime.checker.stated.exact import Elimination, demand, exact, fixed, reduced
+from nonsmooth.runtime.checker.stated.exact import Elimination, demand, exact, fixed, unit_rows
 from nonsmooth.runtime.checker.stated.parameters import values_of
 
 
@@ -53,7 +51,7 @@ class SwitchingSystem(StatedTables):
         demand(len(self.forcing) == 1, "not one forcing")
         ((c, s),) = self.forcing
         demand(c != s and {c, s} <= {*range(self.size)}, "no such forcing")
-        unit = [[fmpq(int(j == k)) for j in range(self.size + 1)] for k in range(self.size)]
+        unit = unit_rows(self.size + 1)
         speeds = {field[s][c] for field in self.fields.values()}
         demand(len(speeds) == 1, "an uneven forcing")
         (speed,) = speeds
@@ -62,7 +60,7 @@ class SwitchingSystem(StatedTables):
             even = [*field[c]] == [-speed * x for x in unit[s]]
             demand(even and [*field[s]] == [speed * x for x in unit[c]], "an uneven forcing")
         for way in self.transitions:
-            demand(all([*way.reset[k]] == unit[k] for k in (c, s)), "a reset forcing")
+            demand(all(way.reset[k] == unit[k] for k in (c, s)), "a reset forcing")
         return abs(speed)
 
 
@@ -100,7 +98,7 @@ class StatedSection(NamedTuple):
             demand(ways and self.boundaries <= rows.keys(), "no such transition")
             reached = [rows[name] for name in sorted(self.boundaries)]
             before = exactly.echelon([*system.held[self.source], *reached])
-            found = [echelon_behind(exactly, before, reset) for reset in ways]
+            found = [exactly.behind(before, reset) for reset in ways]
             demand(all(own == found[0] for own in found), "a section of two kinds")
             forced = []
         else:
@@ -125,8 +123,3 @@ def _in_orders(ways: list[Transition]) -> list[list[Transition]]:
     if numbers and not (full and numbers == [*range(1, len(numbers) + 1)]):
         return [[]]
     return [[way for way in ways if way.order in (0, number)] for number in numbers or [0]]
-
-
-def echelon_behind(exactly: Elimination, facts: Any, reset: Any) -> list[Any]:
-    """Return reduced rows that are exactly zero behind a reset, from those before it."""
-    return exactly.echelon(exactly.left_kernel([reduced(row, facts) for row in reset]))

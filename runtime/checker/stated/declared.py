@@ -16,12 +16,18 @@ from nonsmooth.runtime.checker.stated.contacts import ContactLaw
 from nonsmooth.runtime.checker.stated.exact import (
     Elimination,
     Failure,
+    agree,
     demand,
+    form_between,
+    free_places,
     is_integer,
     leading,
     number_of,
     product,
+    products,
     reduced,
+    spanned,
+    unit_rows,
 )
 from nonsmooth.runtime.core.rational_functions import RationalFunction, pivot
 
@@ -251,12 +257,9 @@ class StatedSystem(StatedTables):
         """Return a phase that ends where the first forcing begins anew, with no reset."""
         demand(bool(self.forcing), "without a forcing there is no phase of it")
         sine = self.forcing[0][1]
-        row = tuple(fmpq(int(k == sine)) for k in range(self.size + 1))
-        identity = [
-            tuple(fmpq(int(j == k)) for j in range(self.size + 1)) for k in range(self.size + 1)
-        ]
+        identity = unit_rows(self.size + 1)
         staying = Transition((name, _FORCING_PHASE), [], identity, name)
-        return Step(name, self.fields[name], row, staying, name, identity)
+        return Step(name, self.fields[name], identity[sine], staying, name, identity)
 
     def closes(self) -> dict[str, Any]:
         """Prove that the cycle closes in what is no equation; return each configuration's energy.
@@ -284,7 +287,7 @@ class StatedSystem(StatedTables):
         demand(self.closing["constants"].keys() == visited, "energies of other configurations")
         energies = {}
         for step in self.steps:
-            upper = [product(row, step.field[:-1]) for row in omega]
+            upper = products(omega, step.field[:-1])
             last = self.number(self.closing["constants"][step.name])
             energy = [*upper, (*(row[-1] for row in upper), last)]
             symmetric = energy == list(zip(*energy, strict=True))
@@ -297,8 +300,8 @@ class StatedSystem(StatedTables):
                 (omega, omega, linear, step.exit[:-1]),
             ):
                 on = self.exactly.left_kernel([[x] for x in normal])
-                moved = [product(row, list(zip(*reset, strict=True))) for row in on]
-                same = _seen(kept, moved) == _seen(before, on)
+                moved = products(on, list(zip(*reset, strict=True)))
+                same = form_between(kept, moved) == form_between(before, on)
                 demand(same, "a reset keeps neither energy nor form")
         return energies
 
@@ -360,9 +363,7 @@ class StatedSystem(StatedTables):
                 kept = self.exactly.lasting(facts, step.field)
                 end = self.exactly.echelon([*kept, step.exit])
                 found.append((facts, kept, end))
-                facts = self.exactly.echelon(
-                    self.exactly.left_kernel([reduced(r, end) for r in step.reset])
-                )
+                facts = self.exactly.behind(end, step.reset)
         return found
 
     def phases(self, vanishing: list[Any]) -> list[StatedPhase]:
@@ -382,19 +383,16 @@ class StatedSystem(StatedTables):
         Facts fix the other coordinates. Forced orbits are compared at fixed times, where only
         facts that last hold for changes.
         """
-        found = []
-        forced = [[fmpq(int(j == k)) for j in range(self.size)] for k in self.forced]
+        found, unit = [], unit_rows(self.size)
+        forced = [unit[k] for k in self.forced]
         for place in range(len(self.steps) if self.rational else 1):
             facts = self.known[place][1 if self.forcing else 0] if self.rational else []
             gauges = [pivot(direction) for direction in self.translations if not place]
-            still = [[fmpq(int(j == k)) for j in range(self.size)] for k in gauges]
+            still = [unit[k] for k in gauges]
             rows = self.exactly.echelon([*forced, *still, *(row[:-1] for row in facts)])
-            pivots = {pivot(row): row for row in rows}
-            free = [k for k in range(self.size) if k not in pivots]
-            basis = [
-                [-pivots[i][k] if i in pivots else fmpq(int(i == k)) for k in free]
-                for i in range(self.size)
-            ]
+            changes = [(*row, fmpq(0)) for row in rows]
+            basis = [row[:-1] for row in spanned(changes, self.size)]
+            free = free_places(rows, self.size)
             found.append((place, free, [*basis, [fmpq(0)] * len(free)]))
         return min(found, key=lambda entry: len(entry[1]))
 
@@ -422,9 +420,7 @@ class StatedSystem(StatedTables):
             orders = [[Way([], True, True, True)]]
         decided = all(way.decided for ways in orders for way in ways)
         if step.taken.early is not None:  # what begins to hold is in its place already
-            for k, row in enumerate(step.taken.reset):
-                moved = tuple(x - int(j == k) for j, x in enumerate(row))
-                decided &= not any(reduced(moved, end))
+            decided &= agree(step.taken.reset, unit_rows(self.size + 1), end)
         lawful = bool(numbers) or any(t.early is not None for t in listed)
         return StatedPhase([reduced(row, begin) for row in held], watched, orders, lawful, decided)
 
@@ -444,9 +440,7 @@ class StatedSystem(StatedTables):
                 (*leading(row, self.fields[along], end, int(row in own)), holds)
                 for row, along, holds in other.conditions
             ]
-            pairs = zip(other.reset, taken.reset, strict=True)
-            apart = [tuple(x - y for x, y in zip(*rows, strict=True)) for rows in pairs]
-            alike = other.target == taken.target and not any(any(reduced(r, end)) for r in apart)
+            alike = other.target == taken.target and agree(other.reset, taken.reset, end)
             decided = all(not k and row is not None for k, row, _ in behind[: other.early or 0])
             conditions = [(row, holds) for _, row, holds in behind]
             if alike or not passed:
@@ -454,8 +448,3 @@ class StatedSystem(StatedTables):
                 found.append(Way(conditions, wanted, alike, decided))
             passed = passed or (other is taken and not number)
         return found
-
-
-def _seen(form: Any, rows: Any) -> list[Any]:
-    """Return the matrix of a bilinear form between vectors that are given as rows."""
-    return [product(product(row, form), list(zip(*rows, strict=True))) for row in rows]

@@ -5,7 +5,8 @@ of the parameters that the file names: lists of [coefficient, exponents].
 """
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from functools import lru_cache
 from typing import Any, NamedTuple
 
@@ -36,6 +37,21 @@ def demand(condition: object, otherwise: str) -> None:
     """Raise `Failure` with the message `otherwise` unless a condition holds."""
     if not condition:
         raise Failure(otherwise)
+
+
+def demand_sign(number: Any, otherwise: str) -> None:
+    """Raise `Failure` unless a number is surely positive, or surely negative."""
+    demand(number > 0 or number < 0, otherwise)
+
+
+@contextmanager
+def naming(where: str) -> Iterator[None]:
+    """Say where it is in the message of a `Failure` that is raised within the context."""
+    try:
+        yield
+    except Failure as failure:
+        failure.args = (f"{where}: {failure}",)
+        raise
 
 
 def agreed_claims(claims: dict[str, str], reasons: dict[str, str]) -> tuple[str, str, str]:
@@ -125,6 +141,21 @@ def product(row: Any, rows: Any) -> tuple[Any, ...]:
     )
 
 
+def products(rows: Any, matrix: Any) -> list[Any]:
+    """Return the product of two exact matrices."""
+    return [product(row, matrix) for row in rows]
+
+
+def form_between(form: Any, rows: Any) -> list[Any]:
+    """Return the matrix of a bilinear form between vectors that are given as rows."""
+    return products(products(rows, form), list(zip(*rows, strict=True)))
+
+
+def unit_rows(size: int) -> list[Any]:
+    """Return the exact unit matrix of a size."""
+    return [tuple(fmpq(int(i == j)) for j in range(size)) for i in range(size)]
+
+
 def reduced(row: Any, facts: Any) -> Any:
     """Return the same affine function of a state for which the facts hold, with pivots removed.
 
@@ -139,7 +170,30 @@ def reduced(row: Any, facts: Any) -> Any:
 
 def fixed(size: int, values: Iterable[tuple[int, Any]]) -> list[Any]:
     """Return rows (size + 1) over (y, 1) that are zero where some coordinates have these values."""
-    return [(*(fmpq(int(i == k)) for i in range(size)), -x) for k, x in values]
+    unit = unit_rows(size)
+    return [(*unit[k], -x) for k, x in values]
+
+
+def agree(left: Any, right: Any, facts: Any = ()) -> bool:
+    """Return whether two matrices over (y, 1) have the same rows wherever the facts are true."""
+    pairs = zip(left, right, strict=True)
+    apart = (tuple(x - y for x, y in zip(*rows, strict=True)) for rows in pairs)
+    return not any(any(reduced(row, facts)) for row in apart)
+
+
+def free_places(facts: Any, size: int) -> list[int]:
+    """Return the places of the coordinates that reduced facts over (y, 1) leave free."""
+    pivots = {*map(pivot, facts)}
+    return [k for k in range(size) if k not in pivots]
+
+
+def spanned(facts: Any, size: int) -> list[Any]:
+    """Return rows (size, d + 1): all coordinates by the d that reduced facts leave free, and 1."""
+    given, unit = {pivot(row): row for row in facts}, unit_rows(size + 1)
+    return [
+        tuple(-given[k][j] if k in given else unit[k][j] for j in (*free_places(facts, size), size))
+        for k in range(size)
+    ]
 
 
 def leading(row: Any, field: Any, facts: Any, order: int) -> tuple[int, Any]:
@@ -192,9 +246,12 @@ class Elimination:
     def left_kernel(self, matrix: Any) -> list[Any]:
         """Return a basis of the rows c with c M = 0, for a matrix of at least one row."""
         size, width = len(matrix), len(matrix[0])
-        unit = [[fmpq(int(i == j)) for j in range(size)] for i in range(size)]
-        joined = [[*row, *more] for row, more in zip(matrix, unit, strict=True)]
+        joined = [[*row, *more] for row, more in zip(matrix, unit_rows(size), strict=True)]
         return [row[width:] for row in self.echelon(joined) if not any(row[:width])]
+
+    def behind(self, facts: Any, reset: Any) -> list[Any]:
+        """Return the reduced facts behind a reset, from those before it."""
+        return self.echelon(self.left_kernel([reduced(row, facts) for row in reset]))
 
     def lasting(self, facts: Any, field: Any) -> Any:
         """Return the facts that stay true along a field: the largest part mapped into itself."""

@@ -9,7 +9,7 @@ from typing import Any
 from flint import arb, fmpq, fmpz_poly
 
 from nonsmooth.runtime.checker.stated.declared import StatedSystem
-from nonsmooth.runtime.checker.stated.exact import NUMBER, Failure, demand, exact
+from nonsmooth.runtime.checker.stated.exact import NUMBER, Failure, demand, demand_sign, exact
 from nonsmooth.runtime.core.irrational_numbers import irrationals
 
 _OPERATORS = {
@@ -160,4 +160,4 @@ def independent(declared: StatedSystem, constants: Any, box: Sequence[Any] = ())
     point = [arb(low + (high - low) * fmpq(37 + k, 101)) for k, (low, high) in enumerate(box)]
     for divisor in declared.exactly.divisors if constants else ():
         value = divisor([*point, *constants]) if callable(divisor) else divisor
-        demand(value > 0 or value < 0, "constants depend on each other")
+        demand_sign(value, "constants depend on each other")

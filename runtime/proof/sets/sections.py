@@ -20,11 +20,10 @@ from typing import Any
 from flint import arb, fmpq
 from numpy.typing import NDArray
 
-from nonsmooth.runtime.checker.state_sets.switching import SwitchingSystem, echelon_behind
-from nonsmooth.runtime.checker.stated.exact import Elimination, Failure
+from nonsmooth.runtime.checker.state_sets.switching import SwitchingSystem
+from nonsmooth.runtime.checker.stated.exact import Elimination, Failure, fixed, free_places, spanned
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import Exact
-from nonsmooth.runtime.core.rational_functions import pivot
 from nonsmooth.runtime.core.registry import Certified
 from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.core.values import Value
@@ -54,24 +53,12 @@ class MapSection:
     @cached_property
     def free(self) -> tuple[int, ...]:
         """The states that are the section's coordinates."""
-        size = len(self.facts[0]) - 1
-        return tuple(k for k in range(size) if k not in self._given)
+        return tuple(free_places(self.facts, len(self.facts[0]) - 1))
 
-    @cached_property
-    def _given(self) -> dict[int, Row]:
-        """The fact that gives each other state."""
-        return {pivot(row): row for row in self.facts}
-
-    @cached_property
+    @property
     def lift(self) -> tuple[Row, ...]:
         """Rows (N, d + 1) that give each state as an affine function of the d coordinates."""
-        size, given = len(self.facts[0]) - 1, self._given
-        return tuple(
-            tuple(-given[k][j] for j in (*self.free, size))
-            if k in given
-            else (*(fmpq(int(j == k)) for j in self.free), fmpq(0))
-            for k in range(size)
-        )
+        return tuple(spanned(self.facts, len(self.facts[0]) - 1))
 
     def period(self, system: ExactSystem) -> arb:
         """Return the period of the forcing, at the working precision."""
@@ -89,10 +76,7 @@ def forcing_section(system: ExactSystem, configuration: int, phase: Sequence[Any
         raise InputError("the phase is no point of the unit circle")
     _speed(system)
     (c, s), size = system.structure.forcing[0], len(system.structure.states)
-    rows = [
-        tuple(-x if j == size else fmpq(int(j == k)) for j in range(size + 1))
-        for k, x in ((c, cosine), (s, sine))
-    ]
+    rows = fixed(size, ((c, cosine), (s, sine)))
     held = [system.exact.rows[row] for row in system.structure.constraints[configuration]]
     facts = Elimination().echelon([*rows, *held])
     return MapSection(configuration, tuple(facts), (cosine, sine))
@@ -116,7 +100,7 @@ def transition_section(
     if transition is None:
         name = structure.configurations
         raise InputError(f"no listed transition leads from {name[source]} to {name[target]}")
-    facts = echelon_behind(exactly, before, exact.resets[transition.reset])
+    facts = exactly.behind(before, exact.resets[transition.reset])
     return MapSection(target, tuple(facts), None, source, boundaries)
 
 
