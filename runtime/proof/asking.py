@@ -14,7 +14,7 @@ from collections.abc import Callable, Generator, Iterator, Mapping
 from contextlib import closing, contextmanager
 from typing import Any, TypeVar
 
-from nonsmooth.runtime.checker.stated.exact import Failure
+from nonsmooth.runtime.checker.stated.exact import Entries, Failure
 from nonsmooth.runtime.core.errors import Interrupted
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
@@ -57,9 +57,9 @@ def holds(check: Callable[[], object]) -> bool:
     return True
 
 
-def as_read(told: Mapping[str, Any]) -> dict[str, Any]:
+def as_read(told: Mapping[str, Any]) -> Entries:
     """Return entries as they are read back after they were written as JSON."""
-    found: dict[str, Any] = json.loads(json.dumps(told))
+    found: Entries = json.loads(json.dumps(told))
     return found
 
 

@@ -9,7 +9,7 @@ from typing import Annotated, Any
 
 from flint import arb
 
-from nonsmooth.runtime.checker.stated.exact import exact
+from nonsmooth.runtime.checker.stated.exact import Entries, exact
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import (
     IN_FILES,
@@ -301,6 +301,6 @@ class Certificate(StatedOrbits):
         return self.enclosures["trace"]
 
 
-def file_json(found: Any) -> dict[str, Any]:
+def file_json(found: Any) -> Entries:
     """Return a proof of orbits as its file has it, but for the system's data and name there."""
     return {**stated(found), "tables": None}

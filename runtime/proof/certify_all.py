@@ -13,7 +13,7 @@ from nonsmooth.runtime.checker.counting.census import CensusVerdict, CountedBox,
 from nonsmooth.runtime.checker.counting.contraction import Linear, Sides, share_of
 from nonsmooth.runtime.checker.counting.covering import CUTS, CoveringBox, Root, Walk
 from nonsmooth.runtime.checker.counting.dwell_equations import DwellEquations
-from nonsmooth.runtime.checker.stated.exact import Failure, product, reduced
+from nonsmooth.runtime.checker.stated.exact import Entries, Failure, product, reduced
 from nonsmooth.runtime.core.errors import InputError, check_integer, unknown_name
 from nonsmooth.runtime.core.json_codec import stated
 from nonsmooth.runtime.core.rational_functions import pivot
@@ -55,7 +55,7 @@ class Asked:
     largest: str  # largest size of a coordinate
     bits: int
 
-    def entries(self) -> dict[str, Any]:
+    def entries(self) -> Entries:
         """What the file of a census states of the question, ready for JSON."""
         problem, timed = self.problem, self.period is not None
         cycle = itinerary_shape(structure_of(problem.system), problem.itinerary)

@@ -13,7 +13,7 @@ from flint import arb, fmpq
 from nonsmooth.runtime.checker.orbits.motion import Margin
 from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.orbits.points import JudgedOrbit
-from nonsmooth.runtime.checker.stated.exact import Elimination, Failure
+from nonsmooth.runtime.checker.stated.exact import Elimination, Entries, Failure
 from nonsmooth.runtime.core.errors import check_integer, chosen_names
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
@@ -89,7 +89,7 @@ def directions(orbit: Orbit, chosen: Iterable[str], by: Iterable[str]) -> dict[s
 
 def proposed(
     region: Region, bits: int, along: Mapping[str, Direction]
-) -> tuple[dict[str, Any], dict[str, str]]:
+) -> tuple[Entries, dict[str, str]]:
     """Return the entries of a file that state an orbit, but for its box, as the checker reads them.
 
     `along` are the directions by which derivatives are asked for. Those along which nothing can be
@@ -421,7 +421,7 @@ def stated(ball: arb, bits: int, size: arb | int = 0) -> Stated:
     return Stated.around(wide, bits)
 
 
-def _margin(margin: Margin) -> dict[str, Any]:
+def _margin(margin: Margin) -> Entries:
     text, _ = decimals(margin.least * 0.99, 8)  # rounded down: few digits are enough
     told = margin._asdict()
     return told | {"phase": margin.phase + 1, "least": text}  # as in all that is shown

@@ -27,7 +27,7 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from nonsmooth.runtime.checker.stated.exact import Elimination, form_between, products
+from nonsmooth.runtime.checker.stated.exact import Elimination, Entries, form_between, products
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.values import Value, as_value, axes
@@ -290,7 +290,7 @@ class Region:
     at: tuple[Fraction, ...]  # the subject's point in the box
     guess: Sequence[arb]  # approximate unknowns of the equations there
 
-    def statement(self, orbit: Orbit) -> tuple[dict[str, Any], dict[str, Any]]:
+    def statement(self, orbit: Orbit) -> tuple[Entries, Entries]:
         """Declaration and closing of an orbit as a file states them, each ready for JSON.
 
         Both are over the box's parameters and those that were given for the orbit.
@@ -315,7 +315,7 @@ def given_of(orbit: Orbit) -> dict[str, Value]:
 
 def stated_orbits(
     orbit: Orbit, names: Collection[str], chosen: tuple[str, ...], region: Region | None
-) -> dict[str, Any]:
+) -> Entries:
     """The entries of `StatedOrbits` for orbits like one, over parameters that have no one value.
 
     `region` is None where these orbits are not covered.

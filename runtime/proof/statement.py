@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from flint import arb, ctx, fmpq, fmpz
 
+from nonsmooth.runtime.checker.stated.exact import Entries
 from nonsmooth.runtime.checker.stated.parameters import number_at
 from nonsmooth.runtime.core.arithmetic import Balls
 from nonsmooth.runtime.core.errors import InputError
@@ -139,7 +140,7 @@ def _tables_over(
     required = {} if orbit is None else {n: parse(text) for n, text in orbit.required.items()}
     own = [value.text for value in required.values() if value.exact is None]
     known = irrationals(names, [*texts, *own], lambda text: parse(text).ball(_SHARP))
-    found: dict[str, Any] = {
+    found: Entries = {
         name: known.numbers[v.text] if v.exact is None else rational_of(v.exact)
         for name, v in (*required.items(), *fixed)
     }
@@ -241,7 +242,7 @@ def system_declaration(
     dwell: Sequence[str],
     *,
     timed: bool,
-) -> dict[str, Any]:
+) -> Entries:
     """Return the declaration over all parameters of the system, as `declaration_json` gives it.
 
     If `timed`, the given period is one more parameter. Where the declaration takes a root or a sine
@@ -264,7 +265,7 @@ def declaration_json(
     dwell: Sequence[str],
     *,
     whole: bool = False,
-) -> dict[str, Any]:
+) -> Entries:
     """Return the configurations and transitions of a proof as JSON, with their numbers as texts.
 
     All configurations are stated if the declaration is of the `whole` system.
@@ -284,7 +285,7 @@ def declaration_json(
         for other in structure.transitions[configuration]:
             if other.boundaries != taken.boundaries or id(other) in own:
                 continue
-            entry: dict[str, Any] = {
+            entry: Entries = {
                 "source": names[configuration],
                 "boundaries": sorted(shapes[b].name for b in other.boundaries),
                 "conditions": [
@@ -303,7 +304,7 @@ def declaration_json(
                 transitions.append(entry)
             own[id(other)] = transitions.index(entry)
         phases.append((configuration, own.get(id(taken), -1)))
-    law: dict[str, Any] = {}
+    law: Entries = {}
     if structure.law is not None and any("steps" in entry for entry in transitions):
         law["law"] = _law_json(structure.law, {*places}, lambda row: _row(tables.rows[row]))
     constants = [value.text for value in tables.constants]
@@ -341,14 +342,14 @@ def closing_json(
     parameters: Sequence[str],
     variables: Sequence[str],
     period: str,
-) -> dict[str, Any]:
+) -> Entries:
     """Return how a cycle closes, with the energy's form where there is one, as JSON with texts.
 
     `parameters` are what the declaration is over, its constants too. `variables` are those of them
     that the form's entries are functions of, in order. `period` names the parameter that the dwell
     times sum up to.
     """
-    told: dict[str, Any] = {"kind": closing.kind}
+    told: Entries = {"kind": closing.kind}
     if closing.kind == "forcing":
         told["turns"] = closing.turns
     if closing.translations:
@@ -399,7 +400,7 @@ def _entry(number: Any) -> Any:
     return {"mid": middle, "rad": radius}
 
 
-def _steps_json(law: Law, path: Path) -> list[dict[str, Any]]:
+def _steps_json(law: Law, path: Path) -> list[Entries]:
     """Return for each stage of a path the contacts at their "kinetic" limit and all "regimes"."""
     return [
         {
@@ -410,7 +411,7 @@ def _steps_json(law: Law, path: Path) -> list[dict[str, Any]]:
     ]
 
 
-def _law_json(law: Law, needed: Collection[int], row: Callable[[int], list[Any]]) -> dict[str, Any]:
+def _law_json(law: Law, needed: Collection[int], row: Callable[[int], list[Any]]) -> Entries:
     """Return the contact law as JSON, as far as some configurations concern it.
 
     It holds contacts, coupling, arrivals, limits, configurations and the rows of free contacts;

@@ -16,7 +16,7 @@ from nonsmooth.runtime.checker.counting.covering import Root, Walk
 from nonsmooth.runtime.checker.counting.dwell_equations import DwellEquations, Given, Setting
 from nonsmooth.runtime.checker.orbits.points import check_stated
 from nonsmooth.runtime.checker.stated.declared import StatedSystem
-from nonsmooth.runtime.checker.stated.exact import ball, demand, exact, naming
+from nonsmooth.runtime.checker.stated.exact import Entries, ball, demand, exact, naming
 from nonsmooth.runtime.checker.stated.parameters import independent, number_at, number_in, values_of
 from nonsmooth.runtime.checker.stated.shape import check_bits, check_file
 from nonsmooth.runtime.core.rational_functions import RationalFunction
@@ -95,7 +95,7 @@ class Counting:
             told = asked["declaration"].get("constants", [])
             parameters = {**asked["parameters"], **period}
             values, stated, constants = values_of(parameters, (), told)
-            closing: dict[str, Any] = {"kind": "forcing", "turns": 1}
+            closing: Entries = {"kind": "forcing", "turns": 1}
             if not asked["declaration"]["forcing"]:
                 closing = {"kind": "state"}
             demand(closing["kind"] == "state" or not period, "a period beside a forcing's")
@@ -285,7 +285,7 @@ class CountedBox:
                 demand(near, "it is at another time of the forcing")
 
 
-def check_census(content: dict[str, Any]) -> None:
+def check_census(content: Entries) -> None:
     """Prove a census: that its tree covers the box, and what is in it; and each certificate.
 
     `Failure` names a claim that is not proved; `Malformed` is raised if the file, read as JSON, has
@@ -317,7 +317,7 @@ def texts_of(equations: DwellEquations, sides: Sides) -> dict[str, list[str]]:
     return {name: [repr(low), repr(high)] for name, (low, high) in pairs}
 
 
-def _check_listed(content: dict[str, Any], counted: CountedBox, found: CensusVerdict) -> None:
+def _check_listed(content: Entries, counted: CountedBox, found: CensusVerdict) -> None:
     """Demand that orbits and open boxes are those that are found, and certificates of these."""
     listed = iter(enumerate(content["orbits"], 1))
     number, orbit = next(listed, (0, None))

@@ -14,6 +14,9 @@ from typing import Any, NamedTuple
 
 from flint import arb, arb_mat
 
+from nonsmooth.runtime.checker.stated.exact import column
+from nonsmooth.runtime.core.taylor_models import unit_matrix
+
 Sides = tuple[tuple[float, float], ...]  # of a box: exactly these doubles
 
 _INFLATED = 1.5  # of the radii of coordinates, so that their image may lie inside
@@ -137,12 +140,12 @@ def excluding(linear: Linear) -> bool:
     coordinates = linear.coordinates
     if coordinates is None:
         return True
-    column = arb_mat([[x] for x in (*coordinates, arb(1))])
-    values = linear.centre * column
+    point = column((*coordinates, arb(1)))
+    values = linear.centre * point
     for slope, offset in zip(linear.slopes, linear.offsets, strict=True):
-        values = values + slope * column * offset
+        values = values + slope * point * offset
     rows = arb_mat([*linear.over.tolist(), *linear.asked])
-    return any(x > 0 or x < 0 for x in (*values.entries(), *(rows * column).entries()))
+    return any(x > 0 or x < 0 for x in (*values.entries(), *(rows * point).entries()))
 
 
 def regular(linear: Linear) -> bool:
@@ -185,11 +188,11 @@ def contract(linear: Linear, coordinates: Sequence[Any] | None, sides: Sides) ->
     rows, width = linear.centre.nrows(), linear.centre.ncols()
     points = [q.mid() for q in coordinates]
     wide = [q + arb(0, (_INFLATED - 1) * q.rad() + _TINY * (1 + abs(q.mid()))) for q in coordinates]
-    column, middle = (arb_mat([[x] for x in (*qs, arb(1))]) for qs in (wide, points))
+    over, middle = (column((*qs, arb(1))) for qs in (wide, points))
     values = (linear.centre * middle).entries()
     jacobian = [[linear.over[i, j] for j in range(width - 1)] for i in range(rows)]
     for slope in linear.slopes:
-        for row, entry in zip(jacobian, (slope * column).entries(), strict=True):
+        for row, entry in zip(jacobian, (slope * over).entries(), strict=True):
             row.append(entry)
     count = len(jacobian[0])
     kept = _rows(jacobian, count)
@@ -200,11 +203,10 @@ def contract(linear: Linear, coordinates: Sequence[Any] | None, sides: Sides) ->
         return None
     centres = [*points, *middles_of(sides)]
     box = [*wide, *balls_of(sides)]
-    unit = arb_mat([[int(i == j) for j in range(count)] for i in range(count)])
     offsets = [b - c for b, c in zip(box, centres, strict=True)]
     moved = (
-        (unit - inverse * matrix) * arb_mat([[d] for d in offsets])
-        - inverse * arb_mat([[values[i]] for i in kept])
+        (unit_matrix(count) - inverse * matrix) * column(offsets)
+        - inverse * column(values[i] for i in kept)
     ).entries()
     if not all(x.is_finite() for x in moved):
         return None

@@ -21,7 +21,7 @@ from nonsmooth.runtime.checker.counting.contraction import (
     middles_of,
 )
 from nonsmooth.runtime.checker.stated.declared import StatedSystem
-from nonsmooth.runtime.checker.stated.exact import leading, reduced
+from nonsmooth.runtime.checker.stated.exact import column, leading, reduced
 from nonsmooth.runtime.core.rational_functions import pivot
 
 _TERMS = 48
@@ -228,11 +228,11 @@ class DwellEquations:
         searched = zip(self.setting.searched, self._times(balls_of(sides)), strict=True)
         found = {self.declared.dwell[k]: time for k, time in searched}
         if self._still:
-            column = arb_mat([[x] for x in (*coordinates, arb(1))])
+            point = column((*coordinates, arb(1)))
             behind = zip(self.setting.order, self._carried(sides, between=False)[1:], strict=True)
             for k, own in behind:
                 if k in self._still:
-                    found[self.declared.dwell[k]] = (own.over * column).entries()[-1]
+                    found[self.declared.dwell[k]] = (own.over * point).entries()[-1]
         return found
 
     def begun_later(self, sides: Sides, phases: int) -> Iterator[Sides]:
@@ -265,17 +265,17 @@ class DwellEquations:
 
         `coordinates` are those that the dwell times leave open.
         """
-        column = arb_mat([[x] for x in (*coordinates, arb(1))])
+        point = column((*coordinates, arb(1)))
         carried = zip(self.setting.order, self._carried(sides, between=False), strict=False)
-        return {k: arb_mat((own.over * column).tolist()[:-1]) for k, own in carried}
+        return {k: arb_mat((own.over * point).tolist()[:-1]) for k, own in carried}
 
     def carried(self, state: Sequence[Any], dwell: Mapping[str, Any]) -> list[Any]:
         """Return the state (N) where the start is sought, from that where the cycle begins."""
-        column = arb_mat([[x] for x in (*state, arb(1))])
+        found = column((*state, arb(1)))
         for k in range(self.setting.rotation):
             flow = (self._fields[k] * dwell[self.declared.dwell[k]]).exp()
-            column = self._resets[k] * (flow * column)
-        return list(column.entries()[:-1])
+            found = self._resets[k] * (flow * found)
+        return list(found.entries()[:-1])
 
     def _times(self, unknowns: Sequence[Any]) -> list[Any]:
         times = list(unknowns[self.first :])

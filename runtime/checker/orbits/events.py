@@ -22,6 +22,8 @@ from nonsmooth.runtime.checker.orbits.stability import (
     passing,
 )
 from nonsmooth.runtime.checker.stated.exact import (
+    Entries,
+    column,
     demand,
     demand_sign,
     exact,
@@ -46,7 +48,7 @@ class JudgedEvent:
     taken on trust, and nothing else is read.
     """
 
-    def __init__(self, proposal: dict[str, Any]) -> None:
+    def __init__(self, proposal: Entries) -> None:
         self.proposal, self.bits = proposal, proposal["bits"]
         with ctx.workprec(self.bits + _GUARD):
             by = proposal["parameter"]
@@ -71,7 +73,7 @@ class JudgedEvent:
             _, found, _ = self._along(point, radii)
             slopes = [[(part or 0) / r for part, r in zip(value.parts[1:], radii, strict=True)]
                       for value in found]  # fmt: skip
-            return arb_mat([[value.parts[0]] for value in found]), arb_mat(slopes)
+            return column(value.parts[0] for value in found), arb_mat(slopes)
 
         return newton(at, guess)
 
@@ -125,7 +127,7 @@ class JudgedEvent:
         return orbit, [*values, *found], which
 
 
-def check_events(content: dict[str, Any]) -> None:
+def check_events(content: Entries) -> None:
     """Judge every event of a file again; `Failure` names an event that is not proved.
 
     `Malformed` is raised if the file, read as JSON, has another shape.
@@ -137,7 +139,7 @@ def check_events(content: dict[str, Any]) -> None:
             _check(event)
 
 
-def _check(event: dict[str, Any]) -> None:
+def _check(event: Entries) -> None:
     if event["claim"] == "undecided":
         told = [event[name] for name in ("enclosures", "box", "declaration", "closing")]
         demand(event["reason"] and not any(told), "numbers of no event")
@@ -157,11 +159,11 @@ def _image(values: Sequence[Any]) -> list[Any]:
     demand(fits, "as many equations as unknowns are needed")
     slopes = arb_mat([[part or 0 for part in value.parts[1:]] for value in values])
     y = near_inverse(slopes)
-    missed = arb_mat([[value.parts[0]] for value in values])
+    missed = column(value.parts[0] for value in values)
     return krawczyk_step(missed, y, slopes, [arb(0, 1)] * size)
 
 
-def _event(orbit: CheckedOrbit, event: dict[str, Any], more: Sequence[Any]) -> list[Any]:
+def _event(orbit: CheckedOrbit, event: Entries, more: Sequence[Any]) -> list[Any]:
     """Return the residuals of an event's equations at an orbit: those of all its conditions."""
     kind, place, declared = event["kind"], event["phase"], orbit.declared
     demand(event["instant"] == _INSTANTS.get(kind, event["instant"]), "another instant")

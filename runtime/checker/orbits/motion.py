@@ -14,7 +14,7 @@ from flint import arb, ctx, fmpq
 from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, lower, vanishing
 from nonsmooth.runtime.checker.orbits.stability import MULTIPLIERS, characteristic, passing
 from nonsmooth.runtime.checker.stated.declared import StatedBoundary, StatedPhase, Way
-from nonsmooth.runtime.checker.stated.exact import Verdict, demand, exact, product
+from nonsmooth.runtime.checker.stated.exact import Entries, Verdict, demand, exact, product
 from nonsmooth.runtime.core.taylor_models import matrix, range_of
 
 _DEEPEST = 60  # halvings of a window of time
@@ -108,7 +108,7 @@ class Border(NamedTuple):
         return found
 
 
-def borders_of(event: dict[str, Any]) -> tuple[list[Border], tuple[Any, Any] | None]:
+def borders_of(event: Entries) -> tuple[list[Border], tuple[Any, Any] | None]:
     """Return the borders that are met at an event of a file, and the window of a grazing.
 
     `Failure` is raised if a window is stated of no grazing, or none of one.
@@ -123,7 +123,7 @@ def borders_of(event: dict[str, Any]) -> tuple[list[Border], tuple[Any, Any] | N
     return borders, (window[0], window[1]) if window else None
 
 
-def demand_no_phase(event: dict[str, Any]) -> None:
+def demand_no_phase(event: Entries) -> None:
     """Demand that an event of a file is in no phase: multipliers alone tell of it."""
     own = [event[name] for name in ("phase", "configuration", "boundary", "instant")]
     demand(own == [None, "", "", ""] and not event["also"] and not event["window"], "a phase")

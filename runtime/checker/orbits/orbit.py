@@ -19,6 +19,7 @@ from nonsmooth.runtime.checker.orbits.short import Short, quotient, quotients
 from nonsmooth.runtime.checker.stated.declared import StatedSystem
 from nonsmooth.runtime.checker.stated.exact import (
     Failure,
+    column,
     demand,
     demand_sign,
     exact,
@@ -216,7 +217,7 @@ class CheckedOrbit:
             away = [x - t for x, t in zip(box[self.first :], times, strict=True)]
             flows = self._flows(near_low, away)
             slopes = self.passage(low, list(map(lower, box)), flows).slopes
-            inside = (unit - lower(inverse) * slopes) * arb_mat([[d] for d in offsets])
+            inside = (unit - lower(inverse) * slopes) * column(offsets)
             return list((range_of(inside) - inverse * values).entries())
 
         now = at(centre, slopes=inverse is None)
@@ -433,7 +434,7 @@ def krawczyk_step(values: Any, inverse: Any, slopes: Any, offsets: Sequence[Any]
     `values` (n, 1) are F(x), `inverse` is Y, any matrix near the inverse of the `slopes` F'(X), and
     `offsets` are X - x. If K is inside X there is exactly one root (Krawczyk 1969).
     """
-    inside = (unit_matrix(len(offsets)) - inverse * slopes) * arb_mat([[d] for d in offsets])
+    inside = (unit_matrix(len(offsets)) - inverse * slopes) * column(offsets)
     return list((inside - inverse * values).entries())
 
 

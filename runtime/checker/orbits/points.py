@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property, partial
 from typing import Any
 
-from flint import acb, acb_poly, arb, arb_mat, ctx, fmpq
+from flint import acb, acb_poly, arb, ctx, fmpq
 
 from nonsmooth.runtime.checker.orbits.motion import Margin, admissibility
 from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit
@@ -22,9 +22,11 @@ from nonsmooth.runtime.checker.orbits.stability import (
     others_below,
 )
 from nonsmooth.runtime.checker.stated.exact import (
+    Entries,
     Failure,
     Verdict,
     agreed_claims,
+    column,
     demand,
     exact,
     inside,
@@ -40,7 +42,7 @@ from nonsmooth.runtime.core.jets import jet, part_of
 
 
 def rates_along(
-    content: dict[str, Any],
+    content: Entries,
     parameters: Mapping[str, str],
     name: str,
     orbit: CheckedOrbit,
@@ -86,7 +88,7 @@ def _rates(moving: CheckedOrbit, orbit: CheckedOrbit, multipliers: Sequence[Any]
     slopes = orbit.passage(orbit.chain, orbit.root, orbit.flows).slopes
     missed = moving.along(orbit.root)
     try:
-        rates = slopes.solve(arb_mat([[-part_of(value, 1)] for value in missed])).entries()
+        rates = slopes.solve(column(-part_of(value, 1) for value in missed)).entries()
     except ZeroDivisionError:
         raise Failure("the equations may be singular at the orbit") from None
     moving.along([jet(x, rate) for x, rate in zip(orbit.root, rates, strict=True)])
@@ -131,7 +133,7 @@ class JudgedOrbit:
     exist is computed where it is asked for.
     """
 
-    def __init__(self, proposal: dict[str, Any]) -> None:
+    def __init__(self, proposal: Entries) -> None:
         self.proposal, self.bits = proposal, proposal["bits"]
         self.period = {"period": proposal["given_period"]} if proposal["given_period"] else {}
         self.parameters = {**proposal["parameters"], **self.period}
@@ -246,7 +248,7 @@ class JudgedOrbit:
         return sharper(self.orbit)
 
 
-def check(content: dict[str, Any]) -> None:
+def check(content: Entries) -> None:
     """Judge the orbit of a certificate's file again; demand that all that it states is found.
 
     `Failure` names a claim that is not proved; `Malformed` is raised if the file, read as JSON, has
@@ -256,7 +258,7 @@ def check(content: dict[str, Any]) -> None:
     check_stated(content)
 
 
-def check_stated(content: dict[str, Any]) -> None:
+def check_stated(content: Entries) -> None:
     """Judge an orbit again of which a file, in its shape, states a certificate."""
     bits = check_bits(content)
     exists, admissible, stable = agreed_claims(content["claims"], content["reasons"])
@@ -296,7 +298,7 @@ def _agree(name: str, stated: str, found: Verdict) -> None:
     demand(stated == found.claim, f"{name} is {found.claim}: {found.reason}")
 
 
-def _check_multipliers(content: dict[str, Any], found: JudgedOrbit) -> list[int]:
+def _check_multipliers(content: Entries, found: JudgedOrbit) -> list[int]:
     """Demand one of the multipliers in each stated disc, no two in one, and a bound of all others.
 
     The places of those in the discs are returned.
@@ -318,7 +320,7 @@ def _check_multipliers(content: dict[str, Any], found: JudgedOrbit) -> list[int]
     return places
 
 
-def _check_derivatives(content: dict[str, Any], found: JudgedOrbit, places: Sequence[int]) -> None:
+def _check_derivatives(content: Entries, found: JudgedOrbit, places: Sequence[int]) -> None:
     """Demand the derivatives of all that is enclosed, and of multipliers, in their enclosures."""
     stated, along = content.get("derivatives", {}), content.get("directions", {})
     demand(bool(stated) == bool(along), "derivatives by nothing")
@@ -339,7 +341,7 @@ def _check_derivatives(content: dict[str, Any], found: JudgedOrbit, places: Sequ
             demand(proved, f"the derivative of {quantity} by {name} is not in its enclosure")
 
 
-def _check_margins(stated: Sequence[dict[str, Any]], margins: Sequence[Margin]) -> None:
+def _check_margins(stated: Sequence[Entries], margins: Sequence[Margin]) -> None:
     """Demand that each stated margin is positive and no larger than the one that is found."""
     known = {tuple(margin[:4]): margin.least for margin in margins}
     told = {(m["phase"] - 1, m["configuration"], m["boundary"], m["quantity"]): exact(m["least"])

@@ -24,6 +24,7 @@ from nonsmooth.runtime.checker.ranges.branch import (
 )
 from nonsmooth.runtime.checker.stated.exact import (
     Elimination,
+    Entries,
     Failure,
     agree,
     demand,
@@ -44,7 +45,7 @@ _ALIKE = ("system", "parameter", "interval", "stability")
 _Parts = list[tuple[int, tuple[int, ...]]]
 
 
-def check_branch(content: dict[str, Any]) -> None:
+def check_branch(content: Entries) -> None:
     """Prove every claim of a branch again; `Failure` names a claim that is not proved.
 
     `Malformed` is raised if the file, read as JSON, has another shape.
@@ -75,7 +76,7 @@ class FoundBeyond(NamedTuple):
 
 
 def found_beyond(
-    content: dict[str, Any], tile: CheckedTile, branch: dict[str, Any], other: CheckedTile
+    content: Entries, tile: CheckedTile, branch: Entries, other: CheckedTile
 ) -> FoundBeyond:
     """Return what is proved of the orbits of another itinerary that begin at an event.
 
@@ -98,7 +99,7 @@ def found_beyond(
     return FoundBeyond(side, own, verdict)
 
 
-def _check(content: dict[str, Any], tile: CheckedTile, beyond: dict[str, Any]) -> None:
+def _check(content: Entries, tile: CheckedTile, beyond: Entries) -> None:
     """Demand that what is stated of orbits that begin at the event of a proved tile is found."""
     _demand_alike(content, beyond["branch"])
     tiles = checked_tiles(beyond["branch"])
@@ -111,7 +112,7 @@ def _check(content: dict[str, Any], tile: CheckedTile, beyond: dict[str, Any]) -
     demand(beyond["verdict"] == found.verdict, "it has another verdict")
 
 
-def _demand_alike(content: dict[str, Any], branch: dict[str, Any]) -> None:
+def _demand_alike(content: Entries, branch: Entries) -> None:
     """Demand that two branches are said to be of one system, over the same parameter."""
     demand(all(content[name] == branch[name] for name in _ALIKE), "another system's branch")
     given, others = content["parameters"], branch["parameters"]

@@ -39,6 +39,7 @@ from nonsmooth.runtime.checker.ranges.branch_curve import (
 )
 from nonsmooth.runtime.checker.ranges.divided import curve_at
 from nonsmooth.runtime.checker.stated.exact import (
+    Entries,
     Failure,
     demand,
     demand_sign,
@@ -70,7 +71,7 @@ class CheckedTile:
 
     deepest = _DEEPEST  # how often it is halved at most
 
-    def __init__(self, curve: CheckedCurve, tile: dict[str, Any]) -> None:
+    def __init__(self, curve: CheckedCurve, tile: Entries) -> None:
         self.curve, self.tile = curve.divided(tile["divided"]), tile
         self.place = curve.place(tile["coordinate"])
         self.low, self.high = exact(tile["lower"]), exact(tile["upper"])
@@ -389,7 +390,7 @@ def _width(number: Any) -> Any:
 FINISHED, VANISHED = "end of the interval", "a phase vanishes"
 
 
-def checked_tiles(content: dict[str, Any]) -> list[CheckedTile]:
+def checked_tiles(content: Entries) -> list[CheckedTile]:
     """Prove every claim of a branch whose entries have their shape; return its tiles."""
     tiles = content["tiles"]
     _claimed(content)
@@ -411,7 +412,7 @@ def checked_tiles(content: dict[str, Any]) -> list[CheckedTile]:
     return found
 
 
-def curve_of(content: dict[str, Any]) -> CheckedCurve:
+def curve_of(content: Entries) -> CheckedCurve:
     """Return the equations of a branch, of which nothing is proved yet.
 
     `Failure` is raised if the declaration is not exact, or if the unknowns or the kind of
@@ -428,7 +429,7 @@ def curve_of(content: dict[str, Any]) -> CheckedCurve:
         return CheckedCurve(declared, declared.closes(), constants, name, interval)
 
 
-def _claimed(content: dict[str, Any]) -> None:
+def _claimed(content: Entries) -> None:
     """Demand that the claim about the whole branch follows from its tiles."""
     tiles = content["tiles"]
     demand(0 <= content["start"] <= len(tiles), "it starts in none of its tiles")

@@ -28,7 +28,7 @@ from nonsmooth.runtime.checker.orbits.stability import (
     stability,
 )
 from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve
-from nonsmooth.runtime.checker.stated.exact import demand, demand_sign
+from nonsmooth.runtime.checker.stated.exact import Entries, demand, demand_sign
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import TaylorModel, range_of, space_of
 
@@ -52,9 +52,7 @@ class Band(NamedTuple):
     radius: float
 
     @staticmethod
-    def stated(
-        event: dict[str, Any], names: Sequence[str], place: Sequence[tuple[int, int]]
-    ) -> "Band":
+    def stated(event: Entries, names: Sequence[str], place: Sequence[tuple[int, int]]) -> "Band":
         """Return the band that a file states of an event; `Failure` as from `about`.
 
         `place` has the tile's step and level along each axis.
@@ -149,7 +147,7 @@ class Division:
 
     @staticmethod
     def stated(
-        event: dict[str, Any], claims: Sequence[str], names: Sequence[str],
+        event: Entries, claims: Sequence[str], names: Sequence[str],
         place: Sequence[tuple[int, int]],
     ) -> "Division":  # fmt: skip
         """Return what a file states of a tile, whose step and level along each axis are `place`."""

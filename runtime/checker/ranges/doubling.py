@@ -32,7 +32,14 @@ from nonsmooth.runtime.checker.ranges.branch_curve import (
     solution,
     without_entry,
 )
-from nonsmooth.runtime.checker.stated.exact import demand, demand_sign, exact, inside, naming
+from nonsmooth.runtime.checker.stated.exact import (
+    Entries,
+    demand,
+    demand_sign,
+    exact,
+    inside,
+    naming,
+)
 from nonsmooth.runtime.checker.stated.parameters import number_at
 from nonsmooth.runtime.checker.stated.shape import check_file
 from nonsmooth.runtime.core.jets import jet, part_of
@@ -54,7 +61,7 @@ _DEEPEST = 5  # halvings of a tube whose claims take smaller ones
 _ALIKE = ("parameters", "parameter", "stability")
 
 
-def check_doubling(content: dict[str, Any]) -> None:
+def check_doubling(content: Entries) -> None:
     """Prove every claim of a doubling again; `Failure` names a claim that is not proved.
 
     `Malformed` is raised if the file, read as JSON, has another shape.
@@ -77,8 +84,8 @@ def check_doubling(content: dict[str, Any]) -> None:
 
 
 def check_doubled(
-    doubled: dict[str, Any],
-    branches: Sequence[dict[str, Any]],
+    doubled: Entries,
+    branches: Sequence[Entries],
     tiles: Sequence[Sequence[CheckedTile]],
 ) -> None:
     """Judge the doubled orbits between two branches that are already proved.
@@ -104,7 +111,7 @@ def check_doubled(
         demand(told == doubled["verdict"], f"at one of them it is {told}")
 
 
-def twofold(content: dict[str, Any]) -> CheckedCurve:
+def twofold(content: Entries) -> CheckedCurve:
     """Return the equations of a branch's cycle passed twice; `Failure` where it is not covered."""
     demand(content["declaration"], "claims about no declaration")
     declared, closing = content["declaration"], content["closing"]
@@ -124,11 +131,11 @@ def twofold(content: dict[str, Any]) -> CheckedCurve:
     return found
 
 
-def _turned_twice(closing: dict[str, Any]) -> dict[str, Any]:
+def _turned_twice(closing: Entries) -> dict[str, Any]:
     return {name: 2 * value if name == "turns" else value for name, value in closing.items()}
 
 
-def _same_system(branch: dict[str, Any], beyond: dict[str, Any]) -> None:
+def _same_system(branch: Entries, beyond: Entries) -> None:
     """Demand that the second branch's cycle is the first one's, passed twice, in one system."""
     demand(all(branch[name] == beyond[name] for name in _ALIKE), "another system's branch")
     declared, other = branch["declaration"], beyond["declaration"]
@@ -152,9 +159,7 @@ class JudgedDoubling:
     branch with the flip, and `tile` is the flip's, already proved.
     """
 
-    def __init__(
-        self, proposal: dict[str, Any], content: dict[str, Any], tile: CheckedTile
-    ) -> None:
+    def __init__(self, proposal: Entries, content: Entries, tile: CheckedTile) -> None:
         self.content, self.tile, self.curve = content, tile, tile.curve
         self.twice = twofold(content)
         event = tile.event
@@ -202,7 +207,7 @@ class JudgedDoubling:
             same = self.rate > 0 if self.side == "above" else self.rate < 0
             demand(same, f"they are not {self.side} the flip")
 
-    def first_of(self, beyond: dict[str, Any], first: CheckedTile) -> list[Any]:
+    def first_of(self, beyond: Entries, first: CheckedTile) -> list[Any]:
         """Demand that a doubled branch begins with an orbit of the tube; return this orbit.
 
         `first` is the tile of it where it begins. Solutions of equations that are divided by a

@@ -25,7 +25,7 @@ from nonsmooth.runtime.checker.ranges.branch_curve import (
 )
 from nonsmooth.runtime.checker.ranges.divided import VERDICTS, Band, curve_at, fraction, monotone
 from nonsmooth.runtime.checker.stated.declared import StatedSystem
-from nonsmooth.runtime.checker.stated.exact import demand, demand_sign
+from nonsmooth.runtime.checker.stated.exact import Entries, demand, demand_sign
 from nonsmooth.runtime.checker.stated.parameters import number_at
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import (
@@ -122,7 +122,7 @@ class FoldedTile:
     @staticmethod
     def stated(
         declared: StatedSystem, energies: Any, constants: Any, names: Sequence[str],
-        where: Sequence[tuple[Any, Any]], tile: dict[str, Any],
+        where: Sequence[tuple[Any, Any]], tile: Entries,
     ) -> "FoldedTile":  # fmt: skip
         """Prove all that a file states of a tile with a fold."""
         event = tile["event"]
@@ -275,7 +275,7 @@ class FoldedTile:
 
 
 def beyond_folds(
-    tiles: Sequence[dict[str, Any]],
+    tiles: Sequence[Entries],
     verdicts: Sequence[str],
     beside: Sequence[Sequence[int]],
 ) -> list[bool]:
@@ -319,7 +319,7 @@ def beyond_folds(
     return found
 
 
-def _is_beyond(tile: dict[str, Any], place: Sequence[Any], edge: Sequence[Any]) -> bool:
+def _is_beyond(tile: Entries, place: Sequence[Any], edge: Sequence[Any]) -> bool:
     """Return whether an edge lies on the side beyond a tile's fold, where there are no orbits.
 
     Nothing is assumed about what is beside the edge. Along the curve's parameter, the

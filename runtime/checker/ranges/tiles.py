@@ -4,7 +4,7 @@ What is claimed of a tile holds for each of its parameters: there is exactly one
 polynomials of the parameters, which are found here anew from the numbers that the tile states.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from flint import arb, ctx, fmpq
@@ -24,6 +24,7 @@ from nonsmooth.runtime.checker.ranges.folded import (
 )
 from nonsmooth.runtime.checker.stated.declared import StatedSystem
 from nonsmooth.runtime.checker.stated.exact import (
+    Entries,
     Failure,
     Verdict,
     agreed_claims,
@@ -51,7 +52,7 @@ class _Contradicted(Failure):
     """The contrary of a claim is proved, so that smaller tiles do not help."""
 
 
-def check_tiles(content: dict[str, Any]) -> None:
+def check_tiles(content: Entries) -> None:
     """Prove every claim of a map again; `Failure` names a claim that is not proved.
 
     `Malformed` is raised if the file, read as JSON, has another shape.
@@ -80,14 +81,14 @@ def check_tiles(content: dict[str, Any]) -> None:
     box.check_divisors()
 
 
-def _neighbours(tiles: Sequence[dict[str, Any]]) -> Sequence[Sequence[int]]:
+def _neighbours(tiles: Sequence[Entries]) -> Sequence[Sequence[int]]:
     """Return for each tile those with which it shares an edge; none but for two parameters."""
     if len(tiles[0]["place"]) != _PLANE:
         return [()] * len(tiles)
     return neighbours([[(step, level) for step, level in tile["place"]] for tile in tiles])
 
 
-def check_whole(content: dict[str, Any]) -> None:
+def check_whole(content: Entries) -> None:
     """Demand that tiles fill their box, and that what is said of the box follows from them.
 
     `content` holds the entries of a map, in their shape.
@@ -101,7 +102,7 @@ def check_whole(content: dict[str, Any]) -> None:
     _total(content)
 
 
-def _ends_of(content: dict[str, Any]) -> list[Interval]:
+def _ends_of(content: Entries) -> list[Interval]:
     return [(exact(low), exact(high)) for low, high in content["box"].values()]
 
 
@@ -112,7 +113,7 @@ class CheckedBox:
     declaration is not exact, or states a stability of another kind.
     """
 
-    def __init__(self, content: dict[str, Any]) -> None:
+    def __init__(self, content: Entries) -> None:
         self.names, self.ends = [*content["box"]], _ends_of(content)
         with ctx.workprec(_BITS):
             found = stated_system(content, content["parameters"], self.names)
@@ -121,7 +122,7 @@ class CheckedBox:
             demand(content["stability"] == self.declared.stability, "stability of another kind")
             self.energies = self.declared.closes()
 
-    def proved(self, tile: dict[str, Any]) -> "MapTile":
+    def proved(self, tile: Entries) -> "MapTile":
         """Prove all claims of a tile and return it."""
         where = self.where(tile["place"])
         with ctx.workprec(_BITS):
@@ -194,7 +195,7 @@ class MapTile:
     """The claims about one tile of a map."""
 
     def __init__(
-        self, declared: StatedSystem, energies: Any, constants: Any, tile: dict[str, Any],
+        self, declared: StatedSystem, energies: Any, constants: Any, tile: Entries,
         names: list[str],
     ) -> None:  # fmt: skip
         self.declared, self.energies, self.constants = declared, energies, constants
@@ -431,13 +432,17 @@ def _values(where: Sequence[Interval], space: Space) -> list[Any]:
     return [space.variable(axis, *middle_and_half(*ends)) for axis, ends in enumerate(where)]
 
 
-def _verdict(tile: dict[str, Any]) -> str:
+def _verdict(tile: Entries) -> str:
     """Return the verdict that the claims of a tile amount to; "divided" for one with an event."""
-    _, admissible, stable = agreed_claims(tile["claims"], tile["reasons"])
-    if tile["event"] is not None:
-        return "divided"
-    verdict = VERDICTS.get(stable, "undecided")
-    return {"proved": verdict, "refuted": "not admissible"}.get(admissible, "undecided")
+    agreed_claims(tile["claims"], tile["reasons"])
+    return "divided" if tile["event"] is not None else verdict_of(tile["claims"])
+
+
+def verdict_of(claims: Mapping[str, str]) -> str:
+    """Return the verdict on all of a tile that claims, which go together, amount to."""
+    verdict = VERDICTS.get(claims["stability"], "undecided")
+    ways = {"proved": verdict, "refuted": "not admissible"}
+    return ways.get(claims["admissibility"], "undecided")
 
 
 def _cut(space: Space) -> Callable[[Any], Any]:
@@ -472,7 +477,7 @@ def _fill(places: list[list[tuple[int, int]]]) -> bool:
     return False
 
 
-def _total(content: dict[str, Any]) -> None:
+def _total(content: Entries) -> None:
     """Demand that what is said of the whole box follows from its tiles."""
     tiles, shares = content["tiles"], dict.fromkeys(content["shares"], fmpq(0))
     verdicts = [_verdict(tile) for tile in tiles]

@@ -20,7 +20,7 @@ from nonsmooth.runtime.checker.state_sets.many_sets import ManyMotions
 from nonsmooth.runtime.checker.state_sets.one_way import Parallelepiped, SectionMap, divided
 from nonsmooth.runtime.checker.state_sets.sets import TooWide
 from nonsmooth.runtime.checker.state_sets.switching import StatedSection
-from nonsmooth.runtime.checker.stated.exact import demand, exact
+from nonsmooth.runtime.checker.stated.exact import Entries, demand, exact
 from nonsmooth.runtime.checker.stated.grids import listed, stated_grid
 from nonsmooth.runtime.checker.stated.shape import check_bits, check_file
 from nonsmooth.runtime.core.box_grid import BoxGrid
@@ -103,7 +103,7 @@ class AttractedTiles:
 
 
 def check_basin(
-    content: dict[str, Any],
+    content: Entries,
     workers: int = 1,
     progress: Callable[[int, int], object] = lambda done, count: None,
 ) -> None:
@@ -173,7 +173,7 @@ def contraction(question: Mapping[str, Any], limit: Any = 1, most: int = _MOST) 
     return largest
 
 
-def _check_ranks(content: dict[str, Any], grid: BoxGrid, ranks: Any) -> None:
+def _check_ranks(content: Entries, grid: BoxGrid, ranks: Any) -> None:
     """Prove that every ranked box of the section leads to the core or to boxes of lower rank."""
     core, motions = _inward(content, grid), _motions(content, _MORE)
     inner = np.flatnonzero(ranks == 0)
@@ -196,7 +196,7 @@ def _check_ranks(content: dict[str, Any], grid: BoxGrid, ranks: Any) -> None:
             demand(seen.all(), f"a box of the rank {rank} has no image")
 
 
-def _attracted(content: dict[str, Any]) -> Any:
+def _attracted(content: Entries) -> Any:
     """Return the numbers of the tiles that are stated to be attracted.
 
     The tiles have to cover the stated box, and their rows at its ends have to meet it.
@@ -225,7 +225,7 @@ def _attracted(content: dict[str, Any]) -> Any:
 
 
 def _check_tiles(
-    content: dict[str, Any], good: Any, workers: int, progress: Callable[[int, int], object]
+    content: Entries, good: Any, workers: int, progress: Callable[[int, int], object]
 ) -> None:
     """Prove that all motions from the attracted tiles come to boxes with a rank."""
     size = max(1, min(_BATCH, -(-len(good) // workers)))
@@ -238,7 +238,7 @@ def _check_tiles(
             progress(done, len(good))
 
 
-def _begin_tiles(content: dict[str, Any]) -> Callable[[Any], bool]:
+def _begin_tiles(content: Entries) -> Callable[[Any], bool]:
     """Return a test whether all motions from tiles, by their numbers, come to ranked boxes."""
     return AttractedTiles(content, _MORE).all
 

@@ -30,7 +30,7 @@ from nonsmooth.runtime.checker.state_sets.one_way import (
     divided,
 )
 from nonsmooth.runtime.checker.state_sets.sets import StateSet, TooWide
-from nonsmooth.runtime.checker.stated.exact import demand, exact
+from nonsmooth.runtime.checker.stated.exact import Entries, demand, exact
 from nonsmooth.runtime.checker.stated.shape import check_bits, check_file
 
 _FINEST = fmpq(1, 2**22)  # of a set: narrower parts are not tried
@@ -59,7 +59,7 @@ class _MappedPart(NamedTuple):
 
 
 def check_cones(
-    cones: dict[str, Any],
+    cones: Entries,
     targets: Mapping[str, Sequence[str]],
     mapped: Callable[[str], MappedSet],
     size: int,
@@ -379,7 +379,7 @@ class SetMap:
         return image.through(self._owner.sets[target].inward)
 
 
-def check_chaos(content: dict[str, Any]) -> None:
+def check_chaos(content: Entries) -> None:
     """Prove the symbolic dynamics of a file again; `Failure` names a claim that is not proved.
 
     `Malformed` is raised if the file, read as JSON, has another shape.

@@ -7,14 +7,14 @@ to a smaller rank: so returns that stay among boxes of known image are in the bo
 from some return on.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from nonsmooth.runtime.checker.state_sets.many_sets import Arrivals, ManyMotions
 from nonsmooth.runtime.checker.state_sets.switching import StatedSection
-from nonsmooth.runtime.checker.stated.exact import demand
+from nonsmooth.runtime.checker.stated.exact import Entries, demand
 from nonsmooth.runtime.checker.stated.grids import listed, stated_divided_grid
 from nonsmooth.runtime.checker.stated.shape import check_bits, check_file
 from nonsmooth.runtime.core.box_grid import DividedGrid
@@ -94,7 +94,7 @@ def stays(edges: Edges, trapping: Any, component: Any, ranks: Any) -> bool:
     return len(np.setdiff1d(component[members], left)) > 0
 
 
-def check_graph(content: dict[str, Any]) -> None:
+def check_graph(content: Entries) -> None:
     """Prove a graph of boxes again; `Failure` names a claim that is not proved.
 
     `Malformed` is raised if the file, read as JSON, has another shape.
@@ -119,17 +119,24 @@ def _flags(runs: Any, grid: DividedGrid) -> Any:
     return told == 1
 
 
-def _stated_edges(content: dict[str, Any], grid: DividedGrid) -> Edges:
-    """Return the edges of a file, in order."""
-    outside, unknown = (_flags(content[name], grid) for name in ("outside", "unknown"))
-    first_of_each = np.array(content["edges"] or np.zeros((0, 3), dtype=int))
-    source, first, count = first_of_each.T
-    fits = (source >= 0) & (source < len(grid)) & (first >= 0) & (count > 0)
-    fits &= (first < len(grid)) & (count <= len(grid) - first)
+def listed_edges(rows: Sequence[Sequence[int]], size: int) -> tuple[Any, Any]:
+    """Return sources and targets of all edges, from rows: a box, the first target, their count.
+
+    `Failure` is raised if one leads from or to none of so many boxes.
+    """
+    source, first, count = np.array(rows or np.zeros((0, 3), dtype=int)).T
+    fits = (source >= 0) & (source < size) & (first >= 0) & (count > 0)
+    fits &= (first < size) & (count <= size - first)
     demand(fits.all() and count.sum() <= _MOST, "an edge leads to no box")
     source = np.repeat(source, count)
     begins = np.repeat(np.cumsum(count) - count, count)
-    target = np.repeat(first, count) + np.arange(len(source)) - begins
+    return source, np.repeat(first, count) + np.arange(len(source)) - begins
+
+
+def _stated_edges(content: Entries, grid: DividedGrid) -> Edges:
+    """Return the edges of a file, in order."""
+    outside, unknown = (_flags(content[name], grid) for name in ("outside", "unknown"))
+    source, target = listed_edges(content["edges"], len(grid))
     lost = unknown[source].any() or (unknown & outside).any()
     demand(not lost, "an edge of an unknown image")
     demand((np.diff(source * len(grid) + target) > 0).all(), "edges are not in order")

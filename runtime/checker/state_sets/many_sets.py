@@ -34,6 +34,7 @@ from nonsmooth.runtime.checker.state_sets.switching import (
 from nonsmooth.runtime.checker.stated.declared import Transition
 from nonsmooth.runtime.checker.stated.exact import (
     Elimination,
+    Entries,
     demand,
     free_places,
     leading,
@@ -79,7 +80,7 @@ class ManyMotions:
 
     def __init__(
         self,
-        declared: dict[str, Any],
+        declared: Entries,
         parameters: Mapping[str, str],
         section: StatedSection,
         scales: Sequence[float],

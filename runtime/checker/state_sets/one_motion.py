@@ -19,7 +19,14 @@ from nonsmooth.runtime.checker.state_sets.one_way import CarryingSystem, Entry
 from nonsmooth.runtime.checker.state_sets.portions import direction
 from nonsmooth.runtime.checker.state_sets.sets import CarryingPhase, StateSet, TooWide, row_of
 from nonsmooth.runtime.checker.state_sets.switching import SwitchingSystem
-from nonsmooth.runtime.checker.stated.exact import Elimination, demand, fixed, product, reduced
+from nonsmooth.runtime.checker.stated.exact import (
+    Elimination,
+    column,
+    demand,
+    fixed,
+    product,
+    reduced,
+)
 from nonsmooth.runtime.core.rational_functions import pivot
 
 Row = Any  # exact, over (y, 1)
@@ -283,7 +290,7 @@ class OneMotion(CarryingSystem):
 def _about(numbers: Sequence[Any]) -> StateSet:
     """Return the set of (states, time, 1) in some balls of states and time."""
     return StateSet.of(
-        arb_mat([[x] for x in (*numbers, arb(1))]),
+        column((*numbers, arb(1))),
         arb_mat(len(numbers) + 1, 0),
         arb_mat(len(numbers) + 1, 1),
     )

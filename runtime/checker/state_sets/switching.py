@@ -9,7 +9,14 @@ from math import factorial
 from typing import Any, NamedTuple
 
 from nonsmooth.runtime.checker.stated.declared import StatedTables, Transition
-from nonsmooth.runtime.checker.stated.exact import Elimination, demand, exact, fixed, unit_rows
+from nonsmooth.runtime.checker.stated.exact import (
+    Elimination,
+    Entries,
+    demand,
+    exact,
+    fixed,
+    unit_rows,
+)
 from nonsmooth.runtime.checker.stated.parameters import values_of
 
 
@@ -23,7 +30,7 @@ class SwitchingSystem(StatedTables):
     """
 
     def __init__(
-        self, declared: dict[str, Any], parameters: Mapping[str, str], *, lawful: bool = False
+        self, declared: Entries, parameters: Mapping[str, str], *, lawful: bool = False
     ) -> None:
         steps = any("steps" in entry for entry in declared["transitions"])
         told = lawful or ("law" not in declared and not steps)

@@ -15,6 +15,7 @@ from flint import fmpq
 from nonsmooth.runtime.checker.stated.contacts import ContactLaw
 from nonsmooth.runtime.checker.stated.exact import (
     Elimination,
+    Entries,
     Failure,
     agree,
     demand,
@@ -114,7 +115,7 @@ class StatedTables:
     """
 
     def __init__(
-        self, declared: dict[str, Any], values: Mapping[str, Any], constants: Sequence[Any] = ()
+        self, declared: Entries, values: Mapping[str, Any], constants: Sequence[Any] = ()
     ) -> None:
         names, self.poles, self.exactly = declared["parameters"], list[Any](), Elimination()
         self.rational = not _has_balls(declared)
@@ -148,7 +149,7 @@ class StatedTables:
         if "law" in declared and self.rational:
             self._lawful(declared)
 
-    def _lawful(self, declared: dict[str, Any]) -> None:
+    def _lawful(self, declared: Entries) -> None:
         """Demand that all transitions with steps are those of the stated contact law."""
         try:
             law = ContactLaw(declared["law"], self.row, self.number, self.exactly)
@@ -182,7 +183,7 @@ class StatedSystem(StatedTables):
     """The system, itinerary and closing of a certificate, in exact numbers."""
 
     def __init__(
-        self, content: dict[str, Any], values: Mapping[str, Any], constants: Sequence[Any] = ()
+        self, content: Entries, values: Mapping[str, Any], constants: Sequence[Any] = ()
     ) -> None:
         declared, self.closing = content["declaration"], content["closing"]
         super().__init__(declared, values, constants)

@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-from flint import arb, fmpq, fmpq_mat, fmpz
+from flint import arb, arb_mat, fmpq, fmpq_mat, fmpz
 
 from nonsmooth.runtime.core.rational_functions import RationalFunction, pivot
 
@@ -19,6 +19,9 @@ NUMBER = re.compile(
 )  # a fraction, or a decimal with an exponent
 _HIGHEST = 10_000  # power of a parameter
 _SHORT = 24  # characters of a number
+
+
+Entries = dict[str, Any]  # of a file, or of a part of it, as they are read from JSON
 
 
 class Failure(Exception):
@@ -96,6 +99,11 @@ def ball(stated: dict[str, str]) -> Any:
 def inside(found: Any, stated: dict[str, str]) -> Any:
     """Return whether a ball or Taylor model lies inside a stated ball, with certainty."""
     return abs(found - arb(exact(stated["mid"]))) < arb(exact(stated["rad"]))
+
+
+def column(numbers: Iterable[Any]) -> Any:
+    """Return numbers as a column of balls."""
+    return arb_mat([[x] for x in numbers])
 
 
 def number_of(entry: Any, variables: Sequence[Any]) -> Any:

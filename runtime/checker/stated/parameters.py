@@ -9,7 +9,14 @@ from typing import Any
 from flint import arb, fmpq, fmpz_poly
 
 from nonsmooth.runtime.checker.stated.declared import StatedSystem
-from nonsmooth.runtime.checker.stated.exact import NUMBER, Failure, demand, demand_sign, exact
+from nonsmooth.runtime.checker.stated.exact import (
+    NUMBER,
+    Entries,
+    Failure,
+    demand,
+    demand_sign,
+    exact,
+)
 from nonsmooth.runtime.core.irrational_numbers import irrationals
 
 _OPERATORS = {
@@ -120,7 +127,7 @@ def values_of(
 
 
 def stated_system(
-    content: dict[str, Any], parameters: Mapping[str, str], varying: Sequence[str] = ()
+    content: Entries, parameters: Mapping[str, str], varying: Sequence[str] = ()
 ) -> tuple[StatedSystem, list[Any]]:
     """Return the system that a file states, and the irrational constants of its functions.
 

@@ -13,7 +13,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from nonsmooth.runtime.checker.stated.exact import Failure, demand
+from nonsmooth.runtime.checker.stated.exact import Entries, Failure, demand
 
 
 class Malformed(Failure):
@@ -54,7 +54,7 @@ def check_file(content: Any, name: str) -> None:
     demand(content["sha256"] == digest, "edited or damaged: the checksum differs")
 
 
-def check_bits(content: dict[str, Any]) -> int:
+def check_bits(content: Entries) -> int:
     """Return the bits of precision that the file states; `Malformed` if too few or too many."""
     bits: int = content["bits"]
     if not _FEWEST <= bits <= _MOST:

@@ -11,6 +11,7 @@ from typing import Annotated, Any
 from flint import arb
 
 from nonsmooth.runtime.checker.ranges.folded import BEYOND, beyond_folds, neighbours
+from nonsmooth.runtime.checker.ranges.tiles import verdict_of
 from nonsmooth.runtime.checker.stated.exact import exact
 from nonsmooth.runtime.core.errors import InputError, one_line
 from nonsmooth.runtime.core.json_codec import Follows, Told, by, encode
@@ -79,14 +80,7 @@ class Tile:
     @property
     def verdict(self) -> str:
         """What it comes to by itself, one of `VERDICTS`; "divided" by the curve of an event."""
-        if self.event is not None:
-            return "divided"
-        existence, admissibility, stability = (self.claims[name] for name in CLAIMS)
-        if existence == "proved" and admissibility == "refuted":
-            return "not admissible"
-        if existence == admissibility == "proved" and stability != "undecided":
-            return "proved" if stability == "proved" else "unstable"
-        return "undecided"
+        return "divided" if self.event is not None else verdict_of(self.claims)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)

@@ -14,7 +14,13 @@ from typing import NamedTuple
 from flint import arb, fmpq
 
 from nonsmooth.runtime.checker.ranges.folded import BEYOND, neighbours
-from nonsmooth.runtime.checker.ranges.tiles import SHARES, CheckedBox, MapTile, check_whole
+from nonsmooth.runtime.checker.ranges.tiles import (
+    SHARES,
+    CheckedBox,
+    MapTile,
+    check_whole,
+    verdict_of,
+)
 from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.core.errors import check_integer
 from nonsmooth.runtime.core.json_codec import encode
@@ -119,30 +125,20 @@ class TileProof:
     @property
     def decided(self) -> bool:
         """Whether one verdict is proved for the whole tile."""
-        if self.found is None:
-            return False
-        admissible, stable = (
-            self.found.verdicts[name].claim for name in ("admissibility", "stability")
-        )
-        return admissible == "refuted" or (admissible == "proved" and stable != "undecided")
+        verdicts = {} if self.found is None else self.found.verdicts
+        claims = {name: verdict.claim for name, verdict in verdicts.items()}
+        return bool(claims) and verdict_of(claims) != "undecided"
 
 
 def prove(
-    judge: BoxRefusals,
-    region: Region,
-    place: Place,
-    anchor: Anchor,
-    *,
-    rough: bool = False,
-    sharp: bool = False,
+    judge: BoxRefusals, region: Region, place: Place, anchor: Anchor, order: int = 0
 ) -> TileProof:
     """Prove what can be proved on a tile; the result names the reasons for the rest.
 
-    The anchor has to be in the tile. `rough` takes a low order, enough where only admissibility
-    is left to be decided. `sharp` takes a high order and looks for the curve of one event; it
-    needs two parameters.
+    The anchor has to be in the tile. The order of the models is what costs least, or `_LOWEST`,
+    enough where only admissibility is left to be decided, or `_SHARP`, with which the curve of one
+    event is looked for; this needs two parameters.
     """
-    order = _LOWEST if rough else _SHARP if sharp else 0
     with flint_precision(BITS):
         middle = _exactly(place.middle(region.box))
         try:
@@ -153,8 +149,8 @@ def prove(
             return TileProof(str(reason))
         if not is_same(judge, found, anchor):
             return TileProof("another orbit may have been found")
-        proof = TileProof("", found, rough=rough)
-        if sharp and not proof.decided:
+        proof = TileProof("", found, rough=order == _LOWEST)
+        if order == _SHARP and not proof.decided:
             return replace(proof, event=event_on(judge, found, orbit))
         return proof
 
@@ -288,13 +284,7 @@ class _Work:
                 self._wait(tile)
             else:
                 self._finish(tile)
-        self._settled = self._all()
-
-    @property
-    def tiles(self) -> list[Tile]:
-        """Tiles that fill the box, also while a tile is being looked at."""
-        done, waiting, stranded = self._settled
-        return [*done, *(tile for *_, tile in sorted(waiting, key=itemgetter(0, 1))), *stranded]
+        self.tiles = self._all()  # they fill the box, also while a tile is being looked at
 
     def stated(self) -> list[Tile]:
         """The tiles that fill the box, each with the claims that the checker proves.
@@ -336,14 +326,15 @@ class _Work:
         """
         for looked_at in range(_looked_at(self.state) + 1, most + 1):
             found = self._look()
-            self._settled = self._all()  # an interruption leaves the old ones, or the new ones
+            self.tiles = self._all()  # an interruption leaves the old ones, or the new ones
             if not found:
                 break
             yield self.decided, looked_at
         self.whole = True
 
-    def _all(self) -> tuple[list[Tile], list[tuple[Fraction, int, Tile]], list[Tile]]:
-        return list(self.done), list(self.waiting), list(self.stranded)
+    def _all(self) -> list[Tile]:
+        waiting = sorted(self.waiting, key=itemgetter(0, 1))
+        return [*self.done, *(tile for *_, tile in waiting), *self.stranded]
 
     def _look(self) -> bool:
         while self.waiting:
@@ -374,14 +365,14 @@ class _Work:
         """What is proved on a tile, at a high order where a low one decides nothing."""
         region, place = self.region, tile.place
         rough = "undecided" not in (tile.claims["existence"], tile.claims["stability"])
-        proof = prove(self.refusals, region, place, anchor, rough=rough)
+        proof = prove(self.refusals, region, place, anchor, _LOWEST if rough else 0)
         if proof.found is None and rough:
             proof = prove(self.refusals, region, place, anchor)
         if len(region.names) != _PLANE or proof.found is None or proof.decided:
             return proof
         if self._judged(tile, proof).verdict != "undecided":
             return proof
-        sharp = prove(self.refusals, region, place, anchor, sharp=True)
+        sharp = prove(self.refusals, region, place, anchor, _SHARP)
         return proof if sharp.found is None else sharp
 
     def _judged(self, tile: Tile, proof: TileProof) -> Tile:

@@ -23,7 +23,7 @@ from flint import arb
 from nonsmooth.runtime.checker.ranges.beyond import found_beyond
 from nonsmooth.runtime.checker.ranges.branch import BITS, SHARP, CheckedTile, check_joint, ending
 from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve, without_entry
-from nonsmooth.runtime.checker.stated.exact import demand
+from nonsmooth.runtime.checker.stated.exact import Entries, demand
 from nonsmooth.runtime.checker.stated.parameters import independent
 from nonsmooth.runtime.core.errors import InputError, check_integer
 from nonsmooth.runtime.core.values import as_value, flint_precision
@@ -70,9 +70,7 @@ class BordersOfBranch:
     floating point, and `orbit` the one from which it is followed.
     """
 
-    def __init__(
-        self, content: dict[str, Any], curve: CheckedCurve, branch: Branch, orbit: Orbit
-    ) -> None:
+    def __init__(self, content: Entries, curve: CheckedCurve, branch: Branch, orbit: Orbit) -> None:
         self.content, self.curve, self.branch, self.opened = content, curve, branch, orbit.opened
 
     def with_beyond(self, tile: BranchTile) -> BranchTile:

@@ -20,7 +20,7 @@ from nonsmooth.runtime.checker.ranges.doubling import (
     JudgedDoubling,
     twofold,
 )
-from nonsmooth.runtime.checker.stated.exact import Failure
+from nonsmooth.runtime.checker.stated.exact import Entries, Failure
 from nonsmooth.runtime.core.errors import InputError, Interrupted, check_integer
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
 from nonsmooth.runtime.core.values import as_value, flint_precision
@@ -73,7 +73,7 @@ def flip_with_direction(curve: CheckedCurve, point: Sequence[arb]) -> tuple[int,
 
 def tubes(
     curve: CheckedCurve, scaled: int, amplitude: Fraction, flip: Sequence[arb]
-) -> Iterator[dict[str, Any]]:
+) -> Iterator[Entries]:
     """Yield tubes of doubled orbits up to an amplitude, narrow ones first, as a file states them.
 
     There is none where Newton's method fails.
@@ -450,7 +450,7 @@ class _Beside:
     """
 
     tile: int
-    tube: dict[str, Any]
+    tube: Entries
     found: JudgedDoubling
     undecided: str
     value: Fraction

@@ -22,7 +22,7 @@ from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, followed
 from nonsmooth.runtime.checker.orbits.stability import demand_alone
 from nonsmooth.runtime.checker.ranges.branch import BITS, ORDER, SHARP, CheckedTile, curve_of
 from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve, with_entry
-from nonsmooth.runtime.checker.stated.exact import Failure, Verdict, demand
+from nonsmooth.runtime.checker.stated.exact import Entries, Failure, Verdict, demand
 from nonsmooth.runtime.core.json_codec import encode
 from nonsmooth.runtime.core.taylor_models import TaylorModel, range_of, space_of
 from nonsmooth.runtime.core.values import flint_precision
@@ -301,7 +301,7 @@ def stated_branch(
     )
 
 
-def checked_curve(branch: CertifiedBranch) -> tuple[dict[str, Any], CheckedCurve]:
+def checked_curve(branch: CertifiedBranch) -> tuple[Entries, CheckedCurve]:
     """Return a branch's entries without its tiles, as the checker reads them, and its equations.
 
     `NotCovered` if the checker refuses them.

@@ -10,7 +10,7 @@ from typing import Any
 from nonsmooth.runtime.checker.state_sets.chaos import StretchedSets, check_entropy
 from nonsmooth.runtime.checker.stated.exact import Failure
 from nonsmooth.runtime.core.errors import InputError, Interrupted, check_integer
-from nonsmooth.runtime.core.json_codec import encode
+from nonsmooth.runtime.core.json_codec import stated
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
@@ -25,7 +25,6 @@ from nonsmooth.runtime.proof.sets.sections import (
     Way,
     named_way,
     reached_text,
-    section_entries,
     stated_section,
     visited_declaration,
 )
@@ -195,7 +194,7 @@ class _ChaosQuestion:
         if not asked.declaration:
             raise Failure("a contact law decides what follows")
         before, most = self.images, self.parts * len(names)
-        sets = StretchedSets(_entries(asked), most, self._tick)
+        sets = StretchedSets(stated(asked), most, self._tick)
         sets.check_apart()
         edges, images = list(candidate.edges), {}
         for k, name in enumerate(names):
@@ -215,8 +214,8 @@ class _ChaosQuestion:
             images={own.name: images[own.name] for own in h_sets},
             parts=self.images - before,
         )
-        sets = StretchedSets(_entries(proved), _CONE_PARTS * most, self._tick)
-        check_entropy(_entries(proved), sets)
+        sets = StretchedSets(stated(proved), _CONE_PARTS * most, self._tick)
+        check_entropy(stated(proved), sets)
         return self._with_cones(proved, sets, floats) if self.exponents else proved
 
     def _with_cones(
@@ -288,13 +287,6 @@ class _ChaosQuestion:
             bits=self.bits,
             declaration={},
         )
-
-
-def _entries(found: ChaosCertificate) -> dict[str, Any]:
-    """What the checker takes of a certificate, as its file states it."""
-    more = ("iterates", "coordinates", "itineraries", "coverings", "growth", "entropy")
-    told = section_entries(found, *more)
-    return {**told, "h_sets": [encode(own) for own in found.h_sets]}
 
 
 def _told(system: ExactSystem, section: MapSection) -> str:

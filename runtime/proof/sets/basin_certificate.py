@@ -7,7 +7,6 @@ from dataclasses import dataclass, field
 from typing import Annotated, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.json_codec import IN_FILES, Exact, Several, Told
@@ -27,11 +26,11 @@ class VerdictEntries:
     verdicts: Numbers
 
 
-def _verdicts(looked: NDArray[np.bool_], attracted: NDArray[np.bool_]) -> VerdictEntries:
+def _verdicts(looked: Flags, attracted: Flags) -> VerdictEntries:
     return VerdictEntries(verdicts=looked.astype(int) + attracted)
 
 
-def _flags(found: VerdictEntries) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+def _flags(found: VerdictEntries) -> tuple[Flags, Flags]:
     return found.verdicts > 0, found.verdicts > 1
 
 
@@ -199,9 +198,7 @@ class BasinCertificate(SectionRecord):
         return registered("draw_basin")(self, axes)
 
 
-def _bounds(
-    grid: BoxGrid | None, chosen: NDArray[np.bool_], names: tuple[str, ...]
-) -> dict[str, list[float]]:
+def _bounds(grid: BoxGrid | None, chosen: Flags, names: tuple[str, ...]) -> dict[str, list[float]]:
     """Least and largest value of each coordinate over the chosen boxes, by name."""
     numbers = np.flatnonzero(chosen)
     if grid is None or not len(numbers):

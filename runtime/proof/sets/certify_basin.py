@@ -16,12 +16,12 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nonsmooth.runtime.checker.state_sets.basin import AttractedTiles, attracted_boxes, contraction
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.errors import InputError, check_integer
 from nonsmooth.runtime.core.float_sets import Floats
+from nonsmooth.runtime.core.json_codec import stated
 from nonsmooth.runtime.core.parallel import check_workers, in_processes
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.explore.finding.find import start_box
@@ -29,6 +29,7 @@ from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
 from nonsmooth.runtime.proof.asking import REFUSED, Steps, proved_by_steps
 from nonsmooth.runtime.proof.chaos.h_sets import HSet, decimal_set, grid_in_cube
 from nonsmooth.runtime.proof.sets.basin_certificate import BasinCertificate
+from nonsmooth.runtime.proof.sets.graph_certificate import Flags, Numbers
 from nonsmooth.runtime.proof.sets.section_choice import FloatSection, MetSection, section_of
 from nonsmooth.runtime.proof.sets.sections import (
     Way,
@@ -36,7 +37,6 @@ from nonsmooth.runtime.proof.sets.sections import (
     listed_declaration,
     named_way,
     refused_as_input,
-    section_entries,
     stated_section,
 )
 from nonsmooth.runtime.proof.statement import ExactSystem, exact_system
@@ -172,9 +172,7 @@ _AT_ONCE = 4  # of so many tiles of a block one is taken at most, until the shar
 _OF_NEIGHBOURS = 4.0  # tiles: what the blocks around one count in its share
 
 
-def next_tiles(
-    tiles: BoxGrid, looked: NDArray[np.bool_], attracted: NDArray[np.bool_], count: int
-) -> NDArray[np.int_]:
+def next_tiles(tiles: BoxGrid, looked: Flags, attracted: Flags, count: int) -> Numbers:
     """Numbers of at most `count` tiles to look at next.
 
     First they are a random sample, then tiles where most have been attracted so far. Of blocks of
@@ -206,7 +204,7 @@ def next_tiles(
     begins = np.flatnonzero(np.r_[True, ranked[1:] != ranked[:-1]])
     place = np.arange(len(ranked)) - np.repeat(begins, np.diff(np.r_[begins, len(ranked)]))
     taken = order[place < max(1, _BLOCK ** len(blocks) // _AT_ONCE)]
-    chosen: NDArray[np.int_] = left[taken[:count]]
+    chosen: Numbers = left[taken[:count]]
     return chosen
 
 
@@ -392,7 +390,7 @@ class _BasinQuestion:
         empty = replace(empty, declaration=listed_declaration(kernels, self.system))
 
         def judge(core: AttractingCore) -> Any:
-            return contraction(_entries(self._with_core(empty, core)))
+            return contraction(stated(self._with_core(empty, core)))
 
         return attracting_core(floats, met.iterates, met.point, scale, judge)
 
@@ -425,7 +423,7 @@ class _BasinQuestion:
             declaration=listed_declaration(self.orbit.system, self.system),
         )
         with flint_precision(self.bits), refused_as_input():
-            told = _entries(found)
+            told = stated(found)
             ranks = attracted_boxes(told, grid, lambda: self.progress(0.0, 0))
         if tiles is None and ranks.max(initial=-1) < 0:
             return self.undecided(met, _NONE_ATTRACTED)
@@ -447,7 +445,7 @@ class _BasinQuestion:
         goal = max(0, min(most, looked.size) - int(looked.sum()))
         size = max(1, min(_BATCH, -(-goal // workers)))
 
-        def batches() -> Iterator[NDArray[np.int_]]:
+        def batches() -> Iterator[Numbers]:
             left = goal
             while left:
                 numbers = next_tiles(tiles, under_way, attracted, min(size, left))
@@ -459,7 +457,7 @@ class _BasinQuestion:
             return replace(known, looked=looked.copy(), attracted=attracted.copy())
 
         def steps() -> Steps:
-            done, told = 0, (_begin_tiles, _entries(known), batches(), workers)
+            done, told = 0, (_begin_tiles, stated(known), batches(), workers)
             with closing(in_processes(*told)) as found:
                 for numbers, good in found:
                     looked[numbers], attracted[numbers] = True, good
@@ -507,25 +505,13 @@ class _BasinQuestion:
         check_same_section(self.orbit.system, wanted, known, "basin", orbit=(own, other), **told)
 
 
-def _entries(found: BasinCertificate) -> dict[str, Any]:
-    """What is proved on the section, and the tiles, as the entries of a file that state it."""
-    grids = {
-        name: own and vars(own) for name, own in (("grid", found.grid), ("tiles", found.tiles))
-    }
-    more = ("iterates", "itinerary", "contraction", "widest", "most", "bits")
-    core = found.core and {"centre": found.core.centre, "sides": found.core.sides}
-    ranks = [(int(rank), 1) for rank in found.ranks]
-    told = {**section_entries(found, *more), "coordinates": list(found.coordinates)}
-    return {**told, "core": core, "ranks": ranks, **grids}
-
-
-def _begin_tiles(question: Mapping[str, Any]) -> Callable[[NDArray[np.int_]], NDArray[np.bool_]]:
+def _begin_tiles(question: Mapping[str, Any]) -> Callable[[Numbers], Flags]:
     """A function that tells which tiles are attracted."""
     tiles = AttractedTiles(question)
 
-    def attracted(numbers: NDArray[np.int_]) -> NDArray[np.bool_]:
+    def attracted(numbers: Numbers) -> Flags:
         with flint_precision(question["bits"]):
-            found: NDArray[np.bool_] = tiles.each(numbers)
+            found: Flags = tiles.each(numbers)
         return found
 
     return attracted

@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nonsmooth.runtime.checker.state_sets.graph import map_of_boxes, stays
 from nonsmooth.runtime.checker.state_sets.many_sets import Arrivals
@@ -20,7 +19,7 @@ from nonsmooth.runtime.core.values import by_name, flint_precision
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.proof.asking import Steps, proved_by_steps
-from nonsmooth.runtime.proof.sets.graph_certificate import BoxGraph, RegionCertificate
+from nonsmooth.runtime.proof.sets.graph_certificate import BoxGraph, Numbers, RegionCertificate
 from nonsmooth.runtime.proof.sets.section_choice import Sampled, sampled_sections
 from nonsmooth.runtime.proof.sets.sections import (
     check_same_section,
@@ -220,7 +219,7 @@ class _BoxImages:
         graph = self.graph
         assert self.known.proved == stays(graph.found, graph.trapping, graph.labels, graph.ranks)
 
-    def _seen(self, left: NDArray[np.int_]) -> Steps:
+    def _seen(self, left: Numbers) -> Steps:
         """Enclose the images of some boxes."""
         size = max(1, min(_AT_ONCE, -(-len(left) // self.workers)))
         batches = [left[first : first + size] for first in range(0, len(left), size)]

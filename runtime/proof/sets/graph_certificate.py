@@ -14,16 +14,16 @@ from typing import Annotated, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonsmooth.runtime.checker.state_sets.graph import Edges, edges_of
+from nonsmooth.runtime.checker.state_sets.graph import Edges, edges_of, listed_edges
 from nonsmooth.runtime.checker.state_sets.many_sets import Arrivals
 from nonsmooth.runtime.core.box_grid import BoxGrid, DividedGrid
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import IN_FILES, Follows, Integers, Several, Told, by, encode
 from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.proof.certificate import Decided
-from nonsmooth.runtime.proof.sets.sections import SectionRecord
+from nonsmooth.runtime.proof.sets.sections import SectionRecord, refused_as_input
 
-_MOST = 10**8  # boxes of a grid, and edges
+_MOST = 10**8  # boxes of a grid
 
 
 def _runs(values: NDArray[Any]) -> list[tuple[int, int]]:
@@ -288,7 +288,8 @@ def stated_graph(entries: GraphEntries) -> BoxGraph:
     grid = _divided(entries)
     for flags in (entries.outside, entries.unknown):
         check_size(flags, len(grid))
-    sources, targets = _listed_edges(entries.edges, len(grid))
+    with refused_as_input():
+        sources, targets = listed_edges(entries.edges, len(grid))
     return BoxGraph(grid, sources, targets, entries.outside, entries.unknown)
 
 
@@ -314,18 +315,6 @@ def _edges(graph: BoxGraph) -> tuple[tuple[int, int, int], ...]:
     count = np.diff(np.r_[begin, len(source)])
     rows = np.stack([source[begin], target[begin], count], axis=1).tolist()
     return tuple((s, t, n) for s, t, n in rows)
-
-
-def _listed_edges(
-    told: Sequence[tuple[int, int, int]], size: int
-) -> tuple[NDArray[np.int_], NDArray[np.int_]]:
-    """Sources and targets of all edges, from those that were joined."""
-    source, first, count = np.array(told or np.zeros((0, 3), dtype=int)).T
-    fits = (source >= 0) & (source < size) & (first >= 0) & (count > 0) & (first + count <= size)
-    if not fits.all() or count.sum() > _MOST:
-        raise InputError("an edge leads to no box")
-    place = np.arange(int(count.sum())) - np.repeat(np.cumsum(count) - count, count)
-    return np.repeat(source, count), np.repeat(first, count) + place
 
 
 @dataclass(frozen=True, eq=False)
@@ -454,7 +443,7 @@ class RegionCertificate(SectionRecord):
         return np.flatnonzero(self.graph.unknown)
 
     @property
-    def outside(self) -> NDArray[np.int_]:
+    def outside(self) -> Numbers:
         """Boxes of which a part of the image may be outside of the region."""
         return np.flatnonzero(self.graph.outside)
 
@@ -504,7 +493,7 @@ class RegionCertificate(SectionRecord):
         box = self.box_of(point)
         return next((own for own in self.components if box in own.boxes), None)
 
-    def targets(self, box: int) -> NDArray[np.int_]:
+    def targets(self, box: int) -> Numbers:
         """Boxes of the region that the image of a box may meet.
 
         Parameters
@@ -515,7 +504,7 @@ class RegionCertificate(SectionRecord):
         -------
         array of int
         """
-        found: NDArray[np.int_] = self.graph.targets[self.graph.sources == box]
+        found: Numbers = self.graph.targets[self.graph.sources == box]
         return found
 
     def to_json(self) -> dict[str, Any]:

@@ -21,7 +21,14 @@ from flint import arb, fmpq
 from numpy.typing import NDArray
 
 from nonsmooth.runtime.checker.state_sets.switching import SwitchingSystem
-from nonsmooth.runtime.checker.stated.exact import Elimination, Failure, fixed, free_places, spanned
+from nonsmooth.runtime.checker.stated.exact import (
+    Elimination,
+    Entries,
+    Failure,
+    fixed,
+    free_places,
+    spanned,
+)
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import Exact
 from nonsmooth.runtime.core.registry import Certified
@@ -199,7 +206,7 @@ class SectionRecord(Certified):
     declaration: Declaration = field(repr=False)
 
 
-def section_entries(record: SectionRecord, *more: str) -> dict[str, Any]:
+def section_entries(record: SectionRecord, *more: str) -> Entries:
     """Return the section of a record, and other attributes, as entries of a file.
 
     They are data that the checker and other processes take.
@@ -275,7 +282,7 @@ def visited_declaration(
     kernels: SystemKernels,
     system: ExactSystem,
     passages: Sequence[Way],
-) -> dict[str, Any]:
+) -> Entries:
     """Return the configurations and transitions of some passages, with all their numbers.
 
     It is as `declaration_json` gives it, and its phases are the passages, each once. It is empty
@@ -311,7 +318,7 @@ def _cycle(system: ExactSystem, passages: Sequence[Way]) -> ItineraryShape | Non
     )
 
 
-def listed_declaration(kernels: SystemKernels, system: ExactSystem) -> dict[str, Any]:
+def listed_declaration(kernels: SystemKernels, system: ExactSystem) -> Entries:
     """Return the declaration of a system with all transitions that it lists.
 
     It is as `visited_declaration` gives it.
