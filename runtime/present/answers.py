@@ -22,7 +22,7 @@ from nonsmooth.runtime.explore.finding.sweep import Sweep
 from nonsmooth.runtime.explore.fitting.fit import Fit
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.report import multipliers_json, orbit_json
-from nonsmooth.runtime.proof.motion_proof import Enclosure, Proof
+from nonsmooth.runtime.proof.certificate import Enclosure, Proof
 from nonsmooth.runtime.simulation.derivatives import MotionDerivatives
 from nonsmooth.runtime.simulation.lyapunov import Exponent, lyapunov
 from nonsmooth.runtime.simulation.observables import Observables

@@ -21,9 +21,8 @@ if TYPE_CHECKING:
         EventCertificate,
     )
     from nonsmooth.runtime.proof.census import Bounds, Census, Counted
-    from nonsmooth.runtime.proof.certificate import Certificate
+    from nonsmooth.runtime.proof.certificate import Certificate, Enclosure, Proof
     from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
-    from nonsmooth.runtime.proof.motion_proof import Enclosure, Proof
     from nonsmooth.runtime.proof.sets.basin_certificate import BasinCertificate
     from nonsmooth.runtime.proof.sets.graph_certificate import Component, RegionCertificate
 

@@ -24,7 +24,7 @@ from nonsmooth.runtime.model.contacts.unfolding import Route, unfolded
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.structure import Structure
-from nonsmooth.runtime.proof.motion_proof import Enclosure, Proof, exactly
+from nonsmooth.runtime.proof.certificate import Enclosure, Proof, exactly
 from nonsmooth.runtime.proof.sets.sections import whole_system
 from nonsmooth.runtime.proof.statement import ExactSystem, exact_system
 from nonsmooth.runtime.simulation.starting import forcing_start

@@ -24,6 +24,7 @@ from nonsmooth.runtime.proof.certificate import (
     Certificate,
     Stated,
     Unknown,
+    file_json,
 )
 from nonsmooth.runtime.proof.orbit_to_prove import (
     ClosureConditions,
@@ -88,9 +89,9 @@ def directions(orbit: Orbit, chosen: Iterable[str], by: Iterable[str]) -> dict[s
 
 
 def proposed(
-    region: Region, bits: int, along: Mapping[str, Direction]
-) -> tuple[Entries, dict[str, str]]:
-    """Return the entries of a file that state an orbit, but for its box, as the checker reads them.
+    region: Region, about: Certificate, along: Mapping[str, Direction]
+) -> tuple[Certificate, dict[str, str]]:
+    """Return the certificate that states an orbit, but for its box, and of which nothing is proved.
 
     `along` are the directions by which derivatives are asked for. Those along which nothing can be
     stated are left out, and returned with the reason.
@@ -111,18 +112,13 @@ def proposed(
         timed=timed,
     )  # fmt: skip
     over = [*declaration["parameters"], *declaration.get("constants", ())]
-    return {
-        "parameters": {name: value.text for name, value in subject.values.items()},
-        "given_period": subject.period.text if timed and subject.period is not None else "",
-        "itinerary": [list(phase) for phase in subject.cycle.itinerary],
-        "declaration": declaration,
-        "closing": closing_json(closing, subject.cycle, over, variables, PERIOD),
-        "bits": bits,
-        "directions": {
-            name: {parameter: str(rate) for parameter, rate in direction.items()}
-            for name, direction in along.items()
-        },
-    }, missing
+    return replace(
+        about,
+        given_period=subject.period if timed else None,
+        declaration=declaration,
+        closing=closing_json(closing, subject.cycle, over, variables, PERIOD),
+        directions=along,
+    ), missing
 
 
 def _moving(region: Region, names: tuple[str, ...]) -> tuple[ClosureConditions, list[str]]:
@@ -310,9 +306,11 @@ def certify(
         )
         with flint_precision(bits + GUARD):
             region = region_at(subject, bits + GUARD)
-            proposal, missing = proposed(region, bits, directions(orbit, subject.chosen, by))
+            asked, missing = proposed(region, undecided, directions(orbit, subject.chosen, by))
             begin("existence")
-            found = JudgedOrbit(proposal)
+            told = file_json(asked)
+            del told["box"]
+            found = JudgedOrbit(told)
             for box in () if found.existence.reason else boxes(found, region.guess):
                 if found.locate([asdict(side) for side in box]).claim != "undecided":
                     break
@@ -326,17 +324,12 @@ def certify(
     except ZeroDivisionError as problem:
         return _because(undecided, f"its numbers cannot be enclosed: {problem}")
     undecided = replace(
-        undecided,
-        stability=found.kind,
-        box=box,
-        given_period=subject.period if proposal["given_period"] else None,
-        declaration=proposal["declaration"],
-        closing=found.proposal["closing"],
+        asked, stability=found.kind, box=box, closing=found.proposal["closing"], directions={}
     )
     if found.existence.claim == "refuted":
         undecided = replace(undecided, claims={**undecided.claims, CLAIMS[0]: "refuted"})
         return _because(undecided, found.existence.reason)
-    return _stated(undecided, found, missing, begin)
+    return _stated(replace(undecided, directions=asked.directions), found, missing, begin)
 
 
 def _with_vanishing(found: JudgedOrbit, rows: Sequence[Row]) -> JudgedOrbit:
@@ -361,7 +354,7 @@ def _stated(
 
     `missing` says by which numbers no derivative was proposed, and why.
     """
-    bits, along = about.bits, found.proposal["directions"]
+    bits, along = about.bits, about.directions
     with flint_precision(bits + GUARD):
         begin("stability")
         stability, multipliers, below = found.stability, found.multipliers, found.others_below
@@ -394,10 +387,7 @@ def _stated(
             other_multipliers=f"{max(2 * float(below), _LEAST_OTHER):.1e}" if known else "",
             margins=tuple(map(_margin, admissibility.found)),
             derivatives=derivatives,
-            directions={
-                name: {parameter: Fraction(rate) for parameter, rate in along[name].items()}
-                for name in rates
-            },
+            directions={name: along[name] for name in rates},
             no_derivatives={**missing, **left},
         )
 

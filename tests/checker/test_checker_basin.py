@@ -11,7 +11,7 @@ import nonsmooth as ns
 from nonsmooth.derive import Boundary, Configuration, FirstOrder, System, Transition
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.state_sets.basin import _motions
-from nonsmooth.runtime.checker.stated.grids import stated_grid
+from nonsmooth.runtime.checker.state_sets.graph import stated_grid
 from nonsmooth.runtime.core.float_sets import ManySets
 from nonsmooth.runtime.present.compare_declarations import compare
 from tests import friction_sets

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from copy import copy
-from typing import Any
+from typing import Any, NamedTuple
 
 from flint import arb, ctx
 
@@ -15,6 +15,19 @@ from nonsmooth.runtime.core.jets import Jet, jet, part_of
 from nonsmooth.runtime.core.taylor_models import matrix, range_of, unit_matrix
 
 _CLOSE = 0.6  # of the bits: half of the box around a root
+
+
+class Family(NamedTuple):
+    """The orbits of a declaration over some parameters."""
+
+    declared: StatedSystem
+    energies: Any  # those of `StatedSystem.closes`
+    constants: Any  # irrational numbers of the declaration
+    names: Sequence[str]  # of the parameters
+
+    def along(self, axis: int, beside: Sequence[Any]) -> "CheckedCurve":
+        """Return the orbits along the parameter of a number, at values of the others."""
+        return CheckedCurve(*self[:3], self.names[axis], (), axis, beside)
 
 
 class CheckedCurve:

@@ -27,7 +27,7 @@ from nonsmooth.runtime.checker.orbits.stability import (
     paired,
     stability,
 )
-from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve
+from nonsmooth.runtime.checker.ranges.branch_curve import Family
 from nonsmooth.runtime.checker.stated.exact import Entries, demand, demand_sign
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import TaylorModel, range_of, space_of
@@ -162,12 +162,12 @@ class Division:
         return Division(curve, claims, band, (event["below"], event["above"]))
 
     def judge(
-        self, orbit: CheckedOrbit, energies: Any, parameters: Sequence[Any], constants: Any,
+        self, orbit: CheckedOrbit, family: Family, parameters: Sequence[Any],
         at: Callable[[Sequence[Any]], CheckedOrbit], place: Sequence[tuple[int, int]],
     ) -> None:  # fmt: skip
         """Find the band and the verdicts on both sides, on a whole tile; as `prove`, `verdicts`."""
         self.phases(orbit)
-        self.prove(orbit, energies, parameters, constants, _WHOLE)
+        self.prove(orbit, family, parameters, _WHOLE)
         self.band = Band.about(self.curve.axis, self.curve.centre, self.far, place)
         self.beside = self.verdicts(at)
 
@@ -178,18 +178,16 @@ class Division:
         return steps[self.borders[0].phase].name if self.borders else ""
 
     def prove(
-        self, orbit: CheckedOrbit, energies: Any, parameters: Sequence[Any], constants: Any,
-        part: Part,
-    ) -> None:  # fmt: skip
+        self, orbit: CheckedOrbit, family: Family, parameters: Sequence[Any], part: Part
+    ) -> None:
         """Prove on a part of the tile what the division needs.
 
-        The orbit is located, in Taylor models of the parameters on the part; `energies` are
-        those of `StatedSystem.closes`, and the part is in the tile's coordinates from -1 to
-        1.
+        The orbit is located, in Taylor models of the parameters on the part, which is in the tile's
+        coordinates from -1 to 1.
         """
-        orbit.returns(energies)
+        orbit.returns(family.energies)
         kind = self.curve.kind
-        moving = _moving(orbit, parameters, constants, self.curve.axis)
+        moving = _moving(orbit, family, parameters, self.curve.axis)
         if self.borders:
             told = admissibility(orbit, self.borders, self.window).claim
             beside = dict(zip((-1, 1), self.beside, strict=True))
@@ -308,9 +306,9 @@ def curve_at(centre: Sequence[float], place: Any) -> Any:
 
 
 def _moving(
-    orbit: CheckedOrbit, parameters: Sequence[Any], constants: Any, axis: int
+    orbit: CheckedOrbit, family: Family, parameters: Sequence[Any], axis: int
 ) -> CheckedOrbit:
     """Return the orbit with derivatives by one parameter, by implicit differentiation."""
     beside = [x for k, x in enumerate(parameters) if k != axis]
-    curve = CheckedCurve(orbit.declared, {}, constants, "", (), axis, beside)
+    curve = family.along(axis, beside)
     return curve.orbit(curve.jets(curve.last, [*orbit.root, parameters[axis]], 1))

@@ -19,12 +19,19 @@ from nonsmooth.runtime.checker.orbits.orbit import Cut, followed, orbit_at
 from nonsmooth.runtime.checker.orbits.stability import demand_alone, stability
 from nonsmooth.runtime.checker.ranges.branch_curve import (
     CheckedCurve,
+    Family,
     middle_and_half,
     with_entry,
     without_entry,
 )
-from nonsmooth.runtime.checker.ranges.divided import VERDICTS, Band, curve_at, fraction, monotone
-from nonsmooth.runtime.checker.stated.declared import StatedSystem
+from nonsmooth.runtime.checker.ranges.divided import (
+    VERDICTS,
+    Band,
+    Part,
+    curve_at,
+    fraction,
+    monotone,
+)
 from nonsmooth.runtime.checker.stated.exact import Entries, demand, demand_sign
 from nonsmooth.runtime.checker.stated.parameters import number_at
 from nonsmooth.runtime.core.jets import part_of
@@ -96,22 +103,17 @@ class Sheets(NamedTuple):
 class FoldedTile:
     """What is proved of a tile near a fold when it is made: two orbits meet, each with a verdict.
 
-    `energies` are those of `StatedSystem.closes`, `where` holds the tile's ends along
-    each axis. `Failure` is raised if it is not proved.
+    `where` holds the tile's ends along each axis. `Failure` is raised if it is not proved.
     """
 
-    def __init__(
-        self, declared: StatedSystem, energies: Any, constants: Any, names: Sequence[str],
-        where: Sequence[tuple[Any, Any]], sheets: Sheets,
-    ) -> None:  # fmt: skip
+    def __init__(self, family: Family, where: Part, sheets: Sheets) -> None:
+        declared = family.declared
         demand(sheets.coordinate in declared.unknowns, "there is no such unknown")
         self.place = declared.unknowns.index(sheets.coordinate)
         demand(all(isfinite(c) for c in sheets.middle), "a curve without bounds")
         self.half = fraction(sheets.half)
         demand(sheets.middle and self.half > 0, "a tube without width")
-        self.declared, self.energies, self.constants = declared, energies, constants
-        self.sheets, self.axis, self.where = sheets, sheets.axis, where
-        self.name = names[self.axis]
+        self.family, self.sheets, self.axis, self.where = family, sheets, sheets.axis, where
         self.guess = [arb(float(x)) for x in sheets.guess]
         demand(len(self.guess) == len(declared.unknowns), "the guess is of another size")
         self.verdicts: dict[str, str] = {}  # of both orbits, by their sheet
@@ -120,10 +122,7 @@ class FoldedTile:
         self._prove()
 
     @staticmethod
-    def stated(
-        declared: StatedSystem, energies: Any, constants: Any, names: Sequence[str],
-        where: Sequence[tuple[Any, Any]], tile: Entries,
-    ) -> "FoldedTile":  # fmt: skip
+    def stated(family: Family, where: Part, tile: Entries) -> "FoldedTile":
         """Prove all that a file states of a tile with a fold."""
         event = tile["event"]
         fold = event["fold"]
@@ -131,10 +130,10 @@ class FoldedTile:
         demand_no_phase(event)
         demand({*tile["claims"].values()} == {"undecided"}, "claims of another event")
         demand(not tile["enclosures"], "enclosures of no orbit")
-        band = Band.stated(event, names, tile["place"])
+        band = Band.stated(event, family.names, tile["place"])
         tube = fold["coordinate"], tuple(fold["centre"]), fold["half"], fold["sheet"]
         sheets = Sheets(band.axis, band.centre, *tube, tile["guess"])
-        found = FoldedTile(declared, energies, constants, names, where, sheets)
+        found = FoldedTile(family, where, sheets)
         found.band = band
         demand(found.far < arb(fraction(band.radius)), "they may meet beside the band")
         ahead, behind = ("above", "below") if found.sign > 0 else ("below", "above")
@@ -145,10 +144,7 @@ class FoldedTile:
         return found
 
     def _curve(self, change: Callable[[Any], Any], beside: Any) -> CheckedCurve:
-        return CheckedCurve(
-            self.declared, self.energies, self.constants, self.name, (), self.axis,
-            [change(beside)],
-        )  # fmt: skip
+        return self.family.along(self.axis, [change(beside)])
 
     def _prove(self) -> None:
         """Prove all of it in Taylor models over the tube (e) and the tile (q)."""
@@ -216,7 +212,7 @@ class FoldedTile:
     def _judge(self, curve: CheckedCurve, beside: Any, point: Sequence[Any]) -> None:
         """Find both orbits' verdicts; only on the curve is a multiplier on the unit circle."""
         orbit = curve.orbit(point)
-        orbit.returns(self.energies)
+        orbit.returns(self.family.energies)
         admissible = admissibility(orbit).claim
         if admissible == "refuted":
             self.verdicts = dict.fromkeys(("below", "above"), "not admissible")
@@ -251,8 +247,10 @@ class FoldedTile:
             near, far = (near, middle) if beyond else (middle, far)
         rest = [x.at([near, other]).mid() for x in self.root[:-1]]
         start = curve_at(self.sheets.middle, other) + near * arb(self.half)
-        number = number_at([*values, *self.constants])
-        root = orbit_at(self.declared, number, with_entry(self.place, start.mid(), rest)).root
+        number = number_at([*values, *self.family.constants])
+        root = orbit_at(
+            self.family.declared, number, with_entry(self.place, start.mid(), rest)
+        ).root
         demand(self.holds(point, root), "an orbit at a point is not in the tube")
         return list(root)
 

@@ -12,7 +12,7 @@ from flint import arb, ctx, fmpq
 from nonsmooth.runtime.checker.orbits.motion import admissibility
 from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, orbit_at
 from nonsmooth.runtime.checker.orbits.stability import judged_stability, stability
-from nonsmooth.runtime.checker.ranges.branch_curve import middle_and_half
+from nonsmooth.runtime.checker.ranges.branch_curve import Family, middle_and_half
 from nonsmooth.runtime.checker.ranges.divided import VERDICTS, Band, DividingCurve, Division
 from nonsmooth.runtime.checker.ranges.folded import (
     BEYOND,
@@ -22,7 +22,6 @@ from nonsmooth.runtime.checker.ranges.folded import (
     beyond_folds,
     neighbours,
 )
-from nonsmooth.runtime.checker.stated.declared import StatedSystem
 from nonsmooth.runtime.checker.stated.exact import (
     Entries,
     Failure,
@@ -114,19 +113,18 @@ class CheckedBox:
     """
 
     def __init__(self, content: Entries) -> None:
-        self.names, self.ends = [*content["box"]], _ends_of(content)
+        names, self.ends = [*content["box"]], _ends_of(content)
         with ctx.workprec(_BITS):
-            found = stated_system(content, content["parameters"], self.names)
-            self.declared, self.constants = found
-            demand(self.declared.bound and self.declared.rational, "the declaration is not exact")
-            demand(content["stability"] == self.declared.stability, "stability of another kind")
-            self.energies = self.declared.closes()
+            declared, constants = stated_system(content, content["parameters"], names)
+            demand(declared.bound and declared.rational, "the declaration is not exact")
+            demand(content["stability"] == declared.stability, "stability of another kind")
+            self.family = Family(declared, declared.closes(), constants, names)
 
     def proved(self, tile: Entries) -> "MapTile":
         """Prove all claims of a tile and return it."""
         where = self.where(tile["place"])
         with ctx.workprec(_BITS):
-            found = MapTile(self.declared, self.energies, self.constants, tile, self.names)
+            found = MapTile(self.family, tile)
             with naming(_in_tile(where)):
                 found.check(where)
             self.check_divisors()
@@ -138,8 +136,8 @@ class CheckedBox:
         `Failure` is raised where Newton's method finds none near the guess.
         """
         with ctx.workprec(_BITS):
-            number = number_at([*map(arb, point), *self.constants])
-            return CheckedOrbit(self.declared, number).near(guess)
+            number = number_at([*map(arb, point), *self.family.constants])
+            return CheckedOrbit(self.family.declared, number).near(guess)
 
     def judged(
         self, place: Sequence[Any], guess: Sequence[float], order: int = 0
@@ -168,7 +166,7 @@ class CheckedBox:
         undecided = dict.fromkeys(("existence", "admissibility", "stability"), "undecided")
         empty = {"place": place, "guess": guess, "claims": undecided, "event": None,
                  "reasons": dict.fromkeys(undecided, ""), "enclosures": {}}  # fmt: skip
-        return MapTile(self.declared, self.energies, self.constants, empty, self.names)
+        return MapTile(self.family, empty)
 
     def where(self, place: Sequence[Any]) -> list[Interval]:
         """Return the ends of each parameter over a tile."""
@@ -183,7 +181,7 @@ class CheckedBox:
     def check_divisors(self) -> None:
         """Prove that the exact arithmetic divided by nothing that is zero throughout the box."""
         with ctx.workprec(_BITS):
-            independent(self.declared, self.constants, self.ends)
+            independent(self.family.declared, self.family.constants, self.ends)
 
 
 def _in_tile(where: Sequence[Interval]) -> str:
@@ -194,14 +192,11 @@ def _in_tile(where: Sequence[Interval]) -> str:
 class MapTile:
     """The claims about one tile of a map."""
 
-    def __init__(
-        self, declared: StatedSystem, energies: Any, constants: Any, tile: Entries,
-        names: list[str],
-    ) -> None:  # fmt: skip
-        self.declared, self.energies, self.constants = declared, energies, constants
-        self.tile = tile
+    def __init__(self, family: Family, tile: Entries) -> None:
+        self.family, self.tile = family, tile
+        self.declared, self.energies, self.constants, names = family
         self.claims = agreed_claims(tile["claims"], tile["reasons"])
-        self.names, event = names, tile["event"]
+        event = tile["event"]
         self.division: Division | None = None
         self.fold: FoldedTile | None = None
         if event is not None and event["kind"] != "fold":
@@ -213,7 +208,7 @@ class MapTile:
         """Prove the claims, on smaller tiles or in higher orders if need be."""
         self.where = where
         if self.tile["event"] is not None and self.division is None:
-            self.fold = FoldedTile.stated(*self._system, self.names, where, self.tile)
+            self.fold = FoldedTile.stated(self.family, where, self.tile)
             return
         if self.claims[0] == "undecided":
             demand(not self.tile["enclosures"], "enclosures of no orbit")
@@ -256,7 +251,7 @@ class MapTile:
         """
         found = Division(curve, [verdict.claim for verdict in self.verdicts.values()])
         parameters, place = _values(self.where, self.space), self.tile["place"]
-        found.judge(orbit, self.energies, parameters, self.constants, self._orbit_at, place)
+        found.judge(orbit, self.family, parameters, self._orbit_at, place)
         return found
 
     def bend(self, where: Sequence[Interval], sheets: Sheets) -> None:
@@ -265,12 +260,8 @@ class MapTile:
         `Failure` is raised if that is not proved.
         """
         self.where = where
-        self.fold = found = FoldedTile(*self._system, self.names, where, sheets)
+        self.fold = found = FoldedTile(self.family, where, sheets)
         found.band = Band.about(sheets.axis, sheets.centre, found.far, self.tile["place"])
-
-    @property
-    def _system(self) -> tuple[StatedSystem, Any, Any]:
-        return self.declared, self.energies, self.constants
 
     def _whole(self, where: Sequence[Interval]) -> CheckedOrbit:
         """Return the orbit near the tile's guess, which becomes the tile's."""
@@ -378,7 +369,7 @@ class MapTile:
             self._claims(orbit)
             if self.division is not None:
                 values = _values(where, orbit.root[0].space)
-                self.division.prove(orbit, self.energies, values, self.constants, part)
+                self.division.prove(orbit, self.family, values, part)
             return
         except Failure as failure:
             if depth == self.deepest or isinstance(failure, _Contradicted):

@@ -16,12 +16,12 @@ from typing import Any
 import numpy as np
 from flint import arb, ctx, fmpq
 
+from nonsmooth.runtime.checker.state_sets.graph import listed, stated_grid
 from nonsmooth.runtime.checker.state_sets.many_sets import ManyMotions
 from nonsmooth.runtime.checker.state_sets.one_way import Parallelepiped, SectionMap, divided
 from nonsmooth.runtime.checker.state_sets.sets import TooWide
 from nonsmooth.runtime.checker.state_sets.switching import StatedSection
 from nonsmooth.runtime.checker.stated.exact import Entries, demand, exact
-from nonsmooth.runtime.checker.stated.grids import listed, stated_grid
 from nonsmooth.runtime.checker.stated.shape import check_bits, check_file
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.float_sets import Floats, ManySets, Rounded

@@ -239,15 +239,12 @@ class FoldSearch:
         )
         guess = without_entry(coordinate, [float(x) for x in meetings[_NODES // 2].point])
         half, sheet = _WIDER * max(widths), "below" if away < 0 else "above"
-        name = self.box.declared.unknowns[coordinate]
+        name = self.box.family.declared.unknowns[coordinate]
         return Sheets(axis, through_nodes(places), name, middle, half, sheet, guess)
 
     def _curve(self, axis: int, other: fmpq) -> CheckedCurve:
         """Return the orbits along one parameter, at a value of the other one."""
-        box = self.box
-        return CheckedCurve(
-            box.declared, box.energies, box.constants, box.names[axis], (), axis, [arb(other)]
-        )
+        return self.box.family.along(axis, [arb(other)])
 
     def _coordinates(self) -> tuple[int, int]:
         """Return the parameter that changes orbits most, and the unknown that changes most."""

@@ -25,7 +25,6 @@ from nonsmooth.runtime.proof.sets.sections import (
     check_same_section,
     listed_declaration,
     refused_as_input,
-    section_entries,
     stated_section,
 )
 from nonsmooth.runtime.proof.statement import ExactSystem, exact_system
@@ -43,6 +42,11 @@ _MOST_BOXES = 4_000_000
 _DEFAULT_BOXES = {1: 1024, 2: 96}  # by the number of coordinates
 _FEW_BOXES = 16  # with more coordinates
 _MOST_LEVELS = 24
+# what the checker and other processes take, as in a file but for the parameters
+_ASKED = (
+    *("configuration", "phase", "source", "boundary", "declaration"),
+    *("widest", "most", "longest", "bits"),
+)
 
 
 def certify_graph(
@@ -172,7 +176,8 @@ def certify_graph(
                 most=max(parts, resume.most),
                 longest=max(transitions, resume.longest),
             )
-    question = section_entries(known, "widest", "most", "longest", "bits")
+    question = {name: getattr(known, name) for name in _ASKED}
+    question["parameters"] = {name: value.text for name, value in known.parameters.items()}
     work = _BoxImages(question, known, workers)
     with refused_as_input():
         return proved_by_steps(work.steps(levels), lambda: work.known, progress, keep)

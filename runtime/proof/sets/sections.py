@@ -206,16 +206,6 @@ class SectionRecord(Certified):
     declaration: Declaration = field(repr=False)
 
 
-def section_entries(record: SectionRecord, *more: str) -> Entries:
-    """Return the section of a record, and other attributes, as entries of a file.
-
-    They are data that the checker and other processes take.
-    """
-    names = "configuration", "phase", "source", "boundary", "declaration", *more
-    parameters = {name: value.text for name, value in record.parameters.items()}
-    return {"parameters": parameters, **{name: getattr(record, name) for name in names}}
-
-
 def check_same_section(
     kernels: SystemKernels,
     asked: SectionRecord,
