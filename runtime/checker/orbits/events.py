@@ -26,9 +26,9 @@ from nonsmooth.runtime.checker.stated.exact import (
     column,
     demand,
     demand_sign,
-    exact,
     inside,
     naming,
+    stated_box,
 )
 from nonsmooth.runtime.checker.stated.parameters import number_at, stated_system
 from nonsmooth.runtime.checker.stated.shape import check_bits, check_file, check_sharp
@@ -83,9 +83,7 @@ class JudgedEvent:
         Where a parameter is an unknown too, and has its name, one ball encloses both.
         """
         with ctx.workprec(self.bits + _GUARD):
-            named = [side["name"] for side in box] == self.names
-            demand(named, "the box is not that of the unknowns")
-            middles, radii = ([arb(exact(side[k])) for side in box] for k in ("mid", "rad"))
+            middles, radii = stated_box(box, self.names)
             demand(all(r > 0 for r in radii), "the box is empty")
             orbit, values, which = self._along(middles, radii)
             found = _image(values)

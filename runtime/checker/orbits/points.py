@@ -30,6 +30,7 @@ from nonsmooth.runtime.checker.stated.exact import (
     demand,
     exact,
     inside,
+    stated_box,
 )
 from nonsmooth.runtime.checker.stated.parameters import (
     independent,
@@ -181,11 +182,8 @@ class JudgedOrbit:
 
     def _located(self) -> Verdict:
         """Prove that the box holds one orbit, and enclose it, its period and its trace."""
-        orbit, declared, box = self.orbit, self.declared, self.proposal["box"]
-        named = [side["name"] for side in box] == declared.unknowns
-        demand(named, "the box is not that of the unknowns")
-        centre, radii = ([arb(exact(side[k])) for side in box] for k in ("mid", "rad"))
-        unique, empty = orbit.locate(centre, radii)
+        orbit, declared = self.orbit, self.declared
+        unique, empty = orbit.locate(*stated_box(self.proposal["box"], declared.unknowns))
         if empty and not declared.forcing:
             return Verdict("refuted", "no orbit is near the given numbers")
         # with a forcing one of the equations is a choice: how often that turns

@@ -32,6 +32,7 @@ from nonsmooth.runtime.checker.orbits.stability import (
 )
 from nonsmooth.runtime.checker.ranges.branch_curve import (
     CheckedCurve,
+    Family,
     middle_and_half,
     prove_on_parts,
     with_entry,
@@ -47,7 +48,7 @@ from nonsmooth.runtime.checker.stated.exact import (
     inside,
     naming,
 )
-from nonsmooth.runtime.checker.stated.parameters import independent, stated_system
+from nonsmooth.runtime.checker.stated.parameters import independent
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import TaylorModel, range_of, space_of
 
@@ -66,6 +67,15 @@ class TileClaims(NamedTuple):
     enclosures: dict[str, Any]  # all coordinates at the event, by name; empty without one
 
 
+def stated_tube(told: Entries, size: int) -> tuple[list[TaylorModel], list[Any]]:
+    """Return polynomials and radii of a tube in so many coordinates, as a file states them."""
+    rows, radii, space = told["centre"], [*map(arb, told["radii"])], space_of(1, ORDER)
+    demand(len(radii) == len(rows) == size, "a tube of another size")
+    demand(all(r > 0 and r.is_finite() for r in radii), "the tube is empty")
+    demand(all(len(row) == ORDER + 1 for row in rows), "polynomials of another order")
+    return [TaylorModel(space, tuple(map(arb, row))) for row in rows], radii
+
+
 class CheckedTile:
     """One tile of a branch: a tube of orbits along one coordinate, with a verdict or an event."""
 
@@ -77,11 +87,7 @@ class CheckedTile:
         self.low, self.high = exact(tile["lower"]), exact(tile["upper"])
         demand(self.low < self.high, "it is empty")
         self.forwards = tile["forwards"]
-        self.radii = [arb(r) for r in tile["radii"]]
-        demand(len(self.radii) == len(tile["centre"]) == curve.last, "a tube of another size")
-        demand(all(r > 0 and r.is_finite() for r in self.radii), "the tube is empty")
-        demand(all(len(row) == ORDER + 1 for row in tile["centre"]), "polynomials of another order")
-        self.space = space_of(1, ORDER)
+        self.tube, self.radii = stated_tube(tile, curve.last)
         self.event = tile["event"]
         self._ends: dict[Any, list[Any]] = {}
 
@@ -163,11 +169,8 @@ class CheckedTile:
 
     def locate(self) -> None:
         """Prove that the tube holds one orbit for each value, inside of the interval."""
-        value = self.space.variable(0, *middle_and_half(self.low, self.high))
-        centre = [
-            TaylorModel(self.space, tuple(arb(c) for c in row)) for row in self.tile["centre"]
-        ]
-        image = self.curve.krawczyk(self.place, value, centre, self.radii)
+        value = space_of(1, ORDER).variable(0, *middle_and_half(self.low, self.high))
+        image = self.curve.krawczyk(self.place, value, self.tube, self.radii)
         demand(image is not None, "existence is not proved: Krawczyk's test fails")
         assert image is not None
         self.point = with_entry(self.place, value, image)
@@ -216,7 +219,7 @@ class CheckedTile:
         found, value = without_entry(self.place, point), point[self.place]
         widths = list(map(_width, found))
         for _ in range(_SHARPENINGS):
-            image = self.curve.nearer(self.place, value, [x.mid() for x in found], widths)
+            image = self.curve.image(self.place, value, [x.mid() for x in found], widths)[0]
             if image is None:
                 break
             found = [min(pair, key=_width) for pair in zip(found, image, strict=True)]
@@ -233,8 +236,7 @@ class CheckedTile:
 
     def _judge(self, point: Sequence[Any]) -> str:
         """Return the verdict on the orbits of a part."""
-        orbit = self.curve.orbit(point)
-        orbit.returns(self.curve.energies)
+        orbit = self.curve.closed(point)
         admissible = admissibility(orbit)
         if admissible.claim == "refuted":
             return NO_MOTION
@@ -312,8 +314,7 @@ class _CheckedEvent:
         claims: set[str] = set()
 
         def no_other(point: Sequence[Any]) -> None:
-            orbit = self.curve.orbit(point)
-            orbit.returns(self.curve.energies)
+            orbit = self.curve.closed(point)
             claim = admissibility(orbit).claim
             demand(claim == "proved" or (claim, kind) == ("refuted", "fold"), "it may be no motion")
             if claim == "proved":
@@ -345,8 +346,7 @@ class _CheckedEvent:
         verdicts: set[str] = set()
 
         def but_for_it(point: Sequence[Any]) -> None:
-            orbit = self.curve.orbit(point)
-            orbit.returns(self.curve.energies)
+            orbit = self.curve.closed(point)
             told = admissibility(orbit, self.borders, self.window).claim
             demand(told == "proved", f"but for the event admissibility is {told}")
             verdicts.add(self._verdict_beside(orbit))
@@ -421,12 +421,10 @@ def curve_of(content: Entries) -> CheckedCurve:
     demand(content["declaration"], "claims about no declaration")
     with ctx.workprec(BITS):
         name = content["parameter"]
-        declared, constants = stated_system(content, content["parameters"], [name])
-        demand(declared.bound and declared.rational, "the declaration is not exact")
-        demand(content["stability"] == declared.stability, "stability of another kind")
+        declared, energies, constants, _ = Family.stated(content, [name])
         demand(content["unknown_names"] == declared.unknowns, "other unknowns")
         interval = [exact(end) for end in content["interval"]]
-        return CheckedCurve(declared, declared.closes(), constants, name, interval)
+        return CheckedCurve(declared, energies, constants, name, interval)
 
 
 def _claimed(content: Entries) -> None:

@@ -9,8 +9,8 @@ from flint import arb, ctx
 from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, krawczyk, near_inverse, newton
 from nonsmooth.runtime.checker.orbits.short import Short, short_phase
 from nonsmooth.runtime.checker.stated.declared import StatedSystem
-from nonsmooth.runtime.checker.stated.exact import Failure, demand
-from nonsmooth.runtime.checker.stated.parameters import number_at
+from nonsmooth.runtime.checker.stated.exact import Entries, Failure, demand
+from nonsmooth.runtime.checker.stated.parameters import number_at, stated_system
 from nonsmooth.runtime.core.jets import Jet, jet, part_of
 from nonsmooth.runtime.core.taylor_models import matrix, range_of, unit_matrix
 
@@ -24,6 +24,17 @@ class Family(NamedTuple):
     energies: Any  # those of `StatedSystem.closes`
     constants: Any  # irrational numbers of the declaration
     names: Sequence[str]  # of the parameters
+
+    @staticmethod
+    def stated(content: Entries, names: Sequence[str]) -> "Family":
+        """Return what a file states of orbits over some parameters.
+
+        `Failure` is raised if the declaration is not exact, or of another stability.
+        """
+        declared, constants = stated_system(content, content["parameters"], names)
+        demand(declared.bound and declared.rational, "the declaration is not exact")
+        demand(content["stability"] == declared.stability, "stability of another kind")
+        return Family(declared, declared.closes(), constants, names)
 
     def along(self, axis: int, beside: Sequence[Any]) -> "CheckedCurve":
         """Return the orbits along the parameter of a number, at values of the others."""
@@ -62,12 +73,6 @@ class CheckedCurve:
             self._divided[place] = found
         return self._divided[place]
 
-    def undivided(self) -> "CheckedCurve":
-        """Return the same curve with no switching condition divided."""
-        found = copy(self)
-        found.short = None
-        return found
-
     def place(self, name: str) -> int:
         """Return the index of a coordinate; an unknown named as the parameter is passed over."""
         demand(name in self.names, "there is no such coordinate")
@@ -82,6 +87,12 @@ class CheckedCurve:
         """Return one passage of the cycle at these coordinates, root of the equations or not."""
         orbit = self._with(point[-1])
         orbit.along(point[:-1])
+        return orbit
+
+    def closed(self, point: Sequence[Any]) -> CheckedOrbit:
+        """Return the orbit at a root, whose energy has to give back what the closure leaves out."""
+        orbit = self.orbit(point)
+        orbit.returns(self.energies)
         return orbit
 
     def slopes(
@@ -151,21 +162,16 @@ class CheckedCurve:
         If it lies inside the box, there is exactly one root in it for each value of the
         coordinate at `place` (Krawczyk 1969).
         """
-        image, inside = self._image(place, value, centre, radii)
+        image, inside = self.image(place, value, centre, radii)
         return image if inside else None
 
-    def nearer(
-        self, place: int, value: Any, centre: Sequence[Any], radii: Sequence[Any]
-    ) -> list[Any] | None:
-        """Return an enclosure of the roots that a box of the other coordinates is known to hold.
-
-        None is returned where the slopes are singular.
-        """
-        return self._image(place, value, centre, radii)[0]
-
-    def _image(
+    def image(
         self, place: int, value: Any, centre: Sequence[Any], radii: Sequence[Any]
     ) -> tuple[list[Any] | None, bool]:
+        """Return enclosures of all roots in a box of the other coordinates, and if that holds them.
+
+        They are None where the slopes are singular.
+        """
         middle = with_entry(place, value, centre)
 
         def at(point: Sequence[Any]) -> tuple[Any, Any]:

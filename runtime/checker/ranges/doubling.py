@@ -25,7 +25,13 @@ from nonsmooth.runtime.checker.orbits.orbit import (
     newton,
 )
 from nonsmooth.runtime.checker.orbits.stability import CORNER, characteristic, passing, stability
-from nonsmooth.runtime.checker.ranges.branch import CheckedTile, checked_tiles, curve_of
+from nonsmooth.runtime.checker.ranges.branch import (
+    ORDER,
+    CheckedTile,
+    checked_tiles,
+    curve_of,
+    stated_tube,
+)
 from nonsmooth.runtime.checker.ranges.branch_curve import (
     CheckedCurve,
     prove_on_parts,
@@ -56,7 +62,6 @@ from nonsmooth.runtime.core.taylor_models import (
 )
 
 _BITS, _SHARP = 64, 192
-ORDER = 5  # of the models: that of the polynomials
 _DEEPEST = 5  # halvings of a tube whose claims take smaller ones
 _ALIKE = ("parameters", "parameter", "stability")
 
@@ -170,20 +175,13 @@ class JudgedDoubling:
         self.equations = DoubledEquations(self.curve, self.scaled)
         with ctx.workprec(_BITS):
             self.amplitude = arb(exact(proposal["amplitude"]))
-            self.radii = [arb(r) for r in proposal["radii"]]
-            self.space = space_of(1, ORDER)
-            centre = proposal["centre"]
-            size = 2 * self.equations.size
-            demand(len(self.radii) == len(centre) == size, "a tube of another size")
-            demand(all(r > 0 and r.is_finite() for r in self.radii), "the tube is empty")
-            demand(all(len(row) == ORDER + 1 for row in centre), "polynomials of another order")
+            self.centre, self.radii = stated_tube(proposal, 2 * self.equations.size)
             demand(exact(proposal["amplitude"]) > 0, "the largest amplitude is not positive")
-            self.centre = [TaylorModel(self.space, tuple(map(arb, row))) for row in centre]
 
     def locate(self) -> None:
         """Prove that these orbits begin at the flip, and find their side and rate there."""
         with ctx.workprec(_BITS):
-            self.a = a = self.space.variable(0, arb(0), self.amplitude)
+            self.a = a = space_of(1, ORDER).variable(0, arb(0), self.amplitude)
             found = self.equations.krawczyk(a, self.centre, self.radii)
             demand(found is not None, "existence is not proved: Krawczyk's test fails")
             assert found is not None
@@ -300,8 +298,8 @@ class DoubledEquations:
 
     def at(self, a: Any, unknowns: Sequence[Any]) -> tuple[Any, Any]:
         """Return values (2 n, 1) of the equations and their derivatives (2 n, 2 n)."""
-        middle, away = self._split(unknowns)
-        point, direction, value = self._between(a, middle, away, unknowns[-1])
+        _, away = self._split(unknowns)
+        point, direction, value = self._between(a, unknowns)
         moving = jet(value, arb(1))
         first = self._passage(point, moving)
         bend = self._passage([jet(u, w) for u, w in zip(point, direction, strict=True)], value)
@@ -335,8 +333,7 @@ class DoubledEquations:
 
     def rate(self, a: Any, unknowns: Sequence[Any]) -> Any:
         """Return the derivative of the parameter by the square of the amplitude."""
-        middle, away = self._split(unknowns)
-        point, direction, value = self._between(a, middle, away, unknowns[-1])
+        point, direction, value = self._between(a, unknowns)
         pairs = zip(point, direction, strict=True)
         bend = self._passage([jet(u, w, None) for u, w in pairs], value)
         wide = matrix([[w] for w in direction])
@@ -358,13 +355,12 @@ class DoubledEquations:
         pairs = list(zip(middle, away, strict=True))
         return [m + a * w for m, w in pairs], [m - a * w for m, w in pairs]
 
-    def _between(
-        self, a: Any, middle: Sequence[Any], away: Sequence[Any], value: Any
-    ) -> tuple[list[Any], list[Any], Any]:
+    def _between(self, a: Any, unknowns: Sequence[Any]) -> tuple[list[Any], list[Any], Any]:
         """Return points between the halves, direction and parameter as models of e and f."""
+        (middle, away), value = self._split(unknowns), unknowns[-1]
         if not isinstance(a, TaylorModel):
             demand(a.is_zero(), "an amplitude that is not zero")
-            return list(middle), list(away), value
+            return middle, away, value
         space = space_of(2, a.space.order)
         step = space.variable(1, arb(0), a.parts[1])
         wide = [lifted(w, space) for w in away]

@@ -77,6 +77,11 @@ def neighbours(places: Sequence[Sequence[tuple[int, int]]]) -> list[list[int]]:
     return found
 
 
+def common_part(one: Part, other: Part) -> list[tuple[Any, Any]]:
+    """Return what two boxes have in common, as the ends along each axis."""
+    return [(max(a, c), min(b, d)) for (a, b), (c, d) in zip(one, other, strict=True)]
+
+
 BEYOND = "beyond a fold"
 _ORDER = 8  # of the models
 _TRIES = (2, 4, 16)  # times the distance of the polynomials from the orbits: sizes of the box
@@ -292,8 +297,7 @@ def beyond_folds(
     behind, left = dict.fromkeys(open_ones, False), dict.fromkeys(open_ones, False)
     for k in open_ones:
         for other in beside[k]:
-            pairs = zip(where[k], where[other], strict=True)
-            both = [(max(a[0], b[0]), min(a[1], b[1])) for a, b in pairs]
+            both = common_part(where[k], where[other])
             if other in parts:
                 parts[k].append(other)
             elif _is_beyond(tiles[other], where[other], both):

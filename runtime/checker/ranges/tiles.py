@@ -20,6 +20,7 @@ from nonsmooth.runtime.checker.ranges.folded import (
     FoldedTile,
     Sheets,
     beyond_folds,
+    common_part,
     neighbours,
 )
 from nonsmooth.runtime.checker.stated.exact import (
@@ -32,7 +33,7 @@ from nonsmooth.runtime.checker.stated.exact import (
     inside,
     naming,
 )
-from nonsmooth.runtime.checker.stated.parameters import independent, number_at, stated_system
+from nonsmooth.runtime.checker.stated.parameters import independent, number_at
 from nonsmooth.runtime.checker.stated.shape import check_file
 from nonsmooth.runtime.core.taylor_models import Space, TaylorModel, middle_of, range_of, space_of
 
@@ -115,10 +116,7 @@ class CheckedBox:
     def __init__(self, content: Entries) -> None:
         names, self.ends = [*content["box"]], _ends_of(content)
         with ctx.workprec(_BITS):
-            declared, constants = stated_system(content, content["parameters"], names)
-            demand(declared.bound and declared.rational, "the declaration is not exact")
-            demand(content["stability"] == declared.stability, "stability of another kind")
-            self.family = Family(declared, declared.closes(), constants, names)
+            self.family = Family.stated(content, names)
 
     def proved(self, tile: Entries) -> "MapTile":
         """Prove all claims of a tile and return it."""
@@ -302,8 +300,7 @@ class MapTile:
 
         Nothing is demanded if no tried point of the edge clearly has orbits of both.
         """
-        pairs = zip(self.where, other.where, strict=True)
-        both = [(max(a[0], b[0]), min(a[1], b[1])) for a, b in pairs]
+        both = common_part(self.where, other.where)
         for share in SHARES:
             point = [low + share * (high - low) for low, high in both]
             own, its = self.inside(point), other.inside(point)

@@ -17,7 +17,7 @@ import numpy as np
 from flint import arb, ctx, fmpq
 
 from nonsmooth.runtime.checker.state_sets.graph import listed, stated_grid
-from nonsmooth.runtime.checker.state_sets.many_sets import ManyMotions
+from nonsmooth.runtime.checker.state_sets.many_sets import ManyMotions, in_batches
 from nonsmooth.runtime.checker.state_sets.one_way import Parallelepiped, SectionMap, divided
 from nonsmooth.runtime.checker.state_sets.sets import TooWide
 from nonsmooth.runtime.checker.state_sets.switching import StatedSection
@@ -46,9 +46,8 @@ def attracted_boxes(
     core, motions = _inward(question, grid), _motions(question)
     ranks = np.where(_in_core(core, *grid.bounds(np.arange(len(grid)))), 0, -1)
     parts = []
-    for begin in range(0, len(grid), _BATCH):
+    for numbers in in_batches(np.arange(len(grid)), _BATCH):
         progress()
-        numbers = np.arange(begin, min(begin + _BATCH, len(grid)))
         found = motions.arrivals(grid.sets(numbers))
         parts.append(found._replace(origin=numbers[found.origin]))
     origin, low, high, lost = (np.concatenate(x) for x in list(zip(*parts, strict=True))[:4])
@@ -176,15 +175,12 @@ def contraction(question: Mapping[str, Any], limit: Any = 1, most: int = _MOST) 
 def _check_ranks(content: Entries, grid: BoxGrid, ranks: Any) -> None:
     """Prove that every ranked box of the section leads to the core or to boxes of lower rank."""
     core, motions = _inward(content, grid), _motions(content, _MORE)
-    inner = np.flatnonzero(ranks == 0)
-    for begin in range(0, len(inner), _BATCH):
-        some = grid.bounds(inner[begin : begin + _BATCH])
-        demand(_in_core(core, *some).all(), "a box of the rank 0 is not in the core")
+    for inner in in_batches(np.flatnonzero(ranks == 0), _BATCH):
+        held = _in_core(core, *grid.bounds(inner)).all()
+        demand(held, "a box of the rank 0 is not in the core")
     for rank in np.unique(ranks[ranks > 0]):  # the file may leave many out
         sums = grid.sums((ranks >= 0) & (ranks < rank))
-        left = np.flatnonzero(ranks == rank)
-        for begin in range(0, len(left), _BATCH):
-            numbers = left[begin : begin + _BATCH]
+        for numbers in in_batches(np.flatnonzero(ranks == rank), _BATCH):
             seen = np.zeros(len(numbers), dtype=bool)
 
             def known(origin: Any, low: Any, high: Any, sums: Any = sums, seen: Any = seen) -> Any:
@@ -229,7 +225,7 @@ def _check_tiles(
 ) -> None:
     """Prove that all motions from the attracted tiles come to boxes with a rank."""
     size = max(1, min(_BATCH, -(-len(good) // workers)))
-    batches = (good[begin : begin + size] for begin in range(0, len(good), size))
+    batches = in_batches(good, size)
     given, done = {**content, "verdicts": []}, 0
     with closing(in_processes(_begin_tiles, given, batches, workers)) as found:
         for numbers, led in found:

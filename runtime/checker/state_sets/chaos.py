@@ -189,10 +189,8 @@ def _longest(mapped: MappedSet, part: _MappedPart) -> int:
     """Return the coordinate along which the part and its image together are longest."""
     lengths = mapped.lengths(part.box)
     if part.image is not None:
-        moved = part.image.sides.tolist()
-        lengths = [
-            own + sum(abs(float(row[k].mid())) for row in moved) for k, own in enumerate(lengths)
-        ]
+        both = zip(lengths, part.image.lengths, strict=False)
+        lengths = [own + moved for own, moved in both]
     return max(range(len(lengths)), key=lengths.__getitem__)
 
 
@@ -351,10 +349,7 @@ class StretchedSets:
             elif wrong:
                 weights = self.sets[name].lengths(box)
                 if image is not None:
-                    moved = image.sides.tolist()
-                    weights = [
-                        sum(abs(float(row[k].mid())) for row in moved) for k in range(len(box))
-                    ]
+                    weights = image.lengths
                 usable = [k for k, length in enumerate(lengths) if length > _FINEST]
                 boxes += divided(box, max(usable, key=weights.__getitem__))
                 continue

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.checker.state_sets.many_sets import Arrivals, ManyMotions
+from nonsmooth.runtime.checker.state_sets.many_sets import Arrivals, ManyMotions, in_batches
 from nonsmooth.runtime.checker.state_sets.switching import StatedSection
 from nonsmooth.runtime.checker.stated.exact import Entries, Failure, demand
 from nonsmooth.runtime.checker.stated.shape import check_bits, check_file
@@ -194,10 +194,9 @@ def _stated_edges(content: Entries, grid: DividedGrid) -> Edges:
 
 def _check_images(motions: ManyMotions, grid: DividedGrid, edges: Edges) -> None:
     """Demand that the images of all boxes not stated as unknown lie where the edges lead."""
-    left, seen = np.flatnonzero(~edges.unknown), np.zeros(len(grid), dtype=bool)
+    seen = np.zeros(len(grid), dtype=bool)
     keys = np.append(edges.source * len(grid) + edges.target, len(grid) ** 2)  # the last of no edge
-    for begin in range(0, len(left), _BATCH):
-        numbers = left[begin : begin + _BATCH]
+    for numbers in in_batches(np.flatnonzero(~edges.unknown), _BATCH):
 
         def known(origin: Any, low: Floats, high: Floats, numbers: Any = numbers) -> Any:
             box, (place, target, inside) = numbers[origin], _met(grid, low, high)

@@ -57,6 +57,12 @@ _RADIANS = 0.125  # of the fastest motion in a window
 Known = Callable[[Any, Floats, Floats], Any]
 
 
+def in_batches(numbers: Any, size: int) -> Iterator[Any]:
+    """Yield parts of an array, each of at most so many entries, in order."""
+    for begin in range(0, len(numbers), size):
+        yield numbers[begin : begin + size]
+
+
 class Arrivals(NamedTuple):
     """Boxes that contain the first arrivals of sets at a section."""
 

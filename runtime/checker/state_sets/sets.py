@@ -90,6 +90,14 @@ class StateSet(NamedTuple):
         ones = arb_mat(self.sides.ncols(), 1, [arb(0, 1)] * self.sides.ncols())
         return self.centre + self.sides * ones + self.box
 
+    @property
+    def lengths(self) -> list[float]:
+        """Approximate lengths of the sides, as sums of their entries."""
+        return [
+            sum(abs(float(x.mid())) for x in side)
+            for side in zip(*self.sides.tolist(), strict=True)
+        ]
+
     def through(self, matrix: Any) -> "StateSet":
         """Return the image of the set and its tangents under a matrix of balls."""
         tangents = tuple(own.through(matrix) for own in self.tangents)

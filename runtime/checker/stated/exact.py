@@ -96,6 +96,13 @@ def ball(stated: dict[str, str]) -> Any:
     return arb(exact(stated["mid"])) + arb(0, arb(exact(stated["rad"])))
 
 
+def stated_box(box: Sequence[Entries], names: Sequence[str]) -> tuple[list[Any], list[Any]]:
+    """Return middles and radii of a stated box of unknowns, which have these names."""
+    demand([side["name"] for side in box] == names, "the box is not that of the unknowns")
+    middles, radii = ([arb(exact(side[k])) for side in box] for k in ("mid", "rad"))
+    return middles, radii
+
+
 def inside(found: Any, stated: dict[str, str]) -> Any:
     """Return whether a ball or Taylor model lies inside a stated ball, with certainty."""
     return abs(found - arb(exact(stated["mid"]))) < arb(exact(stated["rad"]))

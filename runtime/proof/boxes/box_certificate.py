@@ -243,8 +243,7 @@ class BoxCertificate(StatedOrbits):
         """
         if not isinstance(tile, Tile):
             raise InputError(f"{one_line(repr(tile), 60)} is no tile: the map has them as .tiles")
-        ends = tuple(self.box.values())
-        return {name: tile.place.interval(k, ends) for k, name in enumerate(self.box)}
+        return dict(zip(self.box, tile.place.where([*self.box.values()]), strict=True))
 
     def tile_at(self, point: Mapping[str, object]) -> Tile:
         """Find the first tile that holds a point of the box.

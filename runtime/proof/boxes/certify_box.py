@@ -512,13 +512,9 @@ def _tile_with(found: MapTile, place: Place) -> Tile:
     own, other = (fold.verdicts[s] for s in sorted(fold.verdicts, key=lambda s: s != sheets.sheet))
     below, above = (BEYOND, own) if fold.sign > 0 else (own, BEYOND)
     kept = Fold(sheets.coordinate, sheets.middle, sheets.half, sheets.sheet, other)
-    return Tile(
-        place=place,
-        claims=dict.fromkeys(CLAIMS, "undecided"),
-        reasons={"existence": _MEET},
-        enclosures={},
+    return replace(
+        unproved(place, _MEET, looked_at=True),
         guess=tuple(sheets.guess),
-        looked_at=True,
         event=TileEvent("fold", None, "", "", "", (), (), fold.band, below, above, kept),
     )
 

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple, TypeVar
 import numpy as np
 
 from nonsmooth.runtime.checker.ranges.divided import Band
-from nonsmooth.runtime.checker.ranges.folded import BEYOND, neighbours
+from nonsmooth.runtime.checker.ranges.folded import BEYOND, common_part, neighbours
 from nonsmooth.runtime.core.json_codec import Several, by
 from nonsmooth.runtime.proof.boxes.tile import (
     Fold,
@@ -88,8 +88,7 @@ def edges_of(places: Sequence[Place]) -> Iterator[Edge]:
     for first, others in enumerate(neighbours([place.steps for place in places])):
         for second in others:
             if first < second:
-                sides = zip(places[first].shares, places[second].shares, strict=True)
-                (a, b), (c, d) = ((max(x[0], y[0]), min(x[1], y[1])) for x, y in sides)
+                (a, b), (c, d) = common_part(places[first].shares, places[second].shares)
                 yield Edge(first, second, ((a, c), (b, d)))
 
 

@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Annotated, NamedTuple
 
 from nonsmooth.runtime.checker.ranges.divided import Band
-from nonsmooth.runtime.checker.ranges.folded import BEYOND
+from nonsmooth.runtime.checker.ranges.folded import BEYOND, common_part
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import FromOne, Ordinal, Several, one_of
 
@@ -28,6 +28,10 @@ class Place(NamedTuple):
         width = (upper - lower) / 2**level
         return lower + step * width, lower + (step + 1) * width
 
+    def where(self, box: Sequence[Interval]) -> list[Interval]:
+        """Lower and upper end of the tile along each axis."""
+        return [self.interval(axis, box) for axis in range(len(self.steps))]
+
     @property
     def share(self) -> Fraction:
         """The tile's share of the box's area."""
@@ -46,13 +50,12 @@ class Place(NamedTuple):
 
     def middle(self, box: Sequence[Interval]) -> tuple[Fraction, ...]:
         """The value of each parameter in the middle of the tile; `box` has their ends."""
-        ends = (self.interval(axis, box) for axis in range(len(self.steps)))
-        return tuple((low + high) / 2 for low, high in ends)
+        return tuple((low + high) / 2 for low, high in self.where(box))
 
     def holds(self, point: Sequence[Fraction], box: Sequence[Interval]) -> bool:
         """Whether the tile, with its edges, contains a point given by a value of each parameter."""
-        ends = (self.interval(axis, box) for axis in range(len(self.steps)))
-        return all(low <= x <= high for x, (low, high) in zip(point, ends, strict=True))
+        ends = zip(point, self.where(box), strict=True)
+        return all(low <= x <= high for x, (low, high) in ends)
 
     def touches(self, other: Place) -> bool:
         """Whether two tiles of a box have a point in common, be it an edge or a corner."""
@@ -71,12 +74,8 @@ class Place(NamedTuple):
 
         `share` is how far it is from the lower ends of what they share to the upper ones.
         """
-        point = []
-        for axis in range(len(self.steps)):
-            mine, others = self.interval(axis, box), other.interval(axis, box)
-            low, high = max(mine[0], others[0]), min(mine[1], others[1])
-            point.append(low + share * (high - low))
-        return tuple(point)
+        both = common_part(self.where(box), other.where(box))
+        return tuple(low + share * (high - low) for low, high in both)
 
     def halves(self, axis: int) -> tuple[Place, Place]:
         """The lower and the upper half of the tile along an axis."""

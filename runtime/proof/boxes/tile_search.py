@@ -69,7 +69,7 @@ def event_on(judge: BoxRefusals, tile: MapTile, orbit: CheckedOrbit) -> TileEven
         boundary=first.boundary if first else "",
         instant=first.instant if first else "",
         window=window,
-        also=tuple((b.kind, b.phase, b.boundary, b.instant) for b in curve.borders[1:]),
+        also=tuple(border[:] for border in curve.borders[1:]),
         band=found.band,
         below=found.beside[0],
         above=found.beside[1],

@@ -12,10 +12,9 @@ from typing import Any, cast
 import numpy as np
 from flint import arb
 
-from nonsmooth.runtime.checker.ranges.branch import CheckedTile, curve_of
+from nonsmooth.runtime.checker.ranges.branch import ORDER, CheckedTile, curve_of
 from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve
 from nonsmooth.runtime.checker.ranges.doubling import (
-    ORDER,
     DoubledEquations,
     JudgedDoubling,
     twofold,

@@ -232,7 +232,7 @@ def _event(
         lower=lower,
         upper=upper,
         window=window,
-        also=tuple((b.kind, b.phase, b.boundary, b.instant) for b in also),
+        also=tuple(border[:] for border in also),
         enclosures={},
     )
 

@@ -9,7 +9,7 @@ from typing import Any
 
 from nonsmooth.runtime.checker.state_sets.chaos import StretchedSets, check_entropy
 from nonsmooth.runtime.checker.stated.exact import Failure
-from nonsmooth.runtime.core.errors import InputError, Interrupted, check_integer
+from nonsmooth.runtime.core.errors import Interrupted, check_integer
 from nonsmooth.runtime.core.json_codec import stated
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
@@ -19,7 +19,11 @@ from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
 from nonsmooth.runtime.proof.chaos.cone_conditions import cone_condition
 from nonsmooth.runtime.proof.chaos.h_sets import HSet, growth, logarithm_below, outline
 from nonsmooth.runtime.proof.chaos.search import Horseshoe, candidates, orbits_on
-from nonsmooth.runtime.proof.sets.section_choice import FloatSection, sampled_sections
+from nonsmooth.runtime.proof.sets.section_choice import (
+    FloatSection,
+    check_one_forcing,
+    sampled_sections,
+)
 from nonsmooth.runtime.proof.sets.sections import (
     MapSection,
     Way,
@@ -122,8 +126,7 @@ def certify_chaos(
     exact = exact_system(kernels, parameters)
     motion = simulate_one(kernels, parameters, start, configuration, transitions=1)
     with flint_precision(bits):
-        if len(exact.structure.forcing) > 1:
-            raise InputError(f"{exact.structure.name} has several forcings: chaos needs one")
+        check_one_forcing(exact, "chaos")
         question = _ChaosQuestion(kernels, exact, iterates, parts, exponents, bits, progress)
         left = attempts
         for section, candidate in question.candidates(motion):

@@ -30,7 +30,12 @@ from nonsmooth.runtime.proof.asking import REFUSED, Steps, proved_by_steps
 from nonsmooth.runtime.proof.chaos.h_sets import HSet, decimal_set, grid_in_cube
 from nonsmooth.runtime.proof.sets.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.sets.graph_certificate import Flags, Numbers
-from nonsmooth.runtime.proof.sets.section_choice import FloatSection, MetSection, section_of
+from nonsmooth.runtime.proof.sets.section_choice import (
+    FloatSection,
+    MetSection,
+    check_one_forcing,
+    section_of,
+)
 from nonsmooth.runtime.proof.sets.sections import (
     Way,
     check_same_section,
@@ -314,8 +319,7 @@ def certify_basin(
             " the parameters of the system"
         )
     exact = exact_system(orbit.system, point.values)
-    if len(exact.structure.forcing) > 1:
-        raise InputError(f"{exact.structure.name} has several forcings: a basin needs one")
+    check_one_forcing(exact, "a basin")
     motion = orbit.trajectory()
     limits, whole = start_box(motion.system, box), start_box(motion.system)
     question = _BasinQuestion(orbit, exact, limits, whole, side, widest, most, bits, progress)

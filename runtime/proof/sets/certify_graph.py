@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.checker.state_sets.graph import map_of_boxes, stays
-from nonsmooth.runtime.checker.state_sets.many_sets import Arrivals
+from nonsmooth.runtime.checker.state_sets.many_sets import Arrivals, in_batches
 from nonsmooth.runtime.core.box_grid import BoxGrid, DividedGrid
 from nonsmooth.runtime.core.errors import InputError, check_integer
 from nonsmooth.runtime.core.float_sets import Floats, ManySets
@@ -20,7 +20,7 @@ from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.proof.asking import Steps, proved_by_steps
 from nonsmooth.runtime.proof.sets.graph_certificate import BoxGraph, Numbers, RegionCertificate
-from nonsmooth.runtime.proof.sets.section_choice import Sampled, sampled_sections
+from nonsmooth.runtime.proof.sets.section_choice import Sampled, check_one_forcing, sampled_sections
 from nonsmooth.runtime.proof.sets.sections import (
     check_same_section,
     listed_declaration,
@@ -156,8 +156,7 @@ def certify_graph(
     exact = exact_system(kernels, parameters)
     motion = simulate_one(kernels, parameters, start, configuration, transitions=1)
     with flint_precision(bits):
-        if len(exact.structure.forcing) > 1:
-            raise InputError(f"{exact.structure.name} has several forcings: a map needs one")
+        check_one_forcing(exact, "a map")
         sampled = next(iter(sampled_sections(exact, motion)), None)
         if sampled is None:
             raise InputError("the motion comes to no section often enough")
@@ -227,7 +226,7 @@ class _BoxImages:
     def _seen(self, left: Numbers) -> Steps:
         """Enclose the images of some boxes."""
         size = max(1, min(_AT_ONCE, -(-len(left) // self.workers)))
-        batches = [left[first : first + size] for first in range(0, len(left), size)]
+        batches = [*in_batches(left, size)]
         sets, done = map(self.graph.grid.sets, batches), 0
         yield done, len(left)
         with closing(in_processes(_begin_images, self.question, sets, self.workers)) as found:

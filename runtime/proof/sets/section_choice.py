@@ -143,6 +143,12 @@ def _ways(ends: Trajectories, last: np.ndarray | None = None) -> np.ndarray:
     return (found >> np.uint64(2)).astype(np.int64)
 
 
+def check_one_forcing(system: ExactSystem, what: str) -> None:
+    """Refuse a system with several forcings; `what` needs one at most."""
+    if len(system.structure.forcing) > 1:
+        raise InputError(f"{system.structure.name} has several forcings: {what} needs one")
+
+
 class MetSection(NamedTuple):
     """A section, coordinates (d,) of a point of the orbit on it, and returns in one period."""
 
