@@ -26,7 +26,7 @@ from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.structure import Structure
 from nonsmooth.runtime.proof.certificate import Enclosure, Proof, exactly
 from nonsmooth.runtime.proof.sets.sections import whole_system
-from nonsmooth.runtime.proof.statement import ExactSystem, exact_system
+from nonsmooth.runtime.proof.statement import ExactSystem, exact_system, floats_of
 from nonsmooth.runtime.simulation.starting import forcing_start
 
 if TYPE_CHECKING:
@@ -271,8 +271,8 @@ class _Motion:
             column = motion.phase.flow(dwell) * column
         states = [float(x.mid()) for x in column.entries()[: motion.system.size]]
         exact = self.system.exact
-        arrays = (_floats(exact.fields)[:, :-1], _floats(exact.rows), _floats(exact.resets)[:, :-1])
-        decider = Decider(structure, *arrays)
+        fields, rows, resets = map(floats_of, (exact.fields, exact.rows, exact.resets))
+        decider = Decider(structure, fields[:, :-1], rows, resets[:, :-1])
         known = np.array([*states, 1.0])
         guess = decider.outcome(event, decider.located(place, known, _ERROR))
         if len(guess.targets) != 1:
@@ -331,11 +331,6 @@ def _zero(phase: Any, row: Sequence[arb], state: Any, end: arb) -> arb:
         if last <= time * arb(2) ** (-16 - ctx.prec // 2):
             break
     return time
-
-
-def _floats(numbers: Any) -> np.ndarray:
-    exact = np.array(numbers, dtype=object)
-    return np.array([int(x.p) / int(x.q) for x in exact.flat]).reshape(exact.shape)
 
 
 def _start(structure: Structure, state: Mapping[str, object] | Sequence[object]) -> list[Any]:

@@ -14,6 +14,7 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+import numpy as np
 from flint import arb, ctx, fmpq, fmpz
 
 from nonsmooth.runtime.checker.stated.exact import Entries
@@ -182,6 +183,12 @@ def exact_system(
         raise InputError(
             f"a proof needs rational rows, fields and resets, and {problem.function} is not"
         ) from None
+
+
+def floats_of(numbers: Any) -> np.ndarray:
+    """Return exact rational numbers, in lists of lists, as an array of doubles."""
+    exact = np.array(numbers, dtype=object)
+    return np.array([int(x.p) / int(x.q) for x in exact.flat]).reshape(exact.shape)
 
 
 def rational_of(value: Fraction) -> fmpq:

@@ -6,7 +6,7 @@ that is searched. An orbit's own certificate is proved as any other, and that it
 
 import math
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
 from flint import arb, ctx
@@ -87,7 +87,7 @@ class Counting:
     they do not go together.
     """
 
-    def __init__(self, asked: Mapping[str, Any]) -> None:
+    def __init__(self, asked: Entries) -> None:
         self.asked = asked
         period = {"period": asked["given_period"]} if asked["given_period"] else {}
         demand(not period.keys() & asked["parameters"].keys(), "two periods are given")
@@ -255,7 +255,7 @@ class CountedBox:
                 undecided = undecided or touching(sides, other.sides)
         return None if undecided else False
 
-    def check_orbit(self, told: Mapping[str, Any], equations: DwellEquations, root: Root) -> None:
+    def check_orbit(self, told: Entries, equations: DwellEquations, root: Root) -> None:
         """Demand that a certificate, if it holds, is of the orbit that a root is.
 
         Its orbit has the dwell times of the box in which the root is alone, no coordinate that is

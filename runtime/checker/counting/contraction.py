@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 from flint import arb, arb_mat
 
-from nonsmooth.runtime.checker.stated.exact import column
+from nonsmooth.runtime.checker.stated.exact import Numbers, column
 from nonsmooth.runtime.core.taylor_models import unit_matrix
 
 Sides = tuple[tuple[float, float], ...]  # of a box: exactly these doubles
@@ -37,7 +37,7 @@ class Linear:
     centre: Any
     slopes: tuple[Any, ...]
     over: Any
-    offsets: Sequence[Any]  # balls with those of all points of the box
+    offsets: Numbers  # balls with those of all points of the box
     # no coordinate of the roots that are asked for has a larger absolute value
     largest: Any
     # rows (d + 1) that are zero on (q, 1) for some numbers in their balls, at all that is asked for
@@ -172,7 +172,7 @@ def regular(linear: Linear) -> bool:
     return bool(determinant > 0 or determinant < 0)
 
 
-def contract(linear: Linear, coordinates: Sequence[Any] | None, sides: Sides) -> Image | None:
+def contract(linear: Linear, coordinates: Numbers | None, sides: Sides) -> Image | None:
     """Return Krawczyk's image of a box, or None where the equations are singular over it.
 
     `coordinates` contain those of the roots that are meant; None means that there are none. With

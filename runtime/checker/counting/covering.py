@@ -8,7 +8,7 @@ saves nothing but the search for it.
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from functools import cached_property
 from typing import Any
 
@@ -25,7 +25,7 @@ from nonsmooth.runtime.checker.counting.contraction import (
     touching,
 )
 from nonsmooth.runtime.checker.counting.dwell_equations import DwellEquations
-from nonsmooth.runtime.checker.stated.exact import demand
+from nonsmooth.runtime.checker.stated.exact import Numbers, demand
 
 CUTS = "abcdefghijklmnopqrstuvwxyz"
 _SHRUNK = 0.75  # of its size: a box that was made so small may become smaller still
@@ -39,7 +39,7 @@ _MOST_LEFT = 2000  # undecided boxes that are told apart
 class Root:
     """A root, and a box in which it is the only one."""
 
-    def __init__(self, sides: Sides, unique: Sides, coordinates: Sequence[Any]) -> None:
+    def __init__(self, sides: Sides, unique: Sides, coordinates: Numbers) -> None:
         self.sides = sides  # contains the root
         self.unique = unique  # contains no other root
         self.coordinates = coordinates  # those in which the equations are affine, at the root

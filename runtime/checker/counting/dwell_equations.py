@@ -8,7 +8,7 @@ exactly constant velocity is one affine map up to its boundary, and its dwell ti
 """
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from flint import arb, arb_mat, fmpq
@@ -21,7 +21,7 @@ from nonsmooth.runtime.checker.counting.contraction import (
     middles_of,
 )
 from nonsmooth.runtime.checker.stated.declared import StatedSystem
-from nonsmooth.runtime.checker.stated.exact import column, leading, reduced
+from nonsmooth.runtime.checker.stated.exact import Numbers, ToNumber, column, leading, reduced
 from nonsmooth.runtime.core.rational_functions import pivot
 
 _TERMS = 48
@@ -32,8 +32,6 @@ _WIDEST = 64  # but not over one that is wider still, which would take many
 _SERIES = 4  # norm of field and time up to which the divided flow is summed as a series
 _KEPT = 40_000  # matrix exponentials
 _STATES = 300  # behind phases
-
-Number = Callable[[Any], Any]
 
 
 class Setting:
@@ -125,7 +123,7 @@ class DwellEquations:
         self,
         declared: StatedSystem,
         setting: Setting,
-        number: Number,
+        number: ToNumber,
         given: Given,
         bounds: Mapping[str, tuple[float, float]],
         window: Sequence[tuple[float, float]],
@@ -212,7 +210,7 @@ class DwellEquations:
             centre, over, *slopes = (arb_mat(m.tolist()[:count]) for m in (centre, over, *slopes))
         return Linear(centre, tuple(slopes), over, offsets, self.largest, asked, trivial)
 
-    def _follows(self, side: tuple[float, float], row: Sequence[Any], scale: Any) -> list[Any]:
+    def _follows(self, side: tuple[float, float], row: Numbers, scale: Any) -> list[Any]:
         """Return the row of a condition: that a dwell time, a row on (q, 1), is in its range.
 
         With s any number in [0, 1] it is a + (b - a) s, or, where there is no upper end b, the
@@ -223,7 +221,7 @@ class DwellEquations:
             return [*row[:-1], row[-1] - (low + (arb(high) - low) * share)]
         return [*(share * x for x in row[:-1]), share * (row[-1] - low + scale) - scale]
 
-    def dwell(self, sides: Sides, coordinates: Sequence[Any]) -> dict[str, Any]:
+    def dwell(self, sides: Sides, coordinates: Numbers) -> dict[str, Any]:
         """Return all dwell times by name, over a box of unknowns and coordinates of the start."""
         searched = zip(self.setting.searched, self._times(balls_of(sides)), strict=True)
         found = {self.declared.dwell[k]: time for k, time in searched}
@@ -260,7 +258,7 @@ class DwellEquations:
         for number in (turns - 1, turns, turns + 1):
             yield time - number * self.given.unit
 
-    def starts(self, sides: Sides, coordinates: Sequence[Any]) -> dict[int, Any]:
+    def starts(self, sides: Sides, coordinates: Numbers) -> dict[int, Any]:
         """Return the state (N + 1, 1) at the start of each phase, over a box of unknowns.
 
         `coordinates` are those that the dwell times leave open.
@@ -269,7 +267,7 @@ class DwellEquations:
         carried = zip(self.setting.order, self._carried(sides, between=False), strict=False)
         return {k: arb_mat((own.over * point).tolist()[:-1]) for k, own in carried}
 
-    def carried(self, state: Sequence[Any], dwell: Mapping[str, Any]) -> list[Any]:
+    def carried(self, state: Numbers, dwell: Mapping[str, Any]) -> list[Any]:
         """Return the state (N) where the start is sought, from that where the cycle begins."""
         found = column((*state, arb(1)))
         for k in range(self.setting.rotation):
@@ -277,7 +275,7 @@ class DwellEquations:
             found = self._resets[k] * (flow * found)
         return list(found.entries()[:-1])
 
-    def _times(self, unknowns: Sequence[Any]) -> list[Any]:
+    def _times(self, unknowns: Numbers) -> list[Any]:
         times = list(unknowns[self.first :])
         if self.given.period is not None:
             times.append(self.given.period - sum(times, arb(0)))
@@ -339,7 +337,7 @@ class DwellEquations:
         slopes = self._unmoved + by * self._rates[0] if self.first else self._unmoved
         return _Carried(self._start(middles_of(sides))[0] if self.first else over, over, slopes)
 
-    def _start(self, unknowns: Sequence[Any]) -> tuple[Any, Any]:
+    def _start(self, unknowns: Numbers) -> tuple[Any, Any]:
         """Return the start as a matrix on (q, 1), and its derivative by the forcing's time."""
         count = len(self.setting.places)
         inner = arb_mat(count + 2 * len(self.given.pairs) + 1, count + 1)

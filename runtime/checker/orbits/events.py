@@ -23,6 +23,7 @@ from nonsmooth.runtime.checker.orbits.stability import (
 )
 from nonsmooth.runtime.checker.stated.exact import (
     Entries,
+    Numbers,
     column,
     demand,
     demand_sign,
@@ -61,13 +62,13 @@ class JudgedEvent:
         time = ["time"] if proposal["kind"] == "grazing" else []
         self.names = [*declared.unknowns, by, *time]
 
-    def near(self, guess: Sequence[Any]) -> list[Any]:
+    def near(self, guess: Numbers) -> list[Any]:
         """Return unknowns near an event, by Newton's method; nothing is proved of them.
 
         `Failure` is raised where it finds none.
         """
 
-        def at(point: Sequence[Any]) -> tuple[Any, Any]:
+        def at(point: Numbers) -> tuple[Any, Any]:
             unit = arb(2) ** -(ctx.prec // 2)
             radii = [unit * (abs(x).mid() if abs(x) > _SMALL else 1) for x in point]
             _, found, _ = self._along(point, radii)
@@ -105,7 +106,7 @@ class JudgedEvent:
         return enclosures
 
     def _along(
-        self, middles: Sequence[Any], radii: Sequence[Any], which: int | None = None
+        self, middles: Numbers, radii: Numbers, which: int | None = None
     ) -> tuple[CheckedOrbit, list[Any], int | None]:
         """Return the orbit along a box of unknowns, and the left-hand sides of all equations.
 
@@ -150,7 +151,7 @@ def _check(event: Entries) -> None:
         demand(inside(value, stated[name]), f"{name} is not in its enclosure")
 
 
-def _image(values: Sequence[Any]) -> list[Any]:
+def _image(values: Numbers) -> list[Any]:
     """Return K, which contains the places in [-1, 1] of all roots of models in a box."""
     size = len(values)
     fits = all(len(value.parts) == size + 1 for value in values)
@@ -161,7 +162,7 @@ def _image(values: Sequence[Any]) -> list[Any]:
     return krawczyk_step(missed, y, slopes, [arb(0, 1)] * size)
 
 
-def _event(orbit: CheckedOrbit, event: Entries, more: Sequence[Any]) -> list[Any]:
+def _event(orbit: CheckedOrbit, event: Entries, more: Numbers) -> list[Any]:
     """Return the residuals of an event's equations at an orbit: those of all its conditions."""
     kind, place, declared = event["kind"], event["phase"], orbit.declared
     demand(event["instant"] == _INSTANTS.get(kind, event["instant"]), "another instant")

@@ -14,7 +14,7 @@ from flint import arb, ctx, fmpq
 from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, lower, vanishing
 from nonsmooth.runtime.checker.orbits.stability import MULTIPLIERS, characteristic, passing
 from nonsmooth.runtime.checker.stated.declared import StatedBoundary, StatedPhase, Way
-from nonsmooth.runtime.checker.stated.exact import Entries, Verdict, demand, exact, product
+from nonsmooth.runtime.checker.stated.exact import Entries, Numbers, Verdict, demand, exact, product
 from nonsmooth.runtime.core.taylor_models import matrix, range_of
 
 _DEEPEST = 60  # halvings of a window of time
@@ -22,6 +22,9 @@ _MOST = 10_000  # windows
 _CLOSE = "{}: it comes closer to zero than the digits tell"
 _SHARE = 3 / 4  # of its distance from zero, at least, that is looked for: any share gives a bound
 _SMALL = 5  # halvings behind which the exponential of a field is that of a small matrix
+
+
+Window = tuple[Any, Any] | None  # times between which a grazing is; None without one
 
 
 class Border(NamedTuple):
@@ -108,7 +111,7 @@ class Border(NamedTuple):
         return found
 
 
-def borders_of(event: Entries) -> tuple[list[Border], tuple[Any, Any] | None]:
+def borders_of(event: Entries) -> tuple[list[Border], Window]:
     """Return the borders that are met at an event of a file, and the window of a grazing.
 
     `Failure` is raised if a window is stated of no grazing, or none of one.
@@ -133,7 +136,7 @@ def event_number(
     which: Border | str,
     orbit: CheckedOrbit,
     still: Callable[[], CheckedOrbit],
-    window: tuple[Any, Any] | None,
+    window: Window,
 ) -> Any:
     """Return the number that is zero at an event, in an orbit's numbers.
 
@@ -146,7 +149,7 @@ def event_number(
     return which.number(orbit, time)
 
 
-def time_of_touch(orbit: CheckedOrbit, border: Border, window: tuple[Any, Any] | None) -> Any:
+def time_of_touch(orbit: CheckedOrbit, border: Border, window: Window) -> Any:
     """Return an enclosure of the time of a grazing: the one maximum of its boundary function.
 
     It lies in the window (begin, end), from the start of the phase, in which the function
@@ -204,7 +207,7 @@ class _Told(NamedTuple):
 def admissibility(
     orbit: CheckedOrbit,
     assumed: Sequence[Border] = (),
-    window: tuple[Any, Any] | None = None,
+    window: Window = None,
     *,
     margins: bool = False,
 ) -> Verdict:
@@ -237,7 +240,7 @@ def _phase(
     place: int,
     phase: StatedPhase,
     assumed: Sequence[Border],
-    window: tuple[Any, Any] | None,
+    window: Window,
     margins: list[Margin] | None,
 ) -> list[_Told]:
     """Return what is known of all that has to hold in a phase; add to the margins, if any."""
@@ -328,9 +331,7 @@ def _phase(
     return found
 
 
-def _zero(
-    orbit: CheckedOrbit, row: Any, state: Sequence[Any], told: str, ways: tuple[str, str]
-) -> _Told:
+def _zero(orbit: CheckedOrbit, row: Any, state: Numbers, told: str, ways: tuple[str, str]) -> _Told:
     """Return what is known of a function being zero at a state, if it is not exactly zero."""
     sign = _sign(orbit.value(row, state)) if any(row) else 0
     known = {0: -1, None: None}.get(sign, 1)
@@ -346,7 +347,7 @@ class _Shape(NamedTuple):
     ends: bool = False  # it may be zero at the end
     slows: bool = False  # its rate at the end is not negative
     falls: bool = False  # its rate at the start is negative
-    touches: tuple[Any, Any] | None = None  # times between which it may touch zero
+    touches: Window = None  # times between which it may touch zero
     apart: bool = False  # how far it stays from zero is asked for
 
     @property

@@ -19,6 +19,8 @@ from nonsmooth.runtime.checker.orbits.short import Short, quotient, quotients
 from nonsmooth.runtime.checker.stated.declared import StatedSystem
 from nonsmooth.runtime.checker.stated.exact import (
     Failure,
+    Numbers,
+    ToNumber,
     column,
     demand,
     demand_sign,
@@ -51,7 +53,7 @@ class PhaseNumbers(NamedTuple):
     resets: list[Any]  # each (N + 1, N + 1)
     period: Any  # None where neither given nor that of a forcing
 
-    def each(self, change: Callable[[Any], Any]) -> "PhaseNumbers":
+    def each(self, change: Cut) -> "PhaseNumbers":
         """Return the same phases with `change` applied to each matrix and number."""
         fields, rows, resets = ([change(m) for m in part] for part in self[:3])
         period = None if self.period is None else change(self.period)
@@ -74,7 +76,7 @@ class CheckedOrbit:
     """
 
     def __init__(
-        self, declared: StatedSystem, number: Callable[[Any], Any], short: Short | None = None
+        self, declared: StatedSystem, number: ToNumber, short: Short | None = None
     ) -> None:
         self.declared, self.number, self.short = declared, number, short
         self.first = len(declared.free) + bool(declared.forcing)  # the dwell times begin there
@@ -95,7 +97,7 @@ class CheckedOrbit:
         return matrix([list(map(self.number, row)) for row in rows])
 
     def passage(
-        self, chain: PhaseNumbers, unknowns: Sequence[Any], flows: list[Any], slopes: bool = True
+        self, chain: PhaseNumbers, unknowns: Numbers, flows: list[Any], slopes: bool = True
     ) -> Passage:
         """Return one passage of the cycle: switching, closure and period equations, and its states.
 
@@ -158,7 +160,7 @@ class CheckedOrbit:
             matrix([[v] for v in values]), matrix(rows) if slopes else None, starts, ends
         )
 
-    def _flows(self, near: list[Any], away: Sequence[Any]) -> list[Any]:
+    def _flows(self, near: list[Any], away: Numbers) -> list[Any]:
         """Return flows for times near given ones, whose flows are `near`.
 
         They are those flows times flows over the short differences: wide factors have small
@@ -169,10 +171,10 @@ class CheckedOrbit:
             found.append(flow if time.is_zero() else (range_of(b) * time).exp() * flow)
         return found
 
-    def follow(self, guess: Sequence[Any], cuts: Sequence[Cut]) -> tuple[list[Any], Any]:
+    def follow(self, guess: Numbers, cuts: Sequence[Cut]) -> tuple[list[Any], Any]:
         """Return polynomials near the orbit, as `followed` finds them."""
 
-        def at(cut: Cut, unknowns: Sequence[Any], slopes: bool) -> tuple[Any, Any]:
+        def at(cut: Cut, unknowns: Numbers, slopes: bool) -> tuple[Any, Any]:
             chain = self.chain.each(cut)
             flows = _exponentials(chain, unknowns[self.first :])
             now = self.passage(chain, unknowns, flows, slopes)
@@ -180,13 +182,13 @@ class CheckedOrbit:
 
         return followed(at, guess, cuts)
 
-    def near(self, guess: Sequence[Any]) -> list[Any]:
+    def near(self, guess: Numbers) -> list[Any]:
         """Return unknowns near a root, by Newton's method; nothing is proved of them.
 
         `Failure` is raised where it finds none.
         """
 
-        def at(point: Sequence[Any]) -> tuple[Any, Any]:
+        def at(point: Numbers) -> tuple[Any, Any]:
             flows = _exponentials(self.chain, point[self.first :])
             now = self.passage(self.chain, point, flows)
             return now.values, now.slopes
@@ -194,7 +196,7 @@ class CheckedOrbit:
         return newton(at, guess)
 
     def locate(
-        self, centre: Sequence[Any], radii: Sequence[Any] | None = None, inverse: Any = None
+        self, centre: Numbers, radii: Numbers | None = None, inverse: Any = None
     ) -> tuple[bool, bool]:
         """Return whether a box is proved to have exactly one root, and whether to have none.
 
@@ -208,11 +210,11 @@ class CheckedOrbit:
         low, near_low = self.chain.each(lower), list(map(lower, near))
         unit = unit_matrix(self.count)
 
-        def at(point: Sequence[Any], slopes: bool = False) -> Passage:
+        def at(point: Numbers, slopes: bool = False) -> Passage:
             away = [x - t for x, t in zip(point[self.first :], times, strict=True)]
             return self.passage(self.chain, point, self._flows(near, away), slopes)
 
-        def image(values: Any, point: Sequence[Any], offsets: Sequence[Any]) -> list[Any]:
+        def image(values: Any, point: Numbers, offsets: Numbers) -> list[Any]:
             box = [x + d for x, d in zip(point, offsets, strict=True)]
             away = [x - t for x, t in zip(box[self.first :], times, strict=True)]
             flows = self._flows(near_low, away)
@@ -243,7 +245,7 @@ class CheckedOrbit:
             self.flows = self._flows(near, away)
         return unique, empty
 
-    def along(self, unknowns: Sequence[Any]) -> list[Any]:
+    def along(self, unknowns: Numbers) -> list[Any]:
         """Set the orbit to these unknowns, root or not; return the residuals of its equations.
 
         Unknowns are free states, the forcing's time and dwell times, in the system's units.
@@ -270,7 +272,7 @@ class CheckedOrbit:
         force = self.value(row, between)
         demand_sign(force, "the energy does not give the coordinate left out")
 
-    def value(self, row: Any, state: Sequence[Any]) -> Any:
+    def value(self, row: Any, state: Numbers) -> Any:
         """Return an exact affine function (N + 1) of a state (N + 1), whose last entry is 1."""
         terms = (self.number(x) * y for x, y in zip(row, state, strict=True) if x)
         return sum(terms, arb(0))
@@ -361,7 +363,7 @@ def lower(number: Any) -> Any:
     return TaylorModel(space, (rest.range(), *parts[1:count]))
 
 
-def flows_over(fields: Sequence[Any], times: Sequence[Any]) -> list[Any]:
+def flows_over(fields: Sequence[Any], times: Numbers) -> list[Any]:
     """Return flows for times that vary: from the middle of each on, by a small exponent."""
     found = []
     for b, time in zip(fields, times, strict=True):
@@ -370,7 +372,7 @@ def flows_over(fields: Sequence[Any], times: Sequence[Any]) -> list[Any]:
     return found
 
 
-def orbit_at(declared: StatedSystem, number: Callable[[Any], Any], guess: Any) -> CheckedOrbit:
+def orbit_at(declared: StatedSystem, number: ToNumber, guess: Any) -> CheckedOrbit:
     """Return the orbit near a guess, at numbers that are balls; `Failure` if it is not proved."""
     orbit = CheckedOrbit(declared, number)
     unique, _ = orbit.locate(orbit.near(guess))
@@ -378,13 +380,13 @@ def orbit_at(declared: StatedSystem, number: Callable[[Any], Any], guess: Any) -
     return orbit
 
 
-def _exponentials(chain: PhaseNumbers, times: Sequence[Any]) -> list[Any]:
+def _exponentials(chain: PhaseNumbers, times: Numbers) -> list[Any]:
     return [(b * t).exp() for b, t in zip(chain.fields, times, strict=True)]
 
 
 def followed(
-    equations: Callable[[Cut, Sequence[Any], bool], tuple[Any, Any]],
-    guess: Sequence[Any],
+    equations: Callable[[Cut, Numbers, bool], tuple[Any, Any]],
+    guess: Numbers,
     cuts: Sequence[Cut],
 ) -> tuple[list[Any], Any]:
     """Return polynomials near roots, and about the inverse (n, n) of the slopes there.
@@ -404,9 +406,7 @@ def followed(
     return unknowns, inverse
 
 
-def newton(
-    equations: Callable[[Sequence[Any]], tuple[Any, Any]], guess: Sequence[Any]
-) -> list[Any]:
+def newton(equations: Callable[[Numbers], tuple[Any, Any]], guess: Numbers) -> list[Any]:
     """Return a point near a root, by Newton's method; nothing is proved of it.
 
     `equations` gives their values (n, 1) and derivatives (n, n) at a point. `Failure` is raised
@@ -428,7 +428,7 @@ def newton(
     return point
 
 
-def krawczyk_step(values: Any, inverse: Any, slopes: Any, offsets: Sequence[Any]) -> list[Any]:
+def krawczyk_step(values: Any, inverse: Any, slopes: Any, offsets: Numbers) -> list[Any]:
     """Return K - x (n) for K = x - Y F(x) + (I - Y F'(X)) (X - x), which holds all roots of X.
 
     `values` (n, 1) are F(x), `inverse` is Y, any matrix near the inverse of the `slopes` F'(X), and
@@ -439,9 +439,9 @@ def krawczyk_step(values: Any, inverse: Any, slopes: Any, offsets: Sequence[Any]
 
 
 def krawczyk(
-    equations: Callable[[Sequence[Any]], tuple[Any, Any]],
-    centre: Sequence[Any],
-    radii: Sequence[Any],
+    equations: Callable[[Numbers], tuple[Any, Any]],
+    centre: Numbers,
+    radii: Numbers,
 ) -> tuple[list[Any] | None, bool]:
     """Return Krawczyk's image of a box, which holds all of its roots, and if it is inside the box.
 

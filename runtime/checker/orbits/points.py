@@ -24,6 +24,7 @@ from nonsmooth.runtime.checker.orbits.stability import (
 from nonsmooth.runtime.checker.stated.exact import (
     Entries,
     Failure,
+    Numbers,
     Verdict,
     agreed_claims,
     column,
@@ -47,7 +48,7 @@ def rates_along(
     parameters: Mapping[str, str],
     name: str,
     orbit: CheckedOrbit,
-    multipliers: Sequence[Any],
+    multipliers: Numbers,
 ) -> dict[str, Any]:
     """Return the derivatives of all that is enclosed by a number that was given for an orbit.
 
@@ -81,7 +82,7 @@ def sharper(orbit: CheckedOrbit) -> CheckedOrbit:
     return found if unique else orbit
 
 
-def _rates(moving: CheckedOrbit, orbit: CheckedOrbit, multipliers: Sequence[Any]) -> dict[str, Any]:
+def _rates(moving: CheckedOrbit, orbit: CheckedOrbit, multipliers: Numbers) -> dict[str, Any]:
     """Return the derivatives of all quantities of the orbit along one direction.
 
     A real multiplier has no imaginary part that could move.
@@ -201,10 +202,15 @@ class JudgedOrbit:
         """The verdict on the multipliers: all inside the unit circle, or on it, by `kind`."""
         return self._judged(lambda: judged_stability(self.orbit))
 
+    @property
+    def _smooth(self) -> bool:
+        """Whether the Poincare map has a derivative that is enclosed."""
+        return "trace" in self.enclosures and self.declared.alone
+
     @cached_property
     def multipliers(self) -> tuple[Any, ...]:
         """Nontrivial multipliers that are clearly simple, the largest first; often not all."""
-        if "trace" not in self.enclosures or not self.declared.alone:
+        if not self._smooth:
             return ()
         with ctx.workprec(self.bits + _GUARD):
             return tuple(multipliers(self.orbit))
@@ -212,7 +218,7 @@ class JudgedOrbit:
     @cached_property
     def others_below(self) -> Any:
         """A bound of all other nontrivial multipliers; None where nothing is known of them."""
-        if "trace" not in self.enclosures or not self.declared.alone:
+        if not self._smooth:
             return None
         with ctx.workprec(self.bits + _GUARD):
             return others_below(self.orbit, self.multipliers)

@@ -10,11 +10,10 @@ that is known where it begins, as what sticks does, its changes at a fixed time 
 up to the flow, which the next section removes: that map needs no speed of the boundary function.
 """
 
-from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from nonsmooth.runtime.checker.stated.declared import StatedSystem
-from nonsmooth.runtime.checker.stated.exact import demand, product
+from nonsmooth.runtime.checker.stated.exact import Numbers, demand, product
 from nonsmooth.runtime.core.rational_functions import pivot
 from nonsmooth.runtime.core.taylor_models import matrix
 
@@ -68,7 +67,7 @@ def _jump(declared: StatedSystem, place: int) -> list[Any] | None:
     step, following = declared.steps[place], declared.steps[(place + 1) % len(declared.steps)]
     own = pivot(step.exit)
 
-    def left(row: Sequence[Any]) -> list[Any]:
+    def left(row: Numbers) -> list[Any]:
         if own is None:
             return list(row)
         share = row[own] / step.exit[own]

@@ -1,6 +1,6 @@
 """Whether the multipliers of an orbit lie inside the unit circle, or on it; pairs of them."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator
 from itertools import combinations, pairwise
 from math import comb
 from typing import Any
@@ -8,7 +8,7 @@ from typing import Any
 from flint import acb, acb_poly, arb, arb_poly, ctx
 
 from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, trace_of
-from nonsmooth.runtime.checker.stated.exact import Verdict, demand, demand_sign
+from nonsmooth.runtime.checker.stated.exact import Numbers, Verdict, demand, demand_sign
 from nonsmooth.runtime.core.taylor_models import (
     TaylorModel,
     matrix,
@@ -70,7 +70,7 @@ def _sharper(polynomial: Any, slope: Any, root: Any) -> Any:
     return root
 
 
-def others_below(orbit: CheckedOrbit, known: Sequence[Any]) -> Any:
+def others_below(orbit: CheckedOrbit, known: Numbers) -> Any:
     """Return a bound on the absolute values of all nontrivial multipliers but the known ones.
 
     The characteristic polynomial divided by the known roots, and by the trivial one, has roots
@@ -233,7 +233,7 @@ def _some_outside(polynomial: list[Any]) -> bool:
     return False
 
 
-def _throughout(polynomial: Sequence[Any]) -> str:
+def _throughout(polynomial: Numbers) -> str:
     """Return the verdict at the middle of the parameters, if no root passes the circle between.
 
     The roots depend continuously on the parameters; those that pass are 1, or -1, or a
@@ -242,16 +242,13 @@ def _throughout(polynomial: Sequence[Any]) -> str:
     models = [c for c in polynomial if isinstance(c, TaylorModel)]
     if not models:
         return "undecided"
-    for kind in MULTIPLIERS:
-        if kind != "neimark-sacker" or len(polynomial) > 2:
-            value = range_of(passing(polynomial, kind))
-            if not (value > 0 or value < 0):
-                return "undecided"
+    if not all(value > 0 or value < 0 for _, value in passings(polynomial)):
+        return "undecided"
     middle = [arb(0)] * models[0].space.variables
     return _inside([c.at(middle) if isinstance(c, TaylorModel) else c for c in polynomial])
 
 
-def products_less_one(polynomial: Sequence[Any]) -> Any:
+def products_less_one(polynomial: Numbers) -> Any:
     """Return the product of all 1 - x y of two roots, as a determinant of Jury's.
 
     Coefficients go from the highest power on; the first is 1.
@@ -265,7 +262,7 @@ def products_less_one(polynomial: Sequence[Any]) -> Any:
     return (-1) ** size * characteristic(matrix(rows))[-1]
 
 
-def paired(polynomial: Sequence[Any]) -> bool:
+def paired(polynomial: Numbers) -> bool:
     """Return whether all pairs of roots whose product may be 1 are surely conjugate, not real.
 
     Coefficients go from the highest power on.
@@ -283,7 +280,7 @@ def paired(polynomial: Sequence[Any]) -> bool:
     return True
 
 
-def passing(polynomial: Sequence[Any], kind: str) -> Any:
+def passing(polynomial: Numbers, kind: str) -> Any:
     """Return a number that is zero where a multiplier is -1 or 1, or two have the product 1.
 
     `kind` is "flip", "fold" or "neimark-sacker"; coefficients of the characteristic
@@ -297,6 +294,13 @@ def passing(polynomial: Sequence[Any], kind: str) -> Any:
     return total
 
 
+def passings(polynomial: Numbers, but: str = "") -> Iterator[tuple[str, Any]]:
+    """Yield ways in which multipliers may pass the unit circle, with ranges of their numbers."""
+    for kind in MULTIPLIERS:
+        if kind != but and (kind != "neimark-sacker" or len(polynomial) > 2):
+            yield kind, range_of(passing(polynomial, kind))
+
+
 def demand_alone(orbit: CheckedOrbit, kind: str) -> None:
     """Demand that multipliers can pass the unit circle in no other way than `kind`.
 
@@ -308,8 +312,5 @@ def demand_alone(orbit: CheckedOrbit, kind: str) -> None:
         total = range_of(trace_of(orbit.section)) - 1  # m + 1/m of the pair
         demand(total > 2 or total < 2, "the pair may meet at 1")
         return
-    polynomial = characteristic(orbit.section)
-    for other in MULTIPLIERS:
-        if other != kind and (other != "neimark-sacker" or len(polynomial) > 2):
-            value = range_of(passing(polynomial, other))
-            demand_sign(value, f"there may be another event: {other}")
+    for other, value in passings(characteristic(orbit.section), kind):
+        demand_sign(value, f"there may be another event: {other}")

@@ -26,6 +26,7 @@ from nonsmooth.runtime.checker.stated.exact import (
     Elimination,
     Entries,
     Failure,
+    Numbers,
     agree,
     demand,
     demand_sign,
@@ -413,7 +414,7 @@ def _points(longer: _Met, shorter: _Met, parts: _Parts) -> Iterator[list[Any]]:
         yield [*free, begins + turns * turn, *times, longer.point[-1]]
 
 
-def _holds(tile: CheckedTile, point: Sequence[Any]) -> bool:
+def _holds(tile: CheckedTile, point: Numbers) -> bool:
     """Return whether an orbit lies in the tube of a tile."""
     value = point[tile.place]
     others = [*point[: tile.place], *point[tile.place + 1 :]]

@@ -7,7 +7,7 @@ models, and opposite signs at two near points. What is stated of a tile is what 
 two tiles meet one orbit lies in both tubes.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from copy import copy
 from itertools import pairwise
 from typing import Any, NamedTuple
@@ -42,13 +42,13 @@ from nonsmooth.runtime.checker.ranges.divided import curve_at
 from nonsmooth.runtime.checker.stated.exact import (
     Entries,
     Failure,
+    Numbers,
     demand,
     demand_sign,
     exact,
     inside,
     naming,
 )
-from nonsmooth.runtime.checker.stated.parameters import independent
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import TaylorModel, range_of, space_of
 
@@ -120,7 +120,7 @@ class CheckedTile:
         middle, half = middle_and_half(self.low, self.high)
         return [curve_at(row, (value - middle) / half) for row in self.tile["centre"]]
 
-    def holds(self, value: Any, others: Sequence[Any]) -> bool:
+    def holds(self, value: Any, others: Numbers) -> bool:
         """Return whether the other coordinates lie in the tube at a value of the tile's."""
         sides = zip(others, self.centre(value), self.radii, strict=True)
         return all(abs(x - c) < r for x, c, r in sides)
@@ -131,9 +131,14 @@ class CheckedTile:
         demand(self.holds(value, without_entry(self.place, found)), "an orbit is not in its tube")
         return found
 
+    @property
+    def event_ends(self) -> tuple[Any, Any]:
+        """Values of the tile's coordinate between which its event is."""
+        return exact(self.event["lower"]), exact(self.event["upper"])
+
     def at_event(self) -> list[Any]:
         """Return sharp enclosures of all coordinates where the tile's event may be."""
-        middle, half = middle_and_half(exact(self.event["lower"]), exact(self.event["upper"]))
+        middle, half = middle_and_half(*self.event_ends)
         return self.at(middle + arb(0, half))
 
     def at_end(self, end: Any) -> list[Any]:
@@ -171,8 +176,6 @@ class CheckedTile:
         """Prove that the tube holds one orbit for each value, inside of the interval."""
         value = space_of(1, ORDER).variable(0, *middle_and_half(self.low, self.high))
         image = self.curve.krawczyk(self.place, value, self.tube, self.radii)
-        demand(image is not None, "existence is not proved: Krawczyk's test fails")
-        assert image is not None
         self.point = with_entry(self.place, value, image)
         low, high = self.curve.interval
         if self.place == self.curve.last:
@@ -197,15 +200,15 @@ class CheckedTile:
         (verdict,) = verdicts
         return TileClaims(verdict, verdict, {})
 
-    def parts(self, prove: Callable[[Sequence[Any]], None]) -> None:
+    def parts(self, prove: Callable[[Numbers], None]) -> None:
         """Call `prove` on the whole tile or, where that fails, on its halves again and again."""
         prove_on_parts(prove, self.point, self.deepest, self._sharper)
 
-    def rises(self, rate: Callable[[Sequence[Any]], Any], otherwise: str) -> bool:
+    def rises(self, rate: Callable[[Numbers], Any], otherwise: str) -> bool:
         """Return whether a rate at the tile's orbits is positive; `Failure` if it may be zero."""
         signs: set[bool] = set()
 
-        def moves(point: Sequence[Any]) -> None:
+        def moves(point: Numbers) -> None:
             over = range_of(rate(point))
             demand_sign(over, otherwise)
             signs.add(bool(over > 0))
@@ -214,7 +217,7 @@ class CheckedTile:
         demand(len(signs) == 1, otherwise)
         return signs == {True}
 
-    def _sharper(self, point: Sequence[Any]) -> list[Any]:
+    def _sharper(self, point: Numbers) -> list[Any]:
         """Return narrower enclosures of the orbits on a part, by repeated Krawczyk steps."""
         found, value = without_entry(self.place, point), point[self.place]
         widths = list(map(_width, found))
@@ -228,13 +231,13 @@ class CheckedTile:
                 break
         return with_entry(self.place, value, found)
 
-    def goes_on(self, point: Sequence[Any]) -> None:
+    def goes_on(self, point: Numbers) -> None:
         """Demand that the parameter is strictly monotone along a part of the tile."""
         if self.place != self.curve.last:
             slope = range_of(part_of(self.curve.jets(self.place, point, 1)[-1], 1))
             demand_sign(slope, "the branch may turn")
 
-    def _judge(self, point: Sequence[Any]) -> str:
+    def _judge(self, point: Numbers) -> str:
         """Return the verdict on the orbits of a part."""
         orbit = self.curve.closed(point)
         admissible = admissibility(orbit)
@@ -244,7 +247,7 @@ class CheckedTile:
         return _verdict(orbit)
 
     def number(
-        self, which: Border | str, point: Sequence[Any], order: int, window: Any = None
+        self, which: Border | str, point: Numbers, order: int, window: Any = None
     ) -> tuple[Any, Any]:
         """Return the number that is zero at an event, and its derivative along the branch.
 
@@ -276,7 +279,7 @@ class _CheckedEvent:
     def __init__(self, tile: CheckedTile) -> None:
         self.tile, self.curve, self.event = tile, tile.curve, tile.event
         self.borders, self.window = borders_of(self.event)
-        self.low, self.high = exact(self.event["lower"]), exact(self.event["upper"])
+        self.low, self.high = tile.event_ends
 
     def claims(self) -> TileClaims:
         """Prove that there is this event in the tile, and no other."""
@@ -313,7 +316,7 @@ class _CheckedEvent:
         """
         claims: set[str] = set()
 
-        def no_other(point: Sequence[Any]) -> None:
+        def no_other(point: Numbers) -> None:
             orbit = self.curve.closed(point)
             claim = admissibility(orbit).claim
             demand(claim == "proved" or (claim, kind) == ("refuted", "fold"), "it may be no motion")
@@ -345,7 +348,7 @@ class _CheckedEvent:
         demand(event["configuration"] == steps[first.phase].name, "another configuration")
         verdicts: set[str] = set()
 
-        def but_for_it(point: Sequence[Any]) -> None:
+        def but_for_it(point: Numbers) -> None:
             orbit = self.curve.closed(point)
             told = admissibility(orbit, self.borders, self.window).claim
             demand(told == "proved", f"but for the event admissibility is {told}")
@@ -408,7 +411,7 @@ def checked_tiles(content: Entries) -> list[CheckedTile]:
         for number, (tile, other) in enumerate(pairwise(found), 1):
             with naming(f"tiles {number} and {number + 1}"):
                 check_joint(tile, other)
-        independent(curve.declared, curve.constants, [curve.interval])
+        curve.check_divisors()
     return found
 
 
@@ -482,13 +485,13 @@ def _same_equations(tile: CheckedTile, other: CheckedTile) -> None:
                 demand_sign(time, f"{own.tile['coordinate']}: a phase vanishes there")
 
 
-def _meets(tile: CheckedTile, point: Sequence[Any], *, entering: bool) -> None:
+def _meets(tile: CheckedTile, point: Numbers, *, entering: bool) -> None:
     """Demand that an orbit lies in a tile: before its event if `entering`, else behind it."""
     value = point[tile.place]
     demand(value > tile.low and value < tile.high, "they are apart")
     demand(tile.holds(value, without_entry(tile.place, point)), "two orbits")
     if tile.event is not None:
-        low, high = exact(tile.event["lower"]), exact(tile.event["upper"])
+        low, high = tile.event_ends
         below = entering == tile.forwards
         demand(value < low if below else value > high, "an event is left out")
 

@@ -9,11 +9,12 @@ from flint import arb, ctx
 from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, krawczyk, near_inverse, newton
 from nonsmooth.runtime.checker.orbits.short import Short, short_phase
 from nonsmooth.runtime.checker.stated.declared import StatedSystem
-from nonsmooth.runtime.checker.stated.exact import Entries, Failure, demand
-from nonsmooth.runtime.checker.stated.parameters import number_at, stated_system
+from nonsmooth.runtime.checker.stated.exact import Entries, Failure, Numbers, demand
+from nonsmooth.runtime.checker.stated.parameters import independent, number_at, stated_system
 from nonsmooth.runtime.core.jets import Jet, jet, part_of
 from nonsmooth.runtime.core.taylor_models import matrix, range_of, unit_matrix
 
+KRAWCZYK = "existence is not proved: Krawczyk's test fails"
 _CLOSE = 0.6  # of the bits: half of the box around a root
 
 
@@ -36,7 +37,7 @@ class Family(NamedTuple):
         demand(content["stability"] == declared.stability, "stability of another kind")
         return Family(declared, declared.closes(), constants, names)
 
-    def along(self, axis: int, beside: Sequence[Any]) -> "CheckedCurve":
+    def along(self, axis: int, beside: Numbers) -> "CheckedCurve":
         """Return the orbits along the parameter of a number, at values of the others."""
         return CheckedCurve(*self[:3], self.names[axis], (), axis, beside)
 
@@ -50,7 +51,7 @@ class CheckedCurve:
 
     def __init__(
         self, declared: StatedSystem, energies: Any, constants: Any, parameter: str,
-        interval: Sequence[Any], axis: int = 0, beside: Sequence[Any] = (),
+        interval: Numbers, axis: int = 0, beside: Numbers = (),
     ) -> None:  # fmt: skip
         self.declared, self.energies, self.constants = declared, energies, constants
         self.names = [*declared.unknowns, parameter]
@@ -73,6 +74,10 @@ class CheckedCurve:
             self._divided[place] = found
         return self._divided[place]
 
+    def check_divisors(self) -> None:
+        """Prove that the exact arithmetic divided by nothing that is zero all over the interval."""
+        independent(self.declared, self.constants, [self.interval])
+
     def place(self, name: str) -> int:
         """Return the index of a coordinate; an unknown named as the parameter is passed over."""
         demand(name in self.names, "there is no such coordinate")
@@ -83,20 +88,20 @@ class CheckedCurve:
         values = [*self.beside[: self.axis], parameter, *self.beside[self.axis :]]
         return CheckedOrbit(self.declared, number_at([*values, *self.constants]), self.short)
 
-    def orbit(self, point: Sequence[Any]) -> CheckedOrbit:
+    def orbit(self, point: Numbers) -> CheckedOrbit:
         """Return one passage of the cycle at these coordinates, root of the equations or not."""
         orbit = self._with(point[-1])
         orbit.along(point[:-1])
         return orbit
 
-    def closed(self, point: Sequence[Any]) -> CheckedOrbit:
+    def closed(self, point: Numbers) -> CheckedOrbit:
         """Return the orbit at a root, whose energy has to give back what the closure leaves out."""
         orbit = self.orbit(point)
         orbit.returns(self.energies)
         return orbit
 
     def slopes(
-        self, point: Sequence[Any], middle: Sequence[Any] | None = None, *, moves: bool = True
+        self, point: Numbers, middle: Numbers | None = None, *, moves: bool = True
     ) -> tuple[list[Any], list[list[Any]]]:
         """Return values (n) of the equations, and derivatives (n, n + 1) by all coordinates.
 
@@ -120,9 +125,7 @@ class CheckedCurve:
             rows = [[*row, rate] for row, rate in zip(rows, along, strict=True)]
         return part_of(now.values, 0).entries(), rows
 
-    def square(
-        self, place: int, point: Sequence[Any], middle: Sequence[Any] | None = None
-    ) -> tuple[Any, Any]:
+    def square(self, place: int, point: Numbers, middle: Numbers | None = None) -> tuple[Any, Any]:
         """Return values (n, 1) of the equations, and derivatives (n, n) by all coordinates but one.
 
         `middle` is as for `slopes`.
@@ -132,7 +135,7 @@ class CheckedCurve:
         rows = [without_entry(place, row) if moves else row for row in slopes]
         return matrix([[v] for v in values]), matrix(rows)
 
-    def near(self, place: int, value: Any, guess: Sequence[Any]) -> list[Any]:
+    def near(self, place: int, value: Any, guess: Numbers) -> list[Any]:
         """Return the other coordinates of a point near a root, by Newton's method from a guess.
 
         The coordinate at `place` has an exact value. Nothing is proved; `Failure` is raised where
@@ -140,7 +143,7 @@ class CheckedCurve:
         """
         return newton(lambda point: self.square(place, with_entry(place, value, point)), guess)
 
-    def located(self, place: int, value: Any, guess: Sequence[Any]) -> list[Any]:
+    def located(self, place: int, value: Any, guess: Numbers) -> list[Any]:
         """Return sharp enclosures of all coordinates of the one root near a guess.
 
         The coordinate at `place` has a value, which may be a ball. `Failure` is raised if no root
@@ -149,24 +152,22 @@ class CheckedCurve:
         point = self.near(place, value.mid(), guess)
         unit = arb(2) ** -int(_CLOSE * ctx.prec) + 64 * value.rad()
         radii = [(unit * (1 + abs(x))).upper() for x in point]
-        found = self.krawczyk(place, value, point, radii)
-        if found is None:
-            raise Failure("the orbit at a point of it is not proved")
-        return with_entry(place, value, found)
+        told = "the orbit at a point of it is not proved"
+        return with_entry(place, value, self.krawczyk(place, value, point, radii, told))
 
     def krawczyk(
-        self, place: int, value: Any, centre: Sequence[Any], radii: Sequence[Any]
-    ) -> list[Any] | None:
-        """Return Krawczyk's image of a box of the other coordinates, or None if it is not inside.
+        self, place: int, value: Any, centre: Numbers, radii: Numbers,
+        otherwise: str = KRAWCZYK,
+    ) -> list[Any]:  # fmt: skip
+        """Return Krawczyk's image of a box of the other coordinates; `Failure` if it is not inside.
 
         If it lies inside the box, there is exactly one root in it for each value of the
         coordinate at `place` (Krawczyk 1969).
         """
-        image, inside = self.image(place, value, centre, radii)
-        return image if inside else None
+        return inside_box(self.image(place, value, centre, radii), otherwise)
 
     def image(
-        self, place: int, value: Any, centre: Sequence[Any], radii: Sequence[Any]
+        self, place: int, value: Any, centre: Numbers, radii: Numbers
     ) -> tuple[list[Any] | None, bool]:
         """Return enclosures of all roots in a box of the other coordinates, and if that holds them.
 
@@ -174,13 +175,13 @@ class CheckedCurve:
         """
         middle = with_entry(place, value, centre)
 
-        def at(point: Sequence[Any]) -> tuple[Any, Any]:
+        def at(point: Numbers) -> tuple[Any, Any]:
             known = None if point is centre else middle
             return self.square(place, with_entry(place, value, point), known)
 
         return krawczyk(at, centre, radii)
 
-    def jets(self, place: int, point: Sequence[Any], order: int) -> list[Any]:
+    def jets(self, place: int, point: Numbers, order: int) -> list[Any]:
         """Return all coordinates as jets: their derivatives by one of them, at enclosed roots."""
         none = [None] * (order - 1)
         found: list[Any] = [jet(x, None, *none) for x in point]
@@ -200,9 +201,17 @@ class CheckedCurve:
         return found
 
 
+def inside_box(image: tuple[list[Any] | None, bool], otherwise: str = KRAWCZYK) -> list[Any]:
+    """Return Krawczyk's image of a box, as `krawczyk` tells of it, if it is inside the box."""
+    found, inside = image
+    if found is None or not inside:
+        raise Failure(otherwise)
+    return found
+
+
 def prove_on_parts(
-    prove: Callable[[Sequence[Any]], None],
-    point: Sequence[Any],
+    prove: Callable[[Numbers], None],
+    point: Numbers,
     deepest: int,
     sharper: Callable[[list[Any]], Sequence[Any]] = list,
 ) -> None:
@@ -248,7 +257,7 @@ def solution(square: Any, y: Any, right: Any) -> list[Any]:
     return [x + arb(0, (s * worst).upper()) for x, s in pairs]
 
 
-def _largest(numbers: Sequence[Any]) -> Any:
+def _largest(numbers: Numbers) -> Any:
     """Return an upper bound of all numbers; NaN if one of them is NaN."""
     found = numbers[0]
     for number in numbers[1:]:
@@ -261,11 +270,11 @@ def middle_and_half(low: Any, high: Any) -> tuple[Any, Any]:
     return arb((low + high) / 2), arb((high - low) / 2)
 
 
-def with_entry(place: int, value: Any, others: Sequence[Any]) -> list[Any]:
+def with_entry(place: int, value: Any, others: Numbers) -> list[Any]:
     """Return all coordinates: the others in their order, with one value put in at its place."""
     return [*others[:place], value, *others[place:]]
 
 
-def without_entry(place: int, point: Sequence[Any]) -> list[Any]:
+def without_entry(place: int, point: Numbers) -> list[Any]:
     """Return the coordinates without the one at a place."""
     return [*point[:place], *point[place + 1 :]]

@@ -14,6 +14,7 @@ from flint import arb, fmpq
 
 from nonsmooth.runtime.checker.orbits.motion import (
     Border,
+    Window,
     admissibility,
     borders_of,
     demand_no_phase,
@@ -28,11 +29,12 @@ from nonsmooth.runtime.checker.orbits.stability import (
     stability,
 )
 from nonsmooth.runtime.checker.ranges.branch_curve import Family
-from nonsmooth.runtime.checker.stated.exact import Entries, demand, demand_sign
+from nonsmooth.runtime.checker.stated.exact import Entries, Numbers, demand, demand_sign
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import TaylorModel, range_of, space_of
 
 Part = Sequence[tuple[Any, Any]]
+Steps = Sequence[tuple[int, int]]  # of a tile: along each axis, part k of 2^level
 _WHOLE = ((fmpq(-1), fmpq(1)),) * 2
 _ORDER = 12  # of what is composed along a curve
 _NARROW = fmpq(1, 100_000)  # the largest radius of a band, as a share of the box
@@ -52,7 +54,7 @@ class Band(NamedTuple):
     radius: float
 
     @staticmethod
-    def stated(event: Entries, names: Sequence[str], place: Sequence[tuple[int, int]]) -> "Band":
+    def stated(event: Entries, names: Sequence[str], place: Steps) -> "Band":
         """Return the band that a file states of an event; `Failure` as from `about`.
 
         `place` has the tile's step and level along each axis.
@@ -62,9 +64,7 @@ class Band(NamedTuple):
         return band._checked(place)
 
     @staticmethod
-    def about(
-        axis: int, centre: Sequence[float], away: Any, place: Sequence[tuple[int, int]]
-    ) -> "Band":
+    def about(axis: int, centre: Sequence[float], away: Any, place: Steps) -> "Band":
         """Return a band about a curve from which an event is proved to be at most so far away.
 
         `Failure` is raised if it is too wide, or if a side of it in the tile may consist of
@@ -74,7 +74,7 @@ class Band(NamedTuple):
         radius = _SPARE * float(away.upper()) + _FINEST * parts
         return Band(axis, tuple(centre), radius)._checked(place)
 
-    def _checked(self, place: Sequence[tuple[int, int]]) -> "Band":
+    def _checked(self, place: Steps) -> "Band":
         centre, radius = [fraction(c) for c in self.centre], fraction(self.radius)
         demand(len(centre) > 1 and radius > 0, "a curve without width")
         share = radius / 2 ** (place[self.axis][1] + 1)
@@ -91,7 +91,7 @@ class Band(NamedTuple):
         """Return the curve's value where the other parameter is `place`, from -1 to 1."""
         return curve_at(self.centre, place)
 
-    def side_of(self, point: Sequence[Any]) -> str | None:
+    def side_of(self, point: Numbers) -> str | None:
         """Return the side, "below" or "above", on which a point surely is; None in the band.
 
         The point has both parameters, as fractions from -1 to 1 over the tile.
@@ -101,7 +101,7 @@ class Band(NamedTuple):
             return None
         return "above" if away > 0 else "below"
 
-    def away(self, point: Sequence[Any]) -> Fraction:
+    def away(self, point: Numbers) -> Fraction:
         """Return how far a point is above the curve, along the axis."""
         place = [Fraction(int(x.numerator), int(x.denominator)) for x in point]
         found: Fraction = place[self.axis] - self.at(place[1 - self.axis])
@@ -113,7 +113,7 @@ class DividingCurve(NamedTuple):
 
     kind: str
     borders: tuple[Border, ...]  # all that happen on it; none where multipliers tell
-    window: tuple[Any, Any] | None  # times in the phase of a grazing, between which it is
+    window: Window  # times in the phase of a grazing, between which it is
     axis: int  # as of a band
     centre: tuple[float, ...]
 
@@ -148,7 +148,7 @@ class Division:
     @staticmethod
     def stated(
         event: Entries, claims: Sequence[str], names: Sequence[str],
-        place: Sequence[tuple[int, int]],
+        place: Steps,
     ) -> "Division":  # fmt: skip
         """Return what a file states of a tile, whose step and level along each axis are `place`."""
         demand(event["kind"] != "fold" and event["fold"] is None, "at a fold the orbit ends")
@@ -162,8 +162,8 @@ class Division:
         return Division(curve, claims, band, (event["below"], event["above"]))
 
     def judge(
-        self, orbit: CheckedOrbit, family: Family, parameters: Sequence[Any],
-        at: Callable[[Sequence[Any]], CheckedOrbit], place: Sequence[tuple[int, int]],
+        self, orbit: CheckedOrbit, family: Family, parameters: Numbers,
+        at: Callable[[Numbers], CheckedOrbit], place: Steps,
     ) -> None:  # fmt: skip
         """Find the band and the verdicts on both sides, on a whole tile; as `prove`, `verdicts`."""
         self.phases(orbit)
@@ -177,9 +177,7 @@ class Division:
         demand(all(0 <= border.phase < len(steps) for border in self.borders), "no such phase")
         return steps[self.borders[0].phase].name if self.borders else ""
 
-    def prove(
-        self, orbit: CheckedOrbit, family: Family, parameters: Sequence[Any], part: Part
-    ) -> None:
+    def prove(self, orbit: CheckedOrbit, family: Family, parameters: Numbers, part: Part) -> None:
         """Prove on a part of the tile what the division needs.
 
         The orbit is located, in Taylor models of the parameters on the part, which is in the tile's
@@ -248,7 +246,7 @@ class Division:
         side = -1 if over - radius > 1 else 1 if over + radius < -1 else 0
         return side, along, other
 
-    def verdicts(self, at: Callable[[Sequence[Any]], CheckedOrbit]) -> tuple[str, str]:
+    def verdicts(self, at: Callable[[Numbers], CheckedOrbit]) -> tuple[str, str]:
         """Return the verdicts below and above the band, when all parts are proved.
 
         `at` gives the orbit at a point of the tile, in its coordinates from -1 to 1. Of an empty
@@ -281,7 +279,7 @@ def _power(bound: Any, power: int) -> Any:
     return arb(0, bound**power) if power % 2 else arb(0).union(bound**power)
 
 
-def monotone(centre: Sequence[Any]) -> tuple[bool, Any]:
+def monotone(centre: Numbers) -> tuple[bool, Any]:
     """Return whether a polynomial surely only rises or falls from -1 to 1, by its terms' sizes.
 
     With it comes a bound of how far it is there from its constant term.
@@ -305,9 +303,7 @@ def curve_at(centre: Sequence[float], place: Any) -> Any:
     return total
 
 
-def _moving(
-    orbit: CheckedOrbit, family: Family, parameters: Sequence[Any], axis: int
-) -> CheckedOrbit:
+def _moving(orbit: CheckedOrbit, family: Family, parameters: Numbers, axis: int) -> CheckedOrbit:
     """Return the orbit with derivatives by one parameter, by implicit differentiation."""
     beside = [x for k, x in enumerate(parameters) if k != axis]
     curve = family.along(axis, beside)

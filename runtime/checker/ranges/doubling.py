@@ -34,12 +34,14 @@ from nonsmooth.runtime.checker.ranges.branch import (
 )
 from nonsmooth.runtime.checker.ranges.branch_curve import (
     CheckedCurve,
+    inside_box,
     prove_on_parts,
     solution,
     without_entry,
 )
 from nonsmooth.runtime.checker.stated.exact import (
     Entries,
+    Numbers,
     demand,
     demand_sign,
     exact,
@@ -182,10 +184,7 @@ class JudgedDoubling:
         """Prove that these orbits begin at the flip, and find their side and rate there."""
         with ctx.workprec(_BITS):
             self.a = a = space_of(1, ORDER).variable(0, arb(0), self.amplitude)
-            found = self.equations.krawczyk(a, self.centre, self.radii)
-            demand(found is not None, "existence is not proved: Krawczyk's test fails")
-            assert found is not None
-            self.found = found
+            self.found = found = inside_box(self.equations.image(a, self.centre, self.radii))
             low, high = self.curve.interval
             over = range_of(found[-1])
             demand(over > low and over < high, "it is outside of the interval")
@@ -244,19 +243,19 @@ class JudgedDoubling:
             dwell = second[self.equations.size - len(self.curve.declared.steps) :]
             prove_on_parts(self._decided, [*first, *dwell, self.found[-1]], _DEEPEST)
 
-    def verdict(self, orbit: Sequence[Any]) -> str:
+    def verdict(self, orbit: Numbers) -> str:
         """Return "stable" or "unstable", as one orbit of the tube is, or "undecided"."""
         with ctx.workprec(_SHARP):
             words = {"proved": "stable", "refuted": "unstable"}
             return words.get(stability(self.twice.orbit(orbit)), "undecided")
 
-    def _holds(self, a: Any, found: Sequence[Any]) -> bool:
+    def _holds(self, a: Any, found: Numbers) -> bool:
         """Return whether a solution of amplitude a lies in the tube."""
         place = a / self.amplitude
         sides = zip(found, self.centre, self.radii, strict=True)
         return bool(abs(place) < 1) and all(abs(x - c.at([place])) < r for x, c, r in sides)
 
-    def _decided(self, point: Sequence[Any]) -> None:
+    def _decided(self, point: Numbers) -> None:
         """Demand that orbits are motions, with no multiplier on the circle but 1 at the flip."""
         orbit = self.twice.orbit(point)
         told = admissibility(orbit).claim
@@ -278,25 +277,22 @@ class DoubledEquations:
     def __init__(self, curve: CheckedCurve, scaled: int) -> None:
         self.curve, self.scaled, self.size = curve, scaled, curve.last
 
-    def flip_near(self, guess: Sequence[Any]) -> list[Any]:
+    def flip_near(self, guess: Numbers) -> list[Any]:
         """Return the enclosed solution at amplitude zero near a guess, by Newton's method."""
         zero = arb(0)
         point = newton(lambda point: self.at(zero, point), guess)
         unit = arb(2) ** -int(0.6 * ctx.prec)
-        found = self.krawczyk(zero, point, [(unit * (1 + abs(x))).upper() for x in point])
-        demand(found is not None, "there is no flip at the amplitude zero")
-        assert found is not None
-        return found
+        found = self.image(zero, point, [(unit * (1 + abs(x))).upper() for x in point])
+        return inside_box(found, "there is no flip at the amplitude zero")
 
-    def krawczyk(self, a: Any, centre: Sequence[Any], radii: Sequence[Any]) -> list[Any] | None:
-        """Return Krawczyk's image of a box (2 n) of solutions, or None if it is not inside the box.
+    def image(self, a: Any, centre: Numbers, radii: Numbers) -> tuple[list[Any] | None, bool]:
+        """Return Krawczyk's image of a box (2 n) of solutions, and whether it is inside the box.
 
         If it is inside, there is exactly one solution in the box for each amplitude.
         """
-        image, inside = krawczyk(lambda point: self.at(a, point), centre, radii)
-        return image if inside else None
+        return krawczyk(lambda point: self.at(a, point), centre, radii)
 
-    def at(self, a: Any, unknowns: Sequence[Any]) -> tuple[Any, Any]:
+    def at(self, a: Any, unknowns: Numbers) -> tuple[Any, Any]:
         """Return values (2 n, 1) of the equations and their derivatives (2 n, 2 n)."""
         _, away = self._split(unknowns)
         point, direction, value = self._between(a, unknowns)
@@ -331,7 +327,7 @@ class DoubledEquations:
         told = [[part[i, 0]] for part in values for i in range(n)]
         return matrix(told), matrix([*upper, *lower])
 
-    def rate(self, a: Any, unknowns: Sequence[Any]) -> Any:
+    def rate(self, a: Any, unknowns: Numbers) -> Any:
         """Return the derivative of the parameter by the square of the amplitude."""
         point, direction, value = self._between(a, unknowns)
         pairs = zip(point, direction, strict=True)
@@ -344,18 +340,18 @@ class DoubledEquations:
         right = matrix([[-x / 2] for x in (*second.entries(), *third.entries())])
         return solution(slopes, y, right)[-1]
 
-    def _split(self, unknowns: Sequence[Any]) -> tuple[list[Any], list[Any]]:
+    def _split(self, unknowns: Numbers) -> tuple[list[Any], list[Any]]:
         """Return the middle (n) and the direction (n), with its entry 1, of the unknowns (2 n)."""
         away = list(unknowns[self.size : -1])
         return list(unknowns[: self.size]), [*away[: self.scaled], arb(1), *away[self.scaled :]]
 
-    def halves(self, a: Any, unknowns: Sequence[Any]) -> tuple[list[Any], list[Any]]:
+    def halves(self, a: Any, unknowns: Numbers) -> tuple[list[Any], list[Any]]:
         """Return the orbit's unknowns (n) along each half of a doubled orbit."""
         middle, away = self._split(unknowns)
         pairs = list(zip(middle, away, strict=True))
         return [m + a * w for m, w in pairs], [m - a * w for m, w in pairs]
 
-    def _between(self, a: Any, unknowns: Sequence[Any]) -> tuple[list[Any], list[Any], Any]:
+    def _between(self, a: Any, unknowns: Numbers) -> tuple[list[Any], list[Any], Any]:
         """Return points between the halves, direction and parameter as models of e and f."""
         (middle, away), value = self._split(unknowns), unknowns[-1]
         if not isinstance(a, TaylorModel):
@@ -367,7 +363,7 @@ class DoubledEquations:
         pairs = zip(middle, wide, strict=True)
         return [lifted(m, space) + step * w for m, w in pairs], wide, lifted(value, space)
 
-    def _passage(self, point: Sequence[Any], value: Any) -> Any:
+    def _passage(self, point: Numbers, value: Any) -> Any:
         """Return the passage of the cycle from a point, root of the equations or not."""
         curve = self.curve
         orbit = CheckedOrbit(curve.declared, number_at([value, *curve.constants]))

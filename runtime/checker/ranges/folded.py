@@ -8,7 +8,7 @@ for q, or none where it is not; P is there or less than P_s^2 / (2 min |P_ss|) a
 """
 
 from collections import defaultdict
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from math import isfinite
 from typing import Any, NamedTuple
 
@@ -18,8 +18,10 @@ from nonsmooth.runtime.checker.orbits.motion import admissibility, demand_no_pha
 from nonsmooth.runtime.checker.orbits.orbit import Cut, followed, orbit_at
 from nonsmooth.runtime.checker.orbits.stability import demand_alone, stability
 from nonsmooth.runtime.checker.ranges.branch_curve import (
+    KRAWCZYK,
     CheckedCurve,
     Family,
+    inside_box,
     middle_and_half,
     with_entry,
     without_entry,
@@ -28,11 +30,12 @@ from nonsmooth.runtime.checker.ranges.divided import (
     VERDICTS,
     Band,
     Part,
+    Steps,
     curve_at,
     fraction,
     monotone,
 )
-from nonsmooth.runtime.checker.stated.exact import Entries, demand, demand_sign
+from nonsmooth.runtime.checker.stated.exact import Entries, Numbers, demand, demand_sign
 from nonsmooth.runtime.checker.stated.parameters import number_at
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import (
@@ -47,7 +50,7 @@ SMALLEST = 60  # halvings of the box along an axis
 _Side = list[tuple[int, int, int]]
 
 
-def neighbours(places: Sequence[Sequence[tuple[int, int]]]) -> list[list[int]]:
+def neighbours(places: Sequence[Steps]) -> list[list[int]]:
     """Return for each tile the numbers of those with which it shares more than a point.
 
     A place is a (step, level) along each of two axes: part `step` of 2^level. Tiles do not overlap.
@@ -148,7 +151,7 @@ class FoldedTile:
         demand(found.verdicts == told, "other verdicts beside the fold")
         return found
 
-    def _curve(self, change: Callable[[Any], Any], beside: Any) -> CheckedCurve:
+    def _curve(self, change: Cut, beside: Any) -> CheckedCurve:
         return self.family.along(self.axis, [change(beside)])
 
     def _prove(self) -> None:
@@ -170,7 +173,7 @@ class FoldedTile:
     def _locate(self, beside: Any, value: Any) -> None:
         """Prove one root for each place in the tube, next to polynomials of Newton's method."""
 
-        def at(cut: Cut, others: Sequence[Any], slopes: bool) -> tuple[Any, Any]:
+        def at(cut: Cut, others: Numbers, slopes: bool) -> tuple[Any, Any]:
             point = with_entry(self.place, cut(value), others)
             return self._curve(cut, beside).square(self.place, point)
 
@@ -180,16 +183,14 @@ class FoldedTile:
         values, _ = curve.square(self.place, with_entry(self.place, value, others))
         missed = (inverse * values).entries()
         sizes = [abs(range_of(d)) + arb(2) ** -50 for d in missed]
-        image = None
         for times in _TRIES:
-            radii = [(times * size).upper() for size in sizes]
-            if all(r.is_finite() for r in radii) and image is None:
-                image = curve.krawczyk(self.place, value, others, radii)
-                self.radii = radii
-        demand(image is not None, "existence is not proved: Krawczyk's test fails")
-        assert image is not None
-        self.polynomials, self.root = others, image
-        middle = [range_of(x.at([arb(0), arb(0)])) for x in image]
+            self.radii = [(times * size).upper() for size in sizes]
+            demand(all(r.is_finite() for r in self.radii), KRAWCZYK)
+            image = curve.image(self.place, value, others, self.radii)
+            if image[1]:
+                break
+        self.polynomials, self.root = others, inside_box(image)
+        middle = [range_of(x.at([arb(0), arb(0)])) for x in self.root]
         pairs = zip(middle, self.guess, strict=True)
         near = all(abs(x - g) < _NEAR * (1 + abs(g)) for x, g in pairs)
         demand(near, "the orbits are not near the numbers that are stated")
@@ -214,7 +215,7 @@ class FoldedTile:
         self.apart = (rate / abs(bend) / arb(self.half)).upper()
         demand(self.apart < arb(_CLEAR), "they may meet far from the middle of the tube")
 
-    def _judge(self, curve: CheckedCurve, beside: Any, point: Sequence[Any]) -> None:
+    def _judge(self, curve: CheckedCurve, beside: Any, point: Numbers) -> None:
         """Find both orbits' verdicts; only on the curve is a multiplier on the unit circle."""
         orbit = curve.orbit(point)
         orbit.returns(self.family.energies)
@@ -230,12 +231,12 @@ class FoldedTile:
             demand(told in VERDICTS, f"stability of an orbit beside the fold is {told}")
             self.verdicts[sheet] = VERDICTS[told]
 
-    def claims_at(self, point: Sequence[Any]) -> bool:
+    def claims_at(self, point: Numbers) -> bool:
         """Return whether a point, from -1 to 1 over the tile, clearly has orbits."""
         assert self.band is not None
         return self.band.side_of(point) == ("above" if self.sign > 0 else "below")
 
-    def at(self, point: Sequence[Any]) -> list[Any]:
+    def at(self, point: Numbers) -> list[Any]:
         """Return enclosed unknowns of the map's orbit at a point, from -1 to 1 over the tile.
 
         `Failure` is raised if this orbit is not proved.
@@ -259,7 +260,7 @@ class FoldedTile:
         demand(self.holds(point, root), "an orbit at a point is not in the tube")
         return list(root)
 
-    def holds(self, point: Sequence[Any], found: Sequence[Any]) -> bool:
+    def holds(self, point: Numbers, found: Numbers) -> bool:
         """Return whether an orbit at a point, from -1 to 1 over the tile, is the map's.
 
         `found` holds the orbit's unknowns, as balls.
@@ -352,7 +353,7 @@ def _along(model: Any, end: int) -> Any:
     return range_of(model.at([arb(end), other]))
 
 
-def _cut(order: int) -> Callable[[Any], Any]:
+def _cut(order: int) -> Cut:
     """Return a function that cuts numbers to polynomials of an order."""
     space = space_of(2, order)
 

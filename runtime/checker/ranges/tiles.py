@@ -4,13 +4,13 @@ What is claimed of a tile holds for each of its parameters: there is exactly one
 polynomials of the parameters, which are found here anew from the numbers that the tile states.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from flint import arb, ctx, fmpq
 
 from nonsmooth.runtime.checker.orbits.motion import admissibility
-from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, orbit_at
+from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, Cut, orbit_at
 from nonsmooth.runtime.checker.orbits.stability import judged_stability, stability
 from nonsmooth.runtime.checker.ranges.branch_curve import Family, middle_and_half
 from nonsmooth.runtime.checker.ranges.divided import VERDICTS, Band, DividingCurve, Division
@@ -26,6 +26,8 @@ from nonsmooth.runtime.checker.ranges.folded import (
 from nonsmooth.runtime.checker.stated.exact import (
     Entries,
     Failure,
+    Numbers,
+    ToNumber,
     Verdict,
     agreed_claims,
     demand,
@@ -128,7 +130,7 @@ class CheckedBox:
             self.check_divisors()
         return found
 
-    def near(self, point: Sequence[Any], guess: Sequence[Any]) -> list[Any]:
+    def near(self, point: Numbers, guess: Numbers) -> list[Any]:
         """Return unknowns near an orbit at values of the parameters; nothing is proved of them.
 
         `Failure` is raised where Newton's method finds none near the guess.
@@ -282,7 +284,7 @@ class MapTile:
             below, above = self.division.verdicts(self._orbit_at)
             demand(self.division.beside == (below, above), "other verdicts beside the event")
 
-    def _orbit_at(self, point: Sequence[Any]) -> CheckedOrbit:
+    def _orbit_at(self, point: Numbers) -> CheckedOrbit:
         """Return the tile's orbit at a point, from -1 to 1 over it."""
         sides = zip(point, (middle_and_half(*ends) for ends in self.where), strict=True)
         number = number_at([*(m + x * half for x, (m, half) in sides), *self.constants])
@@ -290,7 +292,7 @@ class MapTile:
         demand(self._holds(point, orbit.root), "another orbit is found at a point of it")
         return orbit
 
-    def _holds(self, point: Sequence[Any], found: Sequence[Any]) -> bool:
+    def _holds(self, point: Numbers, found: Numbers) -> bool:
         """Return whether an orbit at a point lies in the tile's box of unknowns."""
         sides = zip(found, self.centre, self.radii, strict=True)
         return all(abs(x - _at(c, point)) < r for x, c, r in sides)
@@ -312,33 +314,33 @@ class MapTile:
             found = self._sharply(own)
             demand(other.holds(its, found), "its orbit is not that of a tile beside it")
 
-    def inside(self, values: Sequence[Any]) -> list[Any]:
+    def inside(self, values: Numbers) -> list[Any]:
         """Return the point of the tile, from -1 to 1 over it, at values of the parameters."""
         ends = zip(values, self.where, strict=True)
         return [(2 * x - low - high) / (high - low) for x, (low, high) in ends]
 
-    def claims_at(self, point: Sequence[Any]) -> bool:
+    def claims_at(self, point: Numbers) -> bool:
         """Return whether there is clearly an orbit of the tile at a point."""
         return self.fold is None or self.fold.claims_at(point)
 
-    def at(self, point: Sequence[Any]) -> list[Any]:
+    def at(self, point: Numbers) -> list[Any]:
         """Return the tile's orbit at a point, from -1 to 1 over it, as enclosed unknowns."""
         if self.fold is not None:
             return self.fold.at(point)
         return [_at(x, [arb(e) for e in point]) for x in self.root]
 
-    def _sharply(self, point: Sequence[Any]) -> list[Any]:
+    def _sharply(self, point: Numbers) -> list[Any]:
         if self.fold is not None:
             return self.fold.at(point)
         return list(self._orbit_at([arb(e) for e in point]).root)
 
-    def holds(self, point: Sequence[Any], found: Sequence[Any]) -> bool:
+    def holds(self, point: Numbers, found: Numbers) -> bool:
         """Return whether an orbit at a point is the tile's."""
         if self.fold is not None:
             return self.fold.holds(point, found)
         return self._holds([arb(e) for e in point], found)
 
-    def _orbit(self, where: Sequence[Interval], guess: Sequence[Any]) -> CheckedOrbit:
+    def _orbit(self, where: Sequence[Interval], guess: Numbers) -> CheckedOrbit:
         """Return the orbit for all parameters of a tile, from a guess in its middle."""
         space = self.space
         orbit = CheckedOrbit(self.declared, _numbers(where, self.constants, space))
@@ -410,7 +412,7 @@ def _agree(proved: bool, refuted: bool, otherwise: str) -> None:
         raise _Contradicted(otherwise) if refuted else Failure(otherwise)
 
 
-def _numbers(where: Sequence[Interval], constants: Any, space: Space) -> Callable[[Any], Any]:
+def _numbers(where: Sequence[Interval], constants: Any, space: Space) -> ToNumber:
     """Return a function from exact entries to numbers for all parameters of a tile."""
     return number_at([*_values(where, space), *constants])
 
@@ -433,11 +435,11 @@ def verdict_of(claims: Mapping[str, str]) -> str:
     return ways.get(claims["admissibility"], "undecided")
 
 
-def _cut(space: Space) -> Callable[[Any], Any]:
+def _cut(space: Space) -> Cut:
     return lambda x: x.mid().cast(space) if isinstance(x, TaylorModel) else x.mid()
 
 
-def _at(number: Any, point: Sequence[Any]) -> Any:
+def _at(number: Any, point: Numbers) -> Any:
     return number.at(point) if isinstance(number, TaylorModel) else number
 
 

@@ -6,7 +6,7 @@ section of the rank r come to the core or to boxes of smaller ranks, and so to t
 steps; those of attracted tiles come to boxes of the section that have a rank.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from contextlib import closing
 from heapq import heappop, heappush
 from itertools import count as numbers_from
@@ -36,7 +36,7 @@ _MORE = 8  # times the parts of one set that the file states
 
 
 def attracted_boxes(
-    question: Mapping[str, Any], grid: BoxGrid, progress: Callable[[], object] = lambda: None
+    question: Entries, grid: BoxGrid, progress: Callable[[], object] = lambda: None
 ) -> Any:
     """Return the rank of each box of a section, or -1: in so many steps it comes to the core.
 
@@ -70,7 +70,7 @@ class AttractedTiles:
     times as many portions as it states.
     """
 
-    def __init__(self, question: Mapping[str, Any], more: int = 1) -> None:
+    def __init__(self, question: Entries, more: int = 1) -> None:
         self._motions = _motions(question, more)
         demand(not self._motions.forced, "tiles of other states")
         self._grid = stated_grid(question["grid"], len(self._motions.free))
@@ -134,7 +134,7 @@ def check_basin(
         _check_tiles(content, attracted, workers, progress)
 
 
-def contraction(question: Mapping[str, Any], limit: Any = 1, most: int = _MOST) -> Any:
+def contraction(question: Entries, limit: Any = 1, most: int = _MOST) -> Any:
     """Return an upper bound of the factor by which P^k contracts the core, mapped into itself.
 
     `question` has the entries of a file that state system, section, core and `itinerary`.
@@ -239,12 +239,12 @@ def _begin_tiles(content: Entries) -> Callable[[Any], bool]:
     return AttractedTiles(content, _MORE).all
 
 
-def _inward(question: Mapping[str, Any], grid: BoxGrid) -> Rounded:
+def _inward(question: Entries, grid: BoxGrid) -> Rounded:
     """Return the matrix from (coordinates, 1) of the section to the core's coordinates."""
     return Rounded.of(Parallelepiped(question["core"], len(grid.counts)).inward)
 
 
-def _motions(question: Mapping[str, Any], more: int = 1) -> ManyMotions:
+def _motions(question: Entries, more: int = 1) -> ManyMotions:
     """Return the first-arrival map of sets of states to the section that a file states."""
     declared = question["declaration"]
     scales = [1.0] * len(declared["states"])

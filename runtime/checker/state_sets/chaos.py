@@ -30,7 +30,7 @@ from nonsmooth.runtime.checker.state_sets.one_way import (
     divided,
 )
 from nonsmooth.runtime.checker.state_sets.sets import StateSet, TooWide
-from nonsmooth.runtime.checker.stated.exact import Entries, demand, exact
+from nonsmooth.runtime.checker.stated.exact import Entries, Numbers, demand, exact
 from nonsmooth.runtime.checker.stated.shape import check_bits, check_file
 
 _FINEST = fmpq(1, 2**22)  # of a set: narrower parts are not tried
@@ -97,7 +97,7 @@ def check_cones(
         demand(proved, f"the cone condition of {name} is not proved")
 
 
-def check_rates(cones: Mapping[str, Any], size: int, iterates: int) -> list[Any]:
+def check_rates(cones: Entries, size: int, iterates: int) -> list[Any]:
     """Return the rates that are stated; `Failure` unless the exponent follows from them."""
     expansion, contraction = exact(cones["expansion"]), exact(cones["contraction"])
     demand(expansion > 1, "cones that do not grow")
@@ -217,7 +217,7 @@ def _hull(matrices: list[Matrix]) -> Matrix:
     return found
 
 
-def positive(matrix: Matrix, behind: Sequence[Any], before: Sequence[Any], rate: Any) -> bool:
+def positive(matrix: Matrix, behind: Numbers, before: Numbers, rate: Any) -> bool:
     """Return whether V^T Q_M V - m Q_N is positive definite for all V in balls.
 
     Sylvester's minors are taken in the basis of the columns of C = ((1/V_uu, -V_us/V_uu), (0, 1)),
@@ -272,7 +272,7 @@ class StretchedSets:
     """
 
     def __init__(
-        self, content: Mapping[str, Any], most: int, progress: Callable[[], object] = lambda: None
+        self, content: Entries, most: int, progress: Callable[[], object] = lambda: None
     ) -> None:
         self.map, self.left, self._progress = SectionMap(content), most, progress
         entries, size = content["h_sets"], len(self.map.free)
@@ -413,7 +413,7 @@ def _placed(seen: list[Any], side: bool) -> bool:
     return beyond or (not side and all(abs(x) < 1 for x in stable))
 
 
-def check_entropy(content: Mapping[str, Any], sets: StretchedSets) -> dict[str, list[str]]:
+def check_entropy(content: Entries, sets: StretchedSets) -> dict[str, list[str]]:
     """Demand that the graph of the coverings has no less growth and entropy than is stated.
 
     The result says which sets each one is stated to cover.

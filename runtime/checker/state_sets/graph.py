@@ -7,7 +7,7 @@ to a smaller rank: so returns that stay among boxes of known image are in the bo
 from some return on.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -86,7 +86,7 @@ class Edges(NamedTuple):
     unknown: Any  # (B,): whether an image is not known; such boxes have no edges
 
 
-def map_of_boxes(question: Mapping[str, Any], more: int = 1) -> ManyMotions:
+def map_of_boxes(question: Entries, more: int = 1) -> ManyMotions:
     """Return the map of sets to the next return to the section that a file of a graph states.
 
     Sets may have `more` times as many portions as the file states. `Failure` is raised if there is

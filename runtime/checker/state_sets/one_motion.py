@@ -21,6 +21,7 @@ from nonsmooth.runtime.checker.state_sets.sets import CarryingPhase, StateSet, T
 from nonsmooth.runtime.checker.state_sets.switching import SwitchingSystem
 from nonsmooth.runtime.checker.stated.exact import (
     Elimination,
+    Numbers,
     column,
     demand,
     fixed,
@@ -287,7 +288,7 @@ class OneMotion(CarryingSystem):
         self.states, self.entry = _about(found), entry
 
 
-def _about(numbers: Sequence[Any]) -> StateSet:
+def _about(numbers: Numbers) -> StateSet:
     """Return the set of (states, time, 1) in some balls of states and time."""
     return StateSet.of(
         column((*numbers, arb(1))),

@@ -5,7 +5,7 @@ phase ends by the boundary that is stated, the same for all states of a set and 
 no other boundary is reached before. So the map is analytic on the set.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -24,6 +24,7 @@ from nonsmooth.runtime.checker.state_sets.switching import (
 )
 from nonsmooth.runtime.checker.stated.exact import (
     Elimination,
+    Entries,
     Failure,
     agree,
     demand,
@@ -189,7 +190,7 @@ class Parallelepiped:
     `entry` has these as texts. The matrix `inward` leads from (coordinates, 1) to x.
     """
 
-    def __init__(self, entry: Mapping[str, Any], size: int) -> None:
+    def __init__(self, entry: Entries, size: int) -> None:
         self.centre, sides = [*map(exact, entry["centre"])], entry["sides"]
         fits = len(self.centre) == len(sides) == size and all(len(x) == size for x in sides)
         demand(fits, "a set has a centre and as many sides as coordinates")
@@ -242,7 +243,7 @@ class SectionMap(CarryingSystem):
     if they state no such section, or a system of another kind.
     """
 
-    def __init__(self, content: Mapping[str, Any]) -> None:
+    def __init__(self, content: Entries) -> None:
         self.section, self.iterates = StatedSection.of(content), content["iterates"]
         demand(self.iterates > 0, "no iterate of the map")
         super().__init__(SwitchingSystem(content["declaration"], content["parameters"]))

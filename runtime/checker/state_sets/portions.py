@@ -14,7 +14,7 @@ from flint import arb, arb_mat, fmpq
 
 from nonsmooth.runtime.checker.state_sets.sets import row_of
 from nonsmooth.runtime.checker.state_sets.switching import SwitchingSystem
-from nonsmooth.runtime.checker.stated.exact import Elimination, leading, product, reduced
+from nonsmooth.runtime.checker.stated.exact import Elimination, Numbers, leading, product, reduced
 from nonsmooth.runtime.core.exponentials.float_flows import FloatFlow
 from nonsmooth.runtime.core.float_sets import Floats, ManySets, Rounded, joined_sets
 from nonsmooth.runtime.core.float_sets import product as float_product
@@ -232,7 +232,7 @@ class PhaseExits:
                 yield Exit(both, origin, (number, other))
 
 
-def rounded(row: Sequence[Any]) -> Rounded:
+def rounded(row: Numbers) -> Rounded:
     """Return an exact affine function of the state as a rounded row (1, N + 2) over (y, t, 1)."""
     return Rounded.of(row_of(row))
 

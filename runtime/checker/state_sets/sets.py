@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from flint import arb, arb_mat, ctx, fmpq_mat
 
-from nonsmooth.runtime.checker.stated.exact import Failure
+from nonsmooth.runtime.checker.stated.exact import Failure, Numbers
 
 _ORDER = 7  # of Taylor's polynomials; more at a precision above 128 bits
 _DEEPEST = 14  # halvings of a phase
@@ -59,7 +59,7 @@ def matrix_of(rows: Sequence[Sequence[Any]], runs: bool) -> Any:
     return found
 
 
-def row_of(row: Sequence[Any]) -> Any:
+def row_of(row: Numbers) -> Any:
     """Return an exact row (N + 1) over (states, 1) as a row (1, N + 2) over (states, time, 1)."""
     return arb_mat([[*map(arb, row[:-1]), arb(0), arb(row[-1])]])
 

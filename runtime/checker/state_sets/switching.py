@@ -80,7 +80,7 @@ class StatedSection(NamedTuple):
     boundary: str = ""  # the transition's; several that are reached together are joined by +
 
     @staticmethod
-    def of(content: Mapping[str, Any]) -> "StatedSection":
+    def of(content: Entries) -> "StatedSection":
         """Return the section that a file states."""
         source, boundary = content["source"], content["boundary"]
         return StatedSection(content["configuration"], tuple(content["phase"]), source, boundary)

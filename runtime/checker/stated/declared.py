@@ -5,7 +5,7 @@ inside) and of what vanishes in it; of each transition its conditions and its af
 carry a last entry 1, so that every affine map is one matrix and every affine function one row.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from functools import cached_property
 from math import factorial
 from typing import Any, NamedTuple
@@ -17,6 +17,7 @@ from nonsmooth.runtime.checker.stated.exact import (
     Elimination,
     Entries,
     Failure,
+    Numbers,
     agree,
     demand,
     form_between,
@@ -115,7 +116,7 @@ class StatedTables:
     """
 
     def __init__(
-        self, declared: Entries, values: Mapping[str, Any], constants: Sequence[Any] = ()
+        self, declared: Entries, values: Mapping[str, Any], constants: Numbers = ()
     ) -> None:
         names, self.poles, self.exactly = declared["parameters"], list[Any](), Elimination()
         self.rational = not _has_balls(declared)
@@ -183,7 +184,7 @@ class StatedSystem(StatedTables):
     """The system, itinerary and closing of a certificate, in exact numbers."""
 
     def __init__(
-        self, content: Entries, values: Mapping[str, Any], constants: Sequence[Any] = ()
+        self, content: Entries, values: Mapping[str, Any], constants: Numbers = ()
     ) -> None:
         declared, self.closing = content["declaration"], content["closing"]
         super().__init__(declared, values, constants)

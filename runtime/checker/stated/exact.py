@@ -5,7 +5,7 @@ of the parameters that the file names: lists of [coefficient, exponents].
 """
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import lru_cache
 from typing import Any, NamedTuple
@@ -21,6 +21,8 @@ _HIGHEST = 10_000  # power of a parameter
 _SHORT = 24  # characters of a number
 
 
+Numbers = Sequence[Any]  # fractions, balls, Taylor models or jets
+ToNumber = Callable[[Any], Any]  # from exact entries
 Entries = dict[str, Any]  # of a file, or of a part of it, as they are read from JSON
 
 
@@ -113,7 +115,7 @@ def column(numbers: Iterable[Any]) -> Any:
     return arb_mat([[x] for x in numbers])
 
 
-def number_of(entry: Any, variables: Sequence[Any]) -> Any:
+def number_of(entry: Any, variables: Numbers) -> Any:
     """Return a file's entry as a fraction, a ball, or a rational function of the variables.
 
     The entry is a text, a "mid" and "rad", or an "above" and "below" of a rational function.
@@ -128,7 +130,7 @@ def number_of(entry: Any, variables: Sequence[Any]) -> Any:
     return above / below
 
 
-def _polynomial(terms: list[Any], variables: Sequence[Any]) -> Any:
+def _polynomial(terms: list[Any], variables: Numbers) -> Any:
     total: Any = fmpq(0)
     for coefficient, exponents in terms:
         demand(len(exponents) == len(variables), "a function of other parameters")

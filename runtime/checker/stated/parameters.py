@@ -3,7 +3,7 @@
 import ast
 import operator
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from flint import arb, fmpq, fmpz_poly
@@ -13,6 +13,8 @@ from nonsmooth.runtime.checker.stated.exact import (
     NUMBER,
     Entries,
     Failure,
+    Numbers,
+    ToNumber,
     demand,
     demand_sign,
     exact,
@@ -138,7 +140,7 @@ def stated_system(
     return StatedSystem(content, values, stated), constants
 
 
-def number_at(values: Sequence[Any]) -> Callable[[Any], Any]:
+def number_at(values: Numbers) -> ToNumber:
     """Return a function that turns exact entries into numbers.
 
     `values` are those of the variables, then of the constants, that the entries are

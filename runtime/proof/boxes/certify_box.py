@@ -26,7 +26,14 @@ from nonsmooth.runtime.core.errors import check_integer
 from nonsmooth.runtime.core.json_codec import encode
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.proof.asking import Steps, as_read, asking, proved_by_steps, refusal
+from nonsmooth.runtime.proof.asking import (
+    Progress,
+    Steps,
+    as_read,
+    asking,
+    proved_by_steps,
+    refusal,
+)
 from nonsmooth.runtime.proof.boxes.box_certificate import BITS, DIGITS, BoxCertificate, Tile
 from nonsmooth.runtime.proof.boxes.tile import Fold, Place, TileEvent
 from nonsmooth.runtime.proof.boxes.tile_search import FoldSearch, event_on
@@ -183,7 +190,7 @@ def certify_box(
     *,
     tiles: int = MOST_TILES,
     resume: BoxCertificate | None = None,
-    progress: Callable[[float, int], object] = lambda decided, looked_at: None,
+    progress: Progress = lambda decided, looked_at: None,
     keep: Callable[[BoxCertificate], object] | None = None,
 ) -> BoxCertificate:
     """Prove an orbit, its admissibility and its stability for all parameters of a box.

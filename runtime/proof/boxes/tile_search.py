@@ -21,7 +21,7 @@ from flint import arb, fmpq
 
 from nonsmooth.runtime.checker.orbits.motion import Border, time_of_touch
 from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit
-from nonsmooth.runtime.checker.orbits.stability import MULTIPLIERS, characteristic, passing
+from nonsmooth.runtime.checker.orbits.stability import characteristic, passing, passings
 from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve, with_entry, without_entry
 from nonsmooth.runtime.checker.ranges.divided import DividingCurve, curve_at
 from nonsmooth.runtime.checker.ranges.folded import Sheets
@@ -118,10 +118,8 @@ def _open_kind(orbit: CheckedOrbit) -> str:
     """The one way to pass the unit circle that is not excluded; "" where it is none, or a fold."""
     if orbit.declared.stability == "neutral":
         return "flip"
-    polynomial = characteristic(orbit.section)
-    kinds = [kind for kind in MULTIPLIERS if kind != "neimark-sacker" or len(polynomial) > 2]
-    signs = [range_of(passing(polynomial, kind)) for kind in kinds]
-    left = [kind for kind, x in zip(kinds, signs, strict=True) if not (x > 0 or x < 0)]
+    numbers = passings(characteristic(orbit.section))
+    left = [kind for kind, x in numbers if not (x > 0 or x < 0)]
     return left[0] if len(left) == 1 and left != ["fold"] else ""
 
 
@@ -224,7 +222,7 @@ class FoldSearch:
         first = self._meeting(axis, coordinate, self.point[1 - axis], near)
         coordinate = self._straightest(axis, coordinate, first)
         meetings = self._meetings(axis, coordinate, first)
-        low, high = (float(x) for x in self.where[axis])
+        low, high = map(float, self.where[axis])
         turned, places, widths = meetings[0].bend > 0, [], []
         for point, bend in meetings:
             at = float(point[-1])
@@ -291,7 +289,7 @@ class FoldSearch:
     def _meeting(self, axis: int, coordinate: int, other: fmpq, near: Sequence[Any]) -> _FoldPoint:
         """Return a point where P_s is zero, by Newton's method in s; `Failure` if it finds none."""
         curve = self._curve(axis, other)
-        low, high = (float(x) for x in self.where[axis])
+        low, high = map(float, self.where[axis])
         point = [x.mid() for x in near]
         for _ in range(_STEPS):
             jets = curve.jets(coordinate, point, 2)

@@ -24,7 +24,6 @@ from nonsmooth.runtime.checker.ranges.beyond import found_beyond
 from nonsmooth.runtime.checker.ranges.branch import BITS, SHARP, CheckedTile, check_joint, ending
 from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve, without_entry
 from nonsmooth.runtime.checker.stated.exact import Entries, demand
-from nonsmooth.runtime.checker.stated.parameters import independent
 from nonsmooth.runtime.core.errors import InputError, check_integer
 from nonsmooth.runtime.core.values import as_value, flint_precision
 from nonsmooth.runtime.explore.continuation.branch import Branch
@@ -32,7 +31,7 @@ from nonsmooth.runtime.explore.continuation.event import Event
 from nonsmooth.runtime.explore.continuation.next_orbits import orbits_beside
 from nonsmooth.runtime.explore.finding.solved import canonical_itinerary
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.proof.asking import REFUSED, Steps, holds, proved_by_steps
+from nonsmooth.runtime.proof.asking import REFUSED, Progress, Steps, holds, proved_by_steps
 from nonsmooth.runtime.proof.branch.certified_branch import BranchTile, CertifiedBranch, OrbitBeyond
 from nonsmooth.runtime.proof.branch.tiles import (
     JudgedTile,
@@ -115,7 +114,7 @@ class BordersOfBranch:
                     )
                 )
                 with flint_precision(BITS):
-                    independent(curve.declared, curve.constants, [curve.interval])
+                    curve.check_divisors()
                 found = found_beyond(self.content, met, content, tile.checked)
             except REFUSED:
                 continue
@@ -371,7 +370,7 @@ def certify_branch(
     beyond: bool = False,
     seconds: float = math.inf,
     resume: CertifiedBranch | None = None,
-    progress: Callable[[float, int], object] = lambda share, tiles: None,
+    progress: Progress = lambda share, tiles: None,
     keep: Callable[[CertifiedBranch], object] | None = None,
 ) -> CertifiedBranch:
     """Prove all of a branch: that it consists of exactly these intervals and events.
@@ -523,7 +522,7 @@ class _Following:
         if outer is not None:
             check_joint(*((outer, tile) if onwards else (tile, outer)))
         with flint_precision(BITS):
-            independent(self.curve.declared, self.curve.constants, [self.curve.interval])
+            self.curve.check_divisors()
 
     def _take(self, step: BranchStep, onwards: bool) -> None:
         state = self.state

@@ -28,7 +28,7 @@ from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit
 from nonsmooth.runtime.explore.continuation.next_orbits import composed_family
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
-from nonsmooth.runtime.proof.asking import Steps, as_read, proved_by_steps, refusal
+from nonsmooth.runtime.proof.asking import Progress, Steps, as_read, proved_by_steps, refusal
 from nonsmooth.runtime.proof.boxes.box_certificate import BITS
 from nonsmooth.runtime.proof.boxes.tile import Interval
 from nonsmooth.runtime.proof.branch.certified_branch import (
@@ -145,7 +145,7 @@ def certify_doubling(
     tiles: int = MOST_TILES,
     seconds: float = math.inf,
     resume: CertifiedDoubling | None = None,
-    progress: Callable[[float, int], object] = lambda share, tiles: None,
+    progress: Progress = lambda share, tiles: None,
     keep: Callable[[CertifiedDoubling], object] | None = None,
 ) -> CertifiedDoubling:
     """Prove what is beyond a flip: the orbits of twice the period, their side and stability.
@@ -251,7 +251,7 @@ class _DoublingWork:
     value: float
     tiles: int
     until: float
-    progress: Callable[[float, int], object]
+    progress: Progress
     keep: Callable[[CertifiedDoubling], object] | None
     state: CertifiedDoubling = field(init=False)
 

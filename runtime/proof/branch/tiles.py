@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 from flint import arb
 
 from nonsmooth.runtime.checker.orbits.motion import Border, admissibility
-from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, followed
+from nonsmooth.runtime.checker.orbits.orbit import CheckedOrbit, Cut, followed
 from nonsmooth.runtime.checker.orbits.stability import demand_alone
 from nonsmooth.runtime.checker.ranges.branch import BITS, ORDER, SHARP, CheckedTile, curve_of
 from nonsmooth.runtime.checker.ranges.branch_curve import CheckedCurve, with_entry
@@ -114,11 +114,11 @@ def _tube(
     middle, half = (arb(rational_of(x)) for x in ((lower + upper) / 2, (upper - lower) / 2))
     value = space_of(1, ORDER).variable(0, middle, half)
 
-    def cut_to(order: int) -> Callable[[Any], Any]:
+    def cut_to(order: int) -> Cut:
         space = space_of(1, order)
         return lambda x: x.cast(space) if isinstance(x, TaylorModel) else space.constant(x)
 
-    def at(cut: Callable[[Any], Any], others: Sequence[Any], slopes: bool) -> tuple[Any, Any]:
+    def at(cut: Cut, others: Sequence[Any], slopes: bool) -> tuple[Any, Any]:
         point = with_entry(place, cut(value), others)
         return curve.square(place, point) if slopes else (curve.orbit(point).now.values, None)
 

@@ -18,6 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.checker.state_sets.basin import AttractedTiles, attracted_boxes, contraction
+from nonsmooth.runtime.checker.stated.exact import Entries
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.errors import InputError, check_integer
 from nonsmooth.runtime.core.float_sets import Floats
@@ -26,7 +27,7 @@ from nonsmooth.runtime.core.parallel import check_workers, in_processes
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.explore.finding.find import start_box
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
-from nonsmooth.runtime.proof.asking import REFUSED, Steps, proved_by_steps
+from nonsmooth.runtime.proof.asking import REFUSED, Progress, Steps, proved_by_steps
 from nonsmooth.runtime.proof.chaos.h_sets import HSet, decimal_set, grid_in_cube
 from nonsmooth.runtime.proof.sets.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.sets.graph_certificate import Flags, Numbers
@@ -233,7 +234,7 @@ def certify_basin(
     bits: int = 96,
     workers: int = 1,
     resume: BasinCertificate | None = None,
-    progress: Callable[[float, int], object] = lambda share, tiles: None,
+    progress: Progress = lambda share, tiles: None,
     keep: Callable[[BasinCertificate], object] | None = None,
 ) -> BasinCertificate:
     """Prove that an orbit attracts every motion from a set of starts.
@@ -353,7 +354,7 @@ class _BasinQuestion:
         widest: float | None,
         most: int,
         bits: int,
-        progress: Callable[[float, int], object],
+        progress: Progress,
     ) -> None:
         self.orbit, self.limits, self.whole = orbit, limits, whole
         self.most, self.bits = most, bits
@@ -509,7 +510,7 @@ class _BasinQuestion:
         check_same_section(self.orbit.system, wanted, known, "basin", orbit=(own, other), **told)
 
 
-def _begin_tiles(question: Mapping[str, Any]) -> Callable[[Numbers], Flags]:
+def _begin_tiles(question: Entries) -> Callable[[Numbers], Flags]:
     """A function that tells which tiles are attracted."""
     tiles = AttractedTiles(question)
 

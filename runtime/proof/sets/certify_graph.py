@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import closing
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
 from nonsmooth.runtime.checker.state_sets.graph import map_of_boxes, stays
 from nonsmooth.runtime.checker.state_sets.many_sets import Arrivals, in_batches
+from nonsmooth.runtime.checker.stated.exact import Entries
 from nonsmooth.runtime.core.box_grid import BoxGrid, DividedGrid
 from nonsmooth.runtime.core.errors import InputError, check_integer
 from nonsmooth.runtime.core.float_sets import Floats, ManySets
@@ -182,7 +182,7 @@ def certify_graph(
         return proved_by_steps(work.steps(levels), lambda: work.known, progress, keep)
 
 
-def _begin_images(question: Mapping[str, Any]) -> Callable[[ManySets], Arrivals]:
+def _begin_images(question: Entries) -> Callable[[ManySets], Arrivals]:
     """A function that encloses the images of sets."""
     motions = map_of_boxes(question)
 
@@ -197,7 +197,7 @@ def _begin_images(question: Mapping[str, Any]) -> Callable[[ManySets], Arrivals]
 class _BoxImages:
     """The certificate as far as it is known, and how further images are enclosed."""
 
-    question: Mapping[str, Any]
+    question: Entries
     known: RegionCertificate
     workers: int
 

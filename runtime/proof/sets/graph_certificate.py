@@ -103,6 +103,11 @@ class BoxGraph:
         )
         return graph, np.flatnonzero(stale[origin])
 
+    def _marked(self, boxes: Numbers) -> Flags:
+        found = np.zeros(len(self.grid), dtype=bool)
+        found[boxes] = True
+        return found
+
     def _matrix(self, sources: Numbers, targets: Numbers, size: int) -> Any:
         from scipy.sparse import csr_array
 
@@ -120,12 +125,10 @@ class BoxGraph:
         Those on cycles, those of which a part of the image alone may be outside, and those of
         unknown image to which an edge leads.
         """
-        recurrent, met = (np.zeros(len(self.grid), dtype=bool) for _ in range(2))
-        recurrent[np.concatenate([self.targets[:0], *self.components])] = True
-        met[self.targets] = True
+        recurrent = self._marked(np.concatenate([self.targets[:0], *self.components]))
         leaving = self.outside.copy()
         leaving[np.setdiff1d(np.flatnonzero(leaving), self.sources)] = False
-        found: Flags = recurrent | leaving | (self.unknown & met)
+        found: Flags = recurrent | leaving | (self.unknown & self._marked(self.targets))
         return found
 
     @cached_property
@@ -180,8 +183,7 @@ class BoxGraph:
 
     def stays(self, boxes: Numbers) -> bool:
         """Whether no edge leads from the boxes to others, outside, or to an unknown image."""
-        own = np.zeros(len(self.grid), dtype=bool)
-        own[boxes] = True
+        own = self._marked(boxes)
         left = self.outside | self.unknown
         return bool(own[self.targets[own[self.sources]]].all() and not left[boxes].any())
 
@@ -211,8 +213,7 @@ class BoxGraph:
         A box without an image is in it only where an image leads to it.
         """
         good = ~self.behind(np.flatnonzero(self.outside | self.unknown))
-        used = np.zeros(len(self.grid), dtype=bool)
-        used[self.sources] = True
+        used = self._marked(self.sources)
         used[self.targets[good[self.sources]]] = True
         found: Flags = good & used
         return found

@@ -24,7 +24,7 @@ from nonsmooth.runtime.proof.sets.sections import (
     sections_behind,
     ways_of,
 )
-from nonsmooth.runtime.proof.statement import ExactSystem
+from nonsmooth.runtime.proof.statement import ExactSystem, floats_of
 from nonsmooth.runtime.simulation.engines import Trajectories
 from nonsmooth.runtime.simulation.simulate import follow, simulate_many
 from nonsmooth.runtime.simulation.trajectory import Trajectory
@@ -52,7 +52,7 @@ class FloatSection:
         self._kernels, self.section = kernels, section
         self._parameters = {name: float(value) for name, value in system.values.items()}
         self._period = 0.0 if section.phase is None else float(section.period(system))
-        lift = np.array([[int(x.p) / int(x.q) for x in row] for row in section.lift])
+        lift = floats_of(section.lift)
         self._lift, self._shift = lift[:, :-1], lift[:, -1]
         (rows,) = tables_at(kernels, np.array([[*self._parameters.values()]]))[1]
         shapes = structure_of(kernels).boundaries[section.configuration]
@@ -170,11 +170,16 @@ def section_of(system: ExactSystem, motion: Trajectory, period: float) -> MetSec
     return min(found, key=lambda met: (len(met.point), met.iterates))
 
 
-def _met_at_a_phase(system: ExactSystem, motion: Trajectory, period: float) -> MetSection:
-    (c, s), structure = system.structure.forcing[0], system.structure
+def _forcing(system: ExactSystem, motion: Trajectory) -> tuple[float, float, float]:
+    """Speed and period of the forcing, and its angle where a motion starts."""
+    c, s = system.structure.forcing[0]
     speed = float(motion.system.fields[0, s, c])
-    turn = 2 * np.pi / abs(speed)
-    first = np.arctan2(motion.states[0, s], motion.states[0, c])
+    start = np.arctan2(motion.states[0, s], motion.states[0, c])
+    return speed, 2 * np.pi / abs(speed), start
+
+
+def _met_at_a_phase(system: ExactSystem, motion: Trajectory, period: float) -> MetSection:
+    structure, (speed, turn, first) = system.structure, _forcing(system, motion)
     found = []
     for phase in phases(_PHASES):
         # by rounding a turn may be longer than the motion
@@ -227,15 +232,12 @@ def sampled_sections(system: ExactSystem, motion: Trajectory) -> Iterator[Sample
 
 def _forced(system: ExactSystem, motion: Trajectory) -> Iterator[Sampled]:
     numbers, structure = motion.system, system.structure
-    c, s = structure.forcing[0]
-    speed = float(numbers.fields[0, s, c])
-    period = 2 * np.pi / abs(speed)
+    speed, period, start = _forcing(system, motion)
     end = (_PERIODS + 1) * period
     run = follow(numbers, motion.states[0], int(motion.run.configurations[0]), end)
     long = Trajectory(numbers, run)
     if not long.end >= end * (1 - 1e-9):
         return
-    start = np.arctan2(motion.states[0, s], motion.states[0, c])
     found = []
     for phase in phases(_PHASES):
         first = ((angle_of(phase) - start) / speed) % period
