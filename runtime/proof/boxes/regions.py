@@ -118,7 +118,11 @@ def regions_of(found: BoxCertificate) -> tuple[ProvedRegion, ...]:
 
 def curves_of(found: BoxCertificate) -> tuple[EventCurve, ...]:
     """The curves of events of a map of two parameters, the longest chain first."""
-    events = _passing(found)
+    events = {
+        k: tile.event
+        for k, tile in enumerate(found.tiles)
+        if tile.event is not None and _passes(tile.event.band)
+    }
     beside: dict[int, list[int]] = {k: [] for k in events}
     for edge in _joined_edges(found):
         pair = edge.first, edge.second
@@ -156,9 +160,11 @@ def open_boxes_of(found: BoxCertificate) -> tuple[OpenBox, ...]:
             for axis, name in enumerate(found.box)
         }
         kinds = {
-            _event_text(event)
-            for k, event in _passing(found).items()
-            if any(found.tiles[k].place.touches(place) for place in places)
+            _event_text(tile.event)
+            for tile in found.tiles
+            if tile.event is not None
+            and _passes(tile.event.band)
+            and any(tile.place.touches(place) for place in places)
         }
         largest = max(own, key=lambda tile: tile.place.share)
         told.append(
@@ -230,12 +236,6 @@ def _side(tile: Tile, point: Point) -> str:
     if tile.event is None:
         return ""
     return tile.event.band.side_of(tile.place.inside(point)) or "band"
-
-
-def _passing(found: BoxCertificate) -> dict[int, TileEvent]:
-    """The events whose curves pass their tiles, by the numbers of these."""
-    events = ((k, tile.event) for k, tile in enumerate(found.tiles))
-    return {k: event for k, event in events if event is not None and _passes(event.band)}
 
 
 def _passes(band: Band) -> bool:
