@@ -67,6 +67,7 @@ _EVERY = 10.0  # seconds between states that are kept, at least
 _LONGER = 20  # times as long as it takes to keep one
 
 _State = TypeVar("_State")
+Begin = Callable[[str], object]  # of which step begins
 Progress = Callable[[float, int], object]  # of a share that is done, and a count
 Steps = Generator[tuple[Any, ...], None, None]  # each with what progress is told
 

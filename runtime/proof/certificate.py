@@ -29,7 +29,7 @@ from nonsmooth.runtime.core.registry import Certified, Shown
 from nonsmooth.runtime.core.result_files import check_same_question
 from nonsmooth.runtime.core.values import LARGEST_EXPONENT, Value, as_value, flint_precision
 from nonsmooth.runtime.model.saved_system import KeptOrbitName
-from nonsmooth.runtime.proof.statement import decimals
+from nonsmooth.runtime.proof.statement import decimals, scientific
 
 if TYPE_CHECKING:
     from flint import arb
@@ -115,14 +115,8 @@ class Enclosure:
 
     def _decimals(self) -> tuple[str, str]:
         digits = max(5, int(self.bits * 0.302))
-        middle, radius, exponent = map(int, self.ball.mid_rad_10exp(digits))
-        return f"{_scientific(middle, exponent)}", f"{_scientific(radius, exponent)}"
-
-
-def _scientific(integer: int, exponent: int) -> str:
-    digits = str(abs(integer))
-    sign, tail = "-" * (integer < 0), digits[1:]
-    return f"{sign}{digits[0]}{'.' * bool(tail)}{tail}e{exponent + len(tail):+d}"
+        middle, radius, exponent = self.ball.mid_rad_10exp(digits)
+        return scientific(middle, int(exponent), "+d"), scientific(radius, int(exponent), "+d")
 
 
 def _outward(end: arb, towards: float) -> float:

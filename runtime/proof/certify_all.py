@@ -30,7 +30,7 @@ from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
 from nonsmooth.runtime.orbits.problem import OrbitProblem, orbit_of
 from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.orbits.table_solve import unknowns_of, with_routes
-from nonsmooth.runtime.proof.asking import Steps, as_read, proved_by_steps
+from nonsmooth.runtime.proof.asking import Begin, Steps, as_read, proved_by_steps
 from nonsmooth.runtime.proof.census import Bounds, Census, Counted, Open
 from nonsmooth.runtime.proof.certificate import GUARD, Certificate
 from nonsmooth.runtime.proof.certify_orbit import FEWEST_BITS, MOST_BITS, certify
@@ -270,7 +270,7 @@ def certify_all(
     largest: float = 100.0,
     bits: int = 128,
     limit: int = _LIMIT,
-    begin: Callable[[str], object] = lambda step: None,
+    begin: Begin = lambda step: None,
     progress: Callable[[float], object] = lambda share: None,
 ) -> Census:
     """Prove how many orbits an itinerary has whose dwell times lie in a box.
@@ -357,7 +357,7 @@ class _Count:
         self._asked, self._judge, self._sides, self._searches = asked, judge, sides, searches
         self._certified: list[tuple[Certificate | None, str]] = []  # of the orbits in turn
 
-    def steps(self, limit: int, begin: Callable[[str], object]) -> Steps:
+    def steps(self, limit: int, begin: Begin) -> Steps:
         """Search all boxes, `limit` at most, then certify each orbit that the trees have.
 
         The share that is searched is yielded; `begin` is told what begins. Boxes that still wait

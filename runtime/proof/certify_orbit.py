@@ -17,6 +17,7 @@ from nonsmooth.runtime.checker.stated.exact import Elimination, Entries, Failure
 from nonsmooth.runtime.core.errors import check_integer, chosen_names
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
+from nonsmooth.runtime.proof.asking import Begin
 from nonsmooth.runtime.proof.certificate import (
     CLAIMS,
     GUARD,
@@ -250,7 +251,7 @@ def certify(
     bits: int = 128,
     *,
     derivatives: Sequence[str] | str | bool | None = None,
-    begin: Callable[[str], object] = lambda step: None,
+    begin: Begin = lambda step: None,
 ) -> Certificate:
     """Prove that there is an orbit near a computed one, that it is a motion, and its stability.
 
@@ -348,7 +349,7 @@ def _stated(
     about: Certificate,
     found: JudgedOrbit,
     missing: Mapping[str, str],
-    begin: Callable[[str], object],
+    begin: Begin,
 ) -> Certificate:
     """Return the certificate of an orbit that exists, with all that is found of it.
 

@@ -232,13 +232,14 @@ def decimals(ball: arb, bits: int, digits: int = _RADIUS) -> tuple[str, str]:
     drop = max(0, len(radius.str()) - digits)
     unit = 10**drop
     middle, power = (2 * middle + unit) // (2 * unit), int(exponent) + drop
-    return _scientific(middle, power), _scientific(radius // unit + 2, power)
+    return scientific(middle, power), scientific(radius // unit + 2, power)
 
 
-def _scientific(integer: fmpz, exponent: int) -> str:
+def scientific(integer: fmpz, exponent: int, form: str = "d") -> str:
+    """Return an integer times a power of 10 as a decimal text; `form` is that of its exponent."""
     digits = abs(integer).str()  # Python's own integers have no text beyond some digits
     sign, tail = "-" * (integer < 0), digits[1:]
-    return f"{sign}{digits[0]}{'.' * bool(tail)}{tail}e{exponent + len(tail)}"
+    return f"{sign}{digits[0]}{'.' * bool(tail)}{tail}e{exponent + len(tail):{form}}"
 
 
 def system_declaration(

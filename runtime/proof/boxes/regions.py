@@ -151,13 +151,10 @@ def open_boxes_of(found: BoxCertificate) -> tuple[OpenBox, ...]:
     for cells in _groups(undecided, pairs):
         own = [found.tiles[k] for k in cells]
         places = [tile.place for tile in own]
-        ends = tuple(found.box.values())
+        ends = zip(*(place.where([*found.box.values()]) for place in places), strict=True)
         where = {
-            name: (
-                min(place.interval(axis, ends)[0] for place in places),
-                max(place.interval(axis, ends)[1] for place in places),
-            )
-            for axis, name in enumerate(found.box)
+            name: (min(low for low, _ in sides), max(high for _, high in sides))
+            for name, sides in zip(found.box, ends, strict=True)
         }
         kinds = {
             _event_text(tile.event)

@@ -21,16 +21,13 @@ class Place(NamedTuple):
 
     steps: tuple[tuple[int, int], ...]  # k and level of each axis
 
-    def interval(self, axis: int, box: Sequence[Interval]) -> Interval:
-        """Lower and upper end of the tile along one axis; `box` has the ends of each parameter."""
-        step, level = self.steps[axis]
-        lower, upper = box[axis]
-        width = (upper - lower) / 2**level
-        return lower + step * width, lower + (step + 1) * width
-
     def where(self, box: Sequence[Interval]) -> list[Interval]:
-        """Lower and upper end of the tile along each axis."""
-        return [self.interval(axis, box) for axis in range(len(self.steps))]
+        """Lower and upper end of the tile along each axis; `box` has those of each parameter."""
+        found = []
+        for (step, level), (lower, upper) in zip(self.steps, box, strict=True):
+            width = (upper - lower) / 2**level
+            found.append((lower + step * width, lower + (step + 1) * width))
+        return found
 
     @property
     def share(self) -> Fraction:
