@@ -7,13 +7,12 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted
-from nonsmooth.runtime.explore.design.design_points import Beyond, DesignPoint, DesignPoints
+from nonsmooth.runtime.explore.design.design_points import Beyond, DesignPoint, DesignPoints, Trial
 from nonsmooth.runtime.explore.design.optimising import (
     INTERRUPTED,
     Aim,
     Ended,
     Optimality,
-    Trial,
     optimality,
     optimise,
     watched_margins,
@@ -33,7 +32,7 @@ from nonsmooth.runtime.explore.design.quantities import (
     is_largest_of_several,
     unit_of,
 )
-from nonsmooth.runtime.explore.design.worst_over import BranchPoints, optimise_worst, spread
+from nonsmooth.runtime.explore.design.worst_over import Trials, optimise_worst, spread
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.simulation.simulate import checked_count
 
@@ -175,22 +174,18 @@ def design(
         watched,
         extreme_keys([first.quantities.derivatives], quantity) if several else (),
     )
-    trials: DesignPoints | BranchPoints = points
-    if branch:
-        aim, trials = spread(points, aim)
-    begin: Trial = trials.visited[0]
+    trials = Trials(points, aim, iterations, history)
+    trials = spread(trials) if branch else trials.begun(first.place)
+    aim, begin = trials.aim, trials.visited[0]
     _check_dependence(names, begin, aim)
-    if isinstance(trials, BranchPoints):
-        ended = optimise_worst(trials, aim, iterations, history)
-    else:
-        ended = optimise(points, aim, iterations, history)
+    ended = optimise_worst(trials) if branch else optimise(trials)
     left = optimality(aim, ended.point, names, bounds, where)
     met = left.residual <= (_OPTIMAL if quantity else _SOLVED) and aim.missed(ended.point) <= _MET
     status = CONVERGED if met else NOT_REACHED
     stopped = ended.reason == INTERRUPTED
     if stopped and len(history) < 2:
         raise KeyboardInterrupt
-    if not stopped and not all(map(points.is_motion, ended.point.members)):
+    if not stopped and not all(points.allowed(member.z) for member in ended.point.members):
         status, ended = NOT_REACHED, ended._replace(reason="the orbit there is no motion")
     rows = (_values_of(names, aim, point, asked) for point in history)
     iterates = [[row[name] for name in (*names, *asked)] for row in rows]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -44,10 +45,22 @@ class DesignPoint:
     orbit: Orbit
     quantities: QuantityValues  # with derivatives by the parameters themselves
 
-    @property
-    def members(self) -> tuple[DesignPoint, ...]:
-        """The orbit alone, as the orbits of a trial."""
-        return (self,)
+
+class WorstPlace(NamedTuple):
+    """A place along a branch where something is worst."""
+
+    part: float  # position in the branch's interval, from 0 to 1
+    row: int  # number of the alarm that has a minimum there
+    bend: float  # its second derivative inside the interval, 0 where the place is fixed
+
+
+@dataclass(frozen=True, eq=False)
+class Trial:
+    """Parameters that were tried, and the orbit there, or several orbits of its branch."""
+
+    place: np.ndarray  # (q,), of the parameters in their bounds: 0 is the lower one, 1 the upper
+    members: tuple[DesignPoint, ...]
+    watches: tuple[WorstPlace, ...] = ()  # where on the branch these are
 
 
 class DesignPoints:
@@ -77,7 +90,7 @@ class DesignPoints:
         self._quantities, self._admissible = tuple(quantities), admissible
         self._curve = equations_of(orbit, *names, lengths=self.lengths)
         z = self._curve.first
-        if not self._allowed(z):
+        if not self.allowed(z):
             raise InputError(
                 f"{orbit.name} is no motion of the real system where the design begins"
             )
@@ -134,7 +147,7 @@ class DesignPoints:
 
     def _measured(self, z: np.ndarray) -> tuple[Orbit, QuantityValues]:
         """The orbit at a point (n + q,) and its quantities; `InputError` says what it lacks."""
-        if not self.watching and not self._allowed(z):  # else margins are conditions
+        if not self.watching and not self.allowed(z):  # else margins are conditions
             raise InputError(_REFUSED)
         orbit = self._curve.at(z)
         if orbit.status != CONVERGED:
@@ -145,11 +158,8 @@ class DesignPoints:
                 raise InputError(f"{name} has no derivative at a corner")
         return orbit, measured
 
-    def is_motion(self, member: DesignPoint) -> bool:
-        """Whether an orbit that was visited is a motion, or need not be one."""
-        return self._allowed(member.z)
-
-    def _allowed(self, z: np.ndarray) -> bool:
+    def allowed(self, z: np.ndarray) -> bool:
+        """Whether an orbit (n + q,) is a motion, or need not be one."""
         return not self._admissible or bool(self._curve.admissible(z[None])[0])
 
 

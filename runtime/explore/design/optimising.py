@@ -9,14 +9,14 @@ multipliers meet, what it has learned of the curvature can stop it early.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import cache, partial
-from typing import Any, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.explore.design.design_points import Beyond, DesignPoint
+from nonsmooth.runtime.explore.design.design_points import Beyond, DesignPoint, Trial
 from nonsmooth.runtime.explore.design.optimum import ActiveLimit, DesignCondition
 from nonsmooth.runtime.explore.design.quantities import (
     MULTIPLIER,
@@ -31,6 +31,9 @@ from nonsmooth.runtime.explore.design.quantities import (
     radius_rows,
     unit_of,
 )
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.explore.design.worst_over import Trials
 
 _INSIDE = 1e-10  # of a margin's unit: an orbit at the limit is a motion despite of rounding
 _ACTIVE, _ACTIVE_BOUND = 1e-6, 1e-7
@@ -88,18 +91,6 @@ class Limit(NamedTuple):
         return float(short.max(initial=0.0))
 
 
-class Trial(Hashable, Protocol):
-    """Parameters that were tried, and the orbits there."""
-
-    @property
-    def place(self) -> np.ndarray:
-        """Position (q,) of the parameters in their bounds: 0 is the lower one, 1 the upper."""
-
-    @property
-    def members(self) -> tuple[DesignPoint, ...]:
-        """The orbit at these parameters, or several orbits of its branch (for `worst_over`)."""
-
-
 @dataclass(frozen=True)
 class Aim:
     """The objective that is minimised, and the conditions.
@@ -116,11 +107,11 @@ class Aim:
     scale: float  # unit of the quantity
     lengths: np.ndarray  # (q,), of the parameters' intervals
     # of all quantities in the conditions that are not pure numbers
-    units: Mapping[str, float] = field(default_factory=dict)
+    units: Mapping[str, float]
     # boundaries that must not be crossed in a phase, with the units of their functions
-    margins: Mapping[MarginKey, float] = field(default_factory=dict)
+    margins: Mapping[MarginKey, float]
     # local extremes of a peak, each of which has to be below the level
-    extremes: tuple[ExtremeKey, ...] = ()
+    extremes: tuple[ExtremeKey, ...]
     spread: bool = False  # whether the worst along a branch is minimised
 
     @property
@@ -233,17 +224,19 @@ class Aim:
                 text = f"{key.boundary} stays away in phase {key.phase + 1}"
                 yield Limit(text, member, inside[place], slopes[place], np.array([1 / unit]))
 
-    def rows(self, point: Trial, level: float | None, *, equal: bool) -> Rows:
+    def rows(self, point: Trial, level: float, *, equal: bool) -> Rows:
         """The rows of all equations (`equal`), or of all other conditions, of a trial.
 
-        `level` is the value of the level; None leaves out the conditions that nothing exceeds it.
+        Among the others is that nothing exceeds the level.
         """
-        count = len(self.lengths) + self.levelled
-        found = [Rows(np.zeros(0), np.zeros((0, count)))]
-        found += [Rows(each.values, each.slopes) for each in self.limits(point, equal=equal)]
-        if self.levelled and not equal and level is not None:
+        found: list[Limit | Rows] = [*self.limits(point, equal=equal)]
+        if self.levelled and not equal:
             found += [self.level_rows(member, level) for member in point.members]
-        return Rows(np.concatenate([f.values for f in found]), np.vstack([f.slopes for f in found]))
+        none = np.zeros((0, len(self.lengths) + self.levelled))
+        return Rows(
+            np.concatenate([none[:, 0], *(each.values for each in found)]),
+            np.vstack([none, *(each.slopes for each in found)]),
+        )
 
     def missed(self, point: Trial) -> float:
         """Largest violation of all conditions at a trial, in their units."""
@@ -336,17 +329,6 @@ def _sides(
                 yield place, sign, f"{name}{relation}{float(bounds[place, side])!r}"
 
 
-class Trials(Protocol):
-    """Supplier of the trials of an optimiser: `DesignPoints` or `BranchPoints`."""
-
-    @property
-    def visited(self) -> Sequence[Trial]:
-        """All trials in their order, the first being where the optimiser begins."""
-
-    def at(self, place: np.ndarray) -> Trial:
-        """The trial at a place (q,)."""
-
-
 class Ended(NamedTuple):
     """The trial at which an optimiser ended."""
 
@@ -357,13 +339,13 @@ class Ended(NamedTuple):
 Box = tuple[np.ndarray, np.ndarray]  # lower and upper ends (q,) of places
 
 
-def optimise(points: Trials, aim: Aim, most: int, history: list[Trial]) -> Ended:
+def optimise(trials: Trials) -> Ended:
     """The trial that minimises the aim, or where all conditions hold if they are all it asks.
 
     Conditions are then equations, as many as parameters, and missed by the least squares if
-    they cannot hold. `most` limits the iterations in each round; the iterates are appended to
-    `history`. Ctrl-C ends it at the best trial until then, with the reason INTERRUPTED.
+    they cannot hold. Ctrl-C ends it at the best trial until then, with the reason INTERRUPTED.
     """
+    aim = trials.aim
 
     @cache
     def merit(point: Trial) -> float:
@@ -372,24 +354,23 @@ def optimise(points: Trials, aim: Aim, most: int, history: list[Trial]) -> Ended
         return float(np.linalg.norm(aim.rows(point, 0.0, equal=True).values))
 
     try:
-        return _searched(points, aim, most, history, merit)
+        return _searched(trials, merit)
     except KeyboardInterrupt:
-        return Ended(min(points.visited, key=merit), INTERRUPTED)
+        return Ended(min(trials.visited, key=merit), INTERRUPTED)
 
 
-def _searched(
-    points: Trials, aim: Aim, most: int, history: list[Trial], merit: Callable[[Trial], float]
-) -> Ended:
-    best, box, reason = points.visited[0], 1.0, ""
-    run, finish = (_minimised, _snapped) if aim.quantity else (_solved, _sharpened)
+def _searched(trials: Trials, merit: Callable[[Trial], float]) -> Ended:
+    best, box, reason, history = trials.visited[0], 1.0, "", trials.history
+    wanted = not trials.aim.quantity
+    run, finish = (_solved, _sharpened) if wanted else (_minimised, _snapped)
     history.append(best)
     for _ in range(_ROUNDS):
         lower, upper = np.maximum(best.place - box, 0.0), np.minimum(best.place + box, 1.0)
         try:
-            found = run(points, aim, best, (lower, upper), most, history)
+            found = run(trials, best, (lower, upper))
         except Beyond as ended:
             reason = ended.reason
-            best = min(points.visited, key=merit)
+            best = min(trials.visited, key=merit)
             away = max(ended.distance, float(np.abs(ended.near - best.place).max()))
             box = min(box / 2, max(away, box / 16))
             if box < _LEAST_BOX:
@@ -405,83 +386,83 @@ def _searched(
             box = min(1.0, 2 * box)
             continue
         reason = ""
-        if not aim.quantity:
+        if wanted:
             break
         if gained <= _SETTLED:
-            tried = min(points.visited, key=merit)
+            tried = min(trials.visited, key=merit)
             if merit(best) - merit(tried) <= _SETTLED:
                 break
             best = tried
-    best = finish(points, aim, best)
+    best = finish(trials, best)
     if history[-1] is not best:
         history.append(best)
     return Ended(best, reason)
 
 
-def _solved(
-    points: Trials, aim: Aim, begin: Trial, box: Box, most: int, history: list[Trial]
-) -> Trial:
+def _solved(trials: Trials, begin: Trial, box: Box) -> Trial:
     """The trial where one round of least squares in a box ends."""
     from scipy.optimize import least_squares
 
     lower, upper = box
     margin = 1e-3 * (upper - lower)
+
+    def rows(x: np.ndarray) -> Rows:
+        return trials.aim.rows(trials.at(x), 0.0, equal=True)
+
     found = least_squares(
-        lambda x: aim.rows(points.at(x), 0.0, equal=True).values,
+        lambda x: rows(x).values,
         np.clip(begin.place, lower + margin, upper - margin),
-        jac=lambda x: aim.rows(points.at(x), 0.0, equal=True).slopes,
+        jac=lambda x: rows(x).slopes,
         bounds=box,
         xtol=_PRECISION,
         ftol=_PRECISION,
         gtol=_PRECISION,
-        max_nfev=most,
+        max_nfev=trials.most,
     )
-    history.append(points.at(np.asarray(found.x)))
-    return history[-1]
+    trials.history.append(trials.at(np.asarray(found.x)))
+    return trials.history[-1]
 
 
-def _sharpened(points: Trials, aim: Aim, begin: Trial) -> Trial:
+def _sharpened(trials: Trials, begin: Trial) -> Trial:
     """The orbit after a few of Newton's steps, up to the bounds, while these reduce the residual.
 
     Least squares stay inside of the bounds.
     """
-    best, (values, slopes) = begin, aim.rows(begin, 0.0, equal=True)
+    best, (values, slopes) = begin, trials.aim.rows(begin, 0.0, equal=True)
     for _ in range(_LAST):
         step = np.linalg.lstsq(slopes, -values, rcond=None)[0]
         if np.abs(step).max() <= _TINY:
             break
         try:
-            found = points.at(np.clip(best.place + step, 0.0, 1.0))
+            found = trials.at(np.clip(best.place + step, 0.0, 1.0))
         except Beyond:
             break
-        then = aim.rows(found, 0.0, equal=True)
+        then = trials.aim.rows(found, 0.0, equal=True)
         if not np.linalg.norm(then.values) < np.linalg.norm(values):
             break
         best, (values, slopes) = found, then
     return best
 
 
-def _snapped(points: Trials, aim: Aim, best: Trial) -> Trial:
+def _snapped(trials: Trials, best: Trial) -> Trial:
     """The orbit on the bounds that a trial almost touches, or the trial itself."""
     place = np.where(best.place < _SIDE, 0.0, np.where(best.place > 1 - _SIDE, 1.0, best.place))
     try:
-        return points.at(place)
+        return trials.at(place)
     except Beyond:
         return best
 
 
-def _minimised(
-    points: Trials, aim: Aim, begin: Trial, box: Box, most: int, history: list[Trial]
-) -> Trial:
+def _minimised(trials: Trials, begin: Trial, box: Box) -> Trial:
     """The trial where one round of the optimiser in a box ends."""
+    aim, history, (lower, upper) = trials.aim, trials.history, box
     count = len(aim.lengths)
-    lower, upper = box
     if aim.levelled:
         least = 0.0 if aim.quantity == RADIUS and aim.sign > 0 else -np.inf
         lower, upper = np.append(lower, least), np.append(upper, np.inf)
 
     def at(x: np.ndarray) -> Trial:
-        return points.at(np.clip(x[:count], *box))
+        return trials.at(np.clip(x[:count], *box))
 
     def note(x: np.ndarray, *_: Any) -> None:
         point = at(x)
@@ -500,7 +481,7 @@ def _minimised(
         if len(aim.rows(begin, 1.0, equal=equal).values)
     }
     if aim.missed(begin) > _MISSED:
-        begin = _nearer(points, aim, begin, box, most)
+        begin = _nearer(trials, begin, box)
     return at(
         _slsqp(
             fun,
@@ -508,22 +489,22 @@ def _minimised(
             aim.variables(begin),
             (lower, upper),
             constraints,
-            most,
+            trials.most,
             note,
         )
     )
 
 
-def _nearer(points: Trials, aim: Aim, begin: Trial, box: Box, most: int) -> Trial:
+def _nearer(trials: Trials, begin: Trial, box: Box) -> Trial:
     """The trial in a box at which the largest violation of all conditions is the smallest.
 
     Where conditions are violated their linear forms may contradict each other; with one slack
     variable for all of them they do not.
     """
-    count = len(aim.lengths)
+    aim, count = trials.aim, len(trials.aim.lengths)
 
     def rows(x: np.ndarray) -> Rows:
-        point = points.at(np.clip(x[:count], *box))
+        point = trials.at(np.clip(x[:count], *box))
         level = aim.variables(point)[-1]
         equal, others = (aim.rows(point, level, equal=each) for each in (True, False))
         values = np.concatenate([equal.values, -equal.values, others.values])
@@ -533,8 +514,10 @@ def _nearer(points: Trials, aim: Aim, begin: Trial, box: Box, most: int) -> Tria
     slack = np.eye(count + 1)[-1]
     first = np.append(begin.place, aim.missed(begin))
     wide = np.append(box[0], 0.0), np.append(box[1], np.inf)
-    found = _slsqp(lambda x: float(x[-1]), lambda _: slack, first, wide, {"ineq": rows}, most)
-    return points.at(np.clip(found[:count], *box))
+    found = _slsqp(
+        lambda x: float(x[-1]), lambda _: slack, first, wide, {"ineq": rows}, trials.most
+    )
+    return trials.at(np.clip(found[:count], *box))
 
 
 def _slsqp(
