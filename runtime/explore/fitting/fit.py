@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from operator import attrgetter
-from typing import Any, Literal, cast
+from typing import Any, Literal
 
 import numpy as np
 
@@ -461,14 +461,13 @@ def fit(
         start=start or {},
         offset=offset,
     )
-    problem = FitProblem(kernels, experiments, unknowns)
+    problem = FitProblem(kernels, experiments, unknowns, loss)
     _check_count(problem)
-    try:
-        found = minimise(problem, loss, count, random_generator(rng), progress)
-    except Interrupted as stopped:
-        partial = cast("Minimum", stopped.partial)
-        raise Interrupted(_fit(problem, partial, loss)) from None
-    return _fit(problem, found, loss)
+    minimum = minimise(problem, count, random_generator(rng), progress)
+    found = _fit(minimum)
+    if minimum.interrupted:
+        raise Interrupted(found)
+    return found
 
 
 def _each(data: Any) -> list[Any]:
@@ -493,8 +492,9 @@ def _check_count(problem: FitProblem) -> None:
         )
 
 
-def _fit(problem: FitProblem, found: Minimum, loss: str) -> Fit:
+def _fit(found: Minimum) -> Fit:
     """The result of a fit, from a minimum."""
+    problem = found.problem
     unknowns, point, residuals = problem.unknowns, found.point, found.residuals
     names, sizes = unknowns.names, unknowns.sizes(point)
     moved = abs(residuals.jacobian[: problem.data] * sizes).max(axis=0)
@@ -512,8 +512,8 @@ def _fit(problem: FitProblem, found: Minimum, loss: str) -> Fit:
         residuals.values,
         residuals.jacobian,
         problem.data,
-        loss=loss,
-        given=not found.noise,
+        loss=problem.loss,
+        given=not problem.noise,
         held=held,
     )
     return Fit(
@@ -525,19 +525,19 @@ def _fit(problem: FitProblem, found: Minimum, loss: str) -> Fit:
         covariance=told.covariance,
         bounds=np.stack([unknowns.lower, unknowns.upper], axis=1),
         at_bound=tuple(name for name, on in zip(names, held, strict=True) if on),
-        priors={names[place]: (mean, deviation) for place, mean, deviation in unknowns.priors},
+        priors={names[place]: prior for place, prior in unknowns.priors.items()},
         chi2=float((residuals.values**2).sum()),
         data=problem.data,
         degrees_of_freedom=len(residuals.values) - len(names),
-        noise=found.noise,
-        loss=loss,
+        noise=problem.noise,
+        loss=problem.loss,
         singular_values=told.singular_values,
         combinations=told.combinations,
         unidentified=tuple(
             combination_text(names, told.combinations[place]) for place in told.unidentified
         ),
         experiments=tuple(
-            _experiment(problem, number, found, told.covariance)
+            _experiment(number, found, told.covariance)
             for number in range(len(problem.experiments))
         ),
         status="converged" if found.converged else "not converged",
@@ -548,14 +548,13 @@ def _fit(problem: FitProblem, found: Minimum, loss: str) -> Fit:
     )
 
 
-def _experiment(
-    problem: FitProblem, number: int, found: Minimum, covariance: np.ndarray
-) -> FittedExperiment:
-    experiment, prediction = problem.experiments[number], found.residuals.predictions[number]
+def _experiment(number: int, found: Minimum, covariance: np.ndarray) -> FittedExperiment:
+    problem, prediction = found.problem, found.residuals.predictions[number]
+    experiment = problem.experiments[number]
     setting = problem.unknowns.at(found.point, number)
     columns = [*setting.columns.values()]
     series = tuple(
-        FittedSeries(**{**vars(each), "sigma": problem.sigma(each, found.noise)}, fitted=values)
+        FittedSeries(**{**vars(each), "sigma": problem.sigma(each)}, fitted=values)
         for each, values in zip(experiment.series, prediction.values, strict=True)
     )
     parameters = {name: as_value(value) for name, value in setting.parameters.items()}

@@ -210,7 +210,6 @@ def measured(
     told = os.fspath(data) if isinstance(data, str | os.PathLike) else name
     with naming(told):
         table = read_table(data)
-    try:
         steady = {
             column: responses.get(column, column)
             for column in table
@@ -242,8 +241,6 @@ def measured(
         if not series:
             what = "responses" if steady else "outputs or of event times"
             raise InputError(f"nothing is measured: no column of {what} has a number")
-    except InputError as problem:
-        raise InputError(f"{told}: {problem}") from None
     itinerary = experiment.itinerary
     return Measured(
         name=name,

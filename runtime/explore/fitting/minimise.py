@@ -21,7 +21,7 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError, Interrupted, NoConvergence, NonsmoothError
+from nonsmooth.runtime.core.errors import InputError, NoConvergence, NonsmoothError
 from nonsmooth.runtime.explore.fitting.measurements import Measured, MeasuredSeries, usual_size
 from nonsmooth.runtime.explore.fitting.prediction import (
     KnownResponses,
@@ -33,8 +33,6 @@ from nonsmooth.runtime.explore.fitting.prediction import (
 from nonsmooth.runtime.explore.fitting.statistics import loss_of
 from nonsmooth.runtime.explore.fitting.unknowns import Unknowns
 from nonsmooth.runtime.model.kernels import SystemKernels
-
-Noise = Mapping[str, float]  # standard deviations of columns that have none of their own
 
 _TOLERANCE = 1e-12
 _MOST = 200  # evaluations of one search
@@ -73,6 +71,9 @@ class FitProblem:
     kernels: SystemKernels
     experiments: tuple[Measured, ...]
     unknowns: Unknowns
+    loss: str
+    # standard deviations of columns that have none of their own
+    noise: Mapping[str, float] = field(default_factory=dict)
     # steady responses of each experiment that are known so far, from which others are followed
     responses: dict[int, KnownResponses] = field(default_factory=lambda: defaultdict(dict))
 
@@ -104,10 +105,10 @@ class FitProblem:
             experiments.append(replace(each, series=series))
         return replace(self, experiments=tuple(experiments))
 
-    def sigma(self, series: MeasuredSeries, noise: Noise) -> np.ndarray:
+    def sigma(self, series: MeasuredSeries) -> np.ndarray:
         """Standard deviations (m,) of a series."""
         given = series.sigma
-        return np.where(np.isnan(given), noise.get(series.name, np.nan), given)
+        return np.where(np.isnan(given), self.noise.get(series.name, np.nan), given)
 
     def look_again(self, point: np.ndarray) -> bool:
         """Search for steady responses other than the known ones; False if none are measured."""
@@ -129,7 +130,7 @@ class FitProblem:
             for number, experiment in enumerate(self.experiments)
         )
 
-    def residuals(self, point: np.ndarray, noise: Noise) -> Residuals:
+    def residuals(self, point: np.ndarray) -> Residuals:
         """Residuals and Jacobian at a point (q,); NaN without a motion or derivative."""
         priors = self.unknowns.priors
         try:
@@ -142,10 +143,10 @@ class FitProblem:
             for series, value, jacobian in zip(
                 experiment.series, found.values, found.jacobians, strict=True
             ):
-                sigma = self.sigma(series, noise)
+                sigma = self.sigma(series)
                 values.append((value - series.values) / sigma)
                 jacobians.append(jacobian / sigma[:, None])
-        for place, mean, deviation in priors:
+        for place, (mean, deviation) in priors.items():
             values.append(np.array([(point[place] - mean) / deviation]))
             jacobians.append(np.eye(1, len(point), place) / deviation)
         return Residuals(np.concatenate(values), np.concatenate(jacobians), predictions)
@@ -155,9 +156,10 @@ class FitProblem:
 class Minimum:
     """The end of a search."""
 
+    problem: FitProblem  # with the noise that was estimated
     point: np.ndarray  # (q,)
     residuals: Residuals  # at the point
-    noise: dict[str, float]  # standard deviations of columns that were given none
+    interrupted: bool  # whether there would have been more starts
     converged: bool
     message: str
     evaluations: int  # in all searches, including those over beginnings of the records
@@ -167,7 +169,6 @@ class Minimum:
 
 def minimise(
     problem: FitProblem,
-    loss: str,
     starts: int,
     random: np.random.Generator,
     progress: Callable[[int, int], None],
@@ -176,10 +177,9 @@ def minimise(
 
     The first start is the guess; the others are drawn between the bounds, or from the priors.
     `progress` gets the number of searches that are done and of all. Raises `InputError` if
-    there is no motion to begin with, and on Ctrl-C `Interrupted`, whose `partial` is the best
-    minimum until then.
+    there is no motion to begin with. Ctrl-C ends it with the best minimum until then, if any.
     """
-    noise = _spreads(problem)
+    problem = replace(problem, noise=_spreads(problem))
     points = _starts(problem, starts, random)
     best: Any = None
     costs = np.full(len(points), np.nan)
@@ -187,13 +187,13 @@ def minimise(
     stopped = False
     try:
         for place, point in enumerate(points):
-            approached, spent = _approached(problem, point, noise, loss)
+            approached, spent = _approached(problem, point)
             evaluations += spent
             same = np.array_equal(point, approached)  # there was no beginning to go by
             for begun in (point,) if same else (point, approached):
-                if not np.isfinite(problem.residuals(begun, noise).values).all():
+                if not np.isfinite(problem.residuals(begun).values).all():
                     continue
-                found = _searched(problem, begun, noise, loss)
+                found = _searched(problem, begun)
                 evaluations += found.nfev
                 costs[place] = np.fmin(costs[place], found.cost)
                 if best is None or found.cost < best.cost:
@@ -203,55 +203,48 @@ def minimise(
         if best is None:
             raise
         stopped = True
-    for _ in range(_ROUNDS if noise else 0):
-        known, noise = noise, _noise(problem, problem.residuals(best.x, noise), noise, loss)
-        best = _search(problem, best.x, noise, loss)
+    for _ in range(_ROUNDS if problem.noise else 0):
+        known, noise = problem.noise, _noise(problem, problem.residuals(best.x))
+        problem = replace(problem, noise=noise)
+        best = _search(problem, best.x)
         evaluations += best.nfev
         if all(abs(noise[name] - known[name]) <= _SETTLED * known[name] for name in noise):
             break
-    result = Minimum(
+    return Minimum(
+        problem=problem,
         point=best.x,
-        residuals=problem.residuals(best.x, noise),
-        noise=noise,
+        residuals=problem.residuals(best.x),
+        interrupted=stopped,
         converged=best.status > 0,
         message=_MESSAGES[best.status],
         evaluations=evaluations,
         starts=points,
         costs=costs,
     )
-    if stopped:
-        raise Interrupted(result)
-    return result
 
 
-def _searched(problem: FitProblem, point: np.ndarray, noise: Noise, loss: str) -> Any:
+def _searched(problem: FitProblem, point: np.ndarray) -> Any:
     """The result of a search that is repeated as long as it finds other steady responses."""
-    found, spent = _search(problem, point, noise, loss), 0
+    found, spent = _search(problem, point), 0
     for _ in range(_LOOKS):
         if not problem.look_again(found.x):
             break
-        seen = problem.residuals(found.x, noise).values
+        seen = problem.residuals(found.x).values
         spent += 1
         if np.allclose(seen, found.fun, rtol=_SAME, atol=_SAME):
             break
         spent += found.nfev
-        found = _search(problem, found.x, noise, loss)
+        found = _search(problem, found.x)
     found.nfev += spent
     return found
 
 
-def _search(
-    problem: FitProblem,
-    point: np.ndarray,
-    noise: Noise,
-    loss: str,
-    tolerance: float = _TOLERANCE,
-) -> Any:
+def _search(problem: FitProblem, point: np.ndarray, tolerance: float = _TOLERANCE) -> Any:
     from scipy.optimize import least_squares
 
     @lru_cache(maxsize=_KEPT)
     def at(x: bytes) -> Residuals:
-        return problem.residuals(np.frombuffer(x), noise)
+        return problem.residuals(np.frombuffer(x))
 
     unknowns = problem.unknowns
     return least_squares(
@@ -261,7 +254,7 @@ def _search(
         bounds=(unknowns.lower, unknowns.upper),
         method="trf",
         x_scale="jac",
-        loss=loss_of(loss, problem.data),
+        loss=loss_of(problem.loss, problem.data),
         ftol=tolerance,
         xtol=tolerance,
         gtol=tolerance,
@@ -269,9 +262,7 @@ def _search(
     )
 
 
-def _approached(
-    problem: FitProblem, point: np.ndarray, noise: Noise, loss: str
-) -> tuple[np.ndarray, int]:
+def _approached(problem: FitProblem, point: np.ndarray) -> tuple[np.ndarray, int]:
     """The end of searches over ever longer beginnings of the records, and their evaluations."""
     passed = np.sort(problem.passed)
     enough = passed[min(len(point), len(passed)) - 1 :]
@@ -279,8 +270,8 @@ def _approached(
     evaluations = 0
     while part < 1:
         shorter = problem.beginning(part)
-        if np.isfinite(shorter.residuals(point, noise).values).all():
-            found = _search(shorter, point, noise, loss, _ROUGHLY)
+        if np.isfinite(shorter.residuals(point).values).all():
+            found = _search(shorter, point, _ROUGHLY)
             point, evaluations = found.x, evaluations + found.nfev
         part *= _GROWTH
     return point, evaluations
@@ -297,20 +288,19 @@ def _starts(problem: FitProblem, count: int, random: np.random.Generator) -> np.
     except (InputError, NoConvergence) as problem_there:
         if count == 1:
             raise InputError(f"there is no fit from the guess: {problem_there}") from None
-    believed = {place: (mean, deviation) for place, mean, deviation in unknowns.priors}
     for _ in range(count - 1):
         for _ in range(_DRAWS):
             point = unknowns.guess.copy()
             for place, name in enumerate(unknowns.names):
                 low, high = unknowns.lower[place], unknowns.upper[place]
-                if place in believed:
-                    point[place] = random.normal(*believed[place])
+                if place in unknowns.priors:
+                    point[place] = random.normal(*unknowns.priors[place])
                 elif np.isfinite([low, high]).all():
                     point[place] = random.uniform(low, high)
                 else:
                     raise InputError(f"several starts need both bounds, or a prior, of {name}")
             point = _inside(point, unknowns.lower, unknowns.upper)
-            if np.isfinite(problem.residuals(point, _spreads(problem)).values).all():
+            if np.isfinite(problem.residuals(point).values).all():
                 points.append(point)
                 break
     if not points:
@@ -333,20 +323,20 @@ def _spreads(problem: FitProblem) -> dict[str, float]:
     return {name: usual_size(np.concatenate(values)) for name, values in columns.items()}
 
 
-def _noise(problem: FitProblem, residuals: Residuals, noise: Noise, loss: str) -> dict[str, float]:
-    """Estimated noise of each column in `noise`, from its residuals; robust where the loss is."""
+def _noise(problem: FitProblem, residuals: Residuals) -> dict[str, float]:
+    """Noise of each column without its own, from its residuals; robust where the loss is."""
     names = np.repeat([s.name for s in problem.series], [len(s.values) for s in problem.series])
     values = residuals.values[: problem.data]
     leverage = _leverage(residuals.jacobian)[: problem.data]
     spreads, found = _spreads(problem), {}
-    for name in noise:
+    for name, known in problem.noise.items():
         here = names == name
-        if loss == "linear":
+        if problem.loss == "linear":
             freedom = max(float((1 - leverage[here]).sum()), 1e-3)
             size = float(np.sqrt((values[here] ** 2).sum() / freedom))
         else:
             size = _MEDIAN * float(np.median(abs(values[here])))
-        found[name] = max(size * noise[name], _LEAST * spreads[name])
+        found[name] = max(size * known, _LEAST * spreads[name])
     return found
 
 

@@ -57,8 +57,7 @@ class Unknowns:
     guess: np.ndarray  # (q,)
     lower: np.ndarray  # (q,)
     upper: np.ndarray  # (q,)
-    # number of an unknown, its mean and its standard deviation
-    priors: tuple[tuple[int, float, float], ...]
+    priors: dict[int, tuple[float, float]]  # means and standard deviations, by numbers of unknowns
     # of each experiment what is not fitted: numbers by the kind of a free number, then by target
     fixed: tuple[Mapping[str, Mapping[str, Any]], ...]
 
@@ -171,9 +170,7 @@ def unknowns_of(
     for name, (_, deviation) in known.items():
         if not deviation > 0:
             raise InputError(f"the prior of {name} has no positive standard deviation")
-    beliefs = tuple(
-        (place, *known[entry.base]) for place, entry in enumerate(entries) if entry.base in known
-    )
+    beliefs = {n: known[entry.base] for n, entry in enumerate(entries) if entry.base in known}
     guesses = [
         _guess(entry, fixed, *sides, known.get(entry.base, (None,))[0])
         for entry, sides in zip(entries, ends, strict=True)
