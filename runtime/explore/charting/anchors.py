@@ -56,31 +56,32 @@ class Solver:
 class _Field:
     """The orbits at all points of a lattice; the arrays are flat and are improved in place."""
 
+    solver: Solver
     shape: tuple[int, ...]
     values: Mapping[str, np.ndarray]
     columns: Columns
     starts: np.ndarray
     ranks: np.ndarray
 
-    def improve(self, solver: Solver, places: np.ndarray, starts: np.ndarray | None) -> np.ndarray:
+    def improve(self, places: np.ndarray, starts: np.ndarray | None) -> np.ndarray:
         """Solve again at some places, keep the better orbits and return the places of these."""
         if starts is not None:
             there = np.isfinite(starts).all(axis=-1)
             places, starts = places[there], starts[there]
         if not len(places):
             return places
-        columns = solver.solve({n: row[places] for n, row in self.values.items()}, starts)
+        columns = self.solver.solve(_at(self.values, places), starts)
         better = _ranks(columns) > self.ranks[places]
         if starts is None:  # why nothing was found is best told by the whole search
             better |= (self.ranks[places] == 0) & (columns["status"] != CONVERGED)
-        self.put(solver, places[better], {n: column[better] for n, column in columns.items()})
+        self.put(places[better], _at(columns, better))
         return np.asarray(places[better])
 
-    def put(self, solver: Solver, places: np.ndarray, columns: Columns) -> None:
+    def put(self, places: np.ndarray, columns: Columns) -> None:
         """Store the columns of some places, with their starts and ranks."""
         for name, column in columns.items():
             self.columns[name][places] = column
-        self.starts[places] = solver.starts_of(columns)
+        self.starts[places] = self.solver.starts_of(columns)
         self.ranks[places] = _ranks(columns)
 
 
@@ -95,11 +96,11 @@ def anchor_starts(grid: Grid, solver: Solver) -> np.ndarray:
     told = np.ones(len(field.ranks), dtype=bool)
     while told.any():
         while told.any():
-            told = _told(field, solver, told, 1)
+            told = _told(field, told, 1)
         # what a neighbour has may be too far away: go there step by step
-        told = _told(field, solver, np.ones_like(told), _STEPS)
+        told = _told(field, np.ones_like(told), _STEPS)
     for _ in range(_ROUNDS):
-        _reconsider(field, solver, np.arange(len(field.ranks)))
+        _reconsider(field, np.arange(len(field.ranks)))
     return field.starts.reshape(*field.shape, -1)
 
 
@@ -115,13 +116,18 @@ def solve_block(block: Block, anchors: np.ndarray, solver: Solver) -> Columns:
     field = _field(block.wide_values, solver, first)
     for start in others:
         places = np.flatnonzero(field.ranks < _BEST)
-        field.improve(solver, places, start[places])
+        field.improve(places, start[places])
     # within one branch the anchors' own searches, the longest of all, have said enough
     wanted = (field.ranks == 0) | ((field.ranks == 1) & mixed)
-    field.improve(solver, np.flatnonzero(wanted), None)
+    field.improve(np.flatnonzero(wanted), None)
     inside = np.arange(len(field.ranks)).reshape(field.shape)[block.inner]
-    _reconsider(field, solver, inside.ravel())
-    return {name: column[inside] for name, column in field.columns.items()}
+    _reconsider(field, inside.ravel())
+    return _at(field.columns, inside)
+
+
+def _at(columns: Mapping[str, np.ndarray], places: np.ndarray) -> Columns:
+    """The part of some columns at some places."""
+    return {name: column[places] for name, column in columns.items()}
 
 
 def _field(values: Mapping[str, np.ndarray], solver: Solver, start: np.ndarray | None) -> _Field:
@@ -129,7 +135,7 @@ def _field(values: Mapping[str, np.ndarray], solver: Solver, start: np.ndarray |
     shape = np.broadcast_shapes(*(row.shape for row in values.values()))
     flat = {name: np.broadcast_to(row, shape).ravel() for name, row in values.items()}
     columns = solver.solve(flat, start)
-    return _Field(shape, flat, columns, solver.starts_of(columns), _ranks(columns))
+    return _Field(solver, shape, flat, columns, solver.starts_of(columns), _ranks(columns))
 
 
 def _ranks(columns: Columns) -> np.ndarray:
@@ -138,12 +144,12 @@ def _ranks(columns: Columns) -> np.ndarray:
         return np.asarray(there.astype(int) + motion + (motion & (columns["margin"] >= 0)))
 
 
-def _told(field: _Field, solver: Solver, tell: np.ndarray, steps: int) -> np.ndarray:
+def _told(field: _Field, tell: np.ndarray, steps: int) -> np.ndarray:
     """Offer each point the better orbits of its neighbours; returns a mask of the improved points.
 
     Only points in `tell` pass on their orbit. It is continued to the neighbour in `steps` steps.
     """
-    improved = np.zeros_like(tell)
+    improved, solver = np.zeros_like(tell), field.solver
     for here, there in _pairs(field.shape):
         asks = tell[there] & (field.ranks[there] > field.ranks[here])
         to, of = here[asks], there[asks]
@@ -152,7 +158,7 @@ def _told(field: _Field, solver: Solver, tell: np.ndarray, steps: int) -> np.nda
             part = step / steps
             between = {n: row[of] + part * (row[to] - row[of]) for n, row in field.values.items()}
             starts = solver.starts_of(solver.solve(between, starts))
-        improved[field.improve(solver, to, starts)] = True
+        improved[field.improve(to, starts)] = True
     return improved
 
 
@@ -165,7 +171,7 @@ def _pairs(shape: tuple[int, ...]) -> Iterator[tuple[np.ndarray, np.ndarray]]:
         yield lower, upper
 
 
-def _reconsider(field: _Field, solver: Solver, among: np.ndarray) -> None:
+def _reconsider(field: _Field, among: np.ndarray) -> None:
     """Try the orbits of the neighbours where a point disagrees with them.
 
     A point disagrees if it has no orbit though most of its neighbours have one, if a
@@ -173,7 +179,7 @@ def _reconsider(field: _Field, solver: Solver, among: np.ndarray) -> None:
     of the best rank the one that most starts lead to is kept. All points try the orbits that
     were known before this round.
     """
-    count = len(field.ranks)
+    count, solver = len(field.ranks), field.solver
     beside, there, near = (np.zeros(count, int) for _ in range(3))
     better = np.zeros(count, dtype=bool)
     sizes = np.abs(field.starts)
@@ -191,15 +197,14 @@ def _reconsider(field: _Field, solver: Solver, among: np.ndarray) -> None:
     places = among[wanted[among]]
     if not len(places):
         return
-    values = {name: row[places] for name, row in field.values.items()}
-    found = [{name: column[places] for name, column in field.columns.items()}]
+    values, found = _at(field.values, places), [_at(field.columns, places)]
     for here, other in _pairs(field.shape):
         starts = np.full_like(field.starts, np.nan)
         starts[here] = field.starts[other]
         found.append(solver.solve(values, starts[places]))
     best = _agreed(np.stack([solver.starts_of(one) for one in found]), found, solver.usual)
     chosen = {n: np.choose(best, [one[n] for one in found]) for n in found[0]}
-    field.put(solver, places, chosen)
+    field.put(places, chosen)
 
 
 def _agreed(starts: np.ndarray, found: list[Columns], usual: np.ndarray) -> np.ndarray:

@@ -27,44 +27,34 @@ _SAMPLES = 7  # points at which is looked for what is zero all along
 
 
 @dataclass(frozen=True)
-class OrbitKind:
-    """The properties common to all orbits of a branch that events depend on."""
-
-    count: int  # number of multipliers that may differ from zero, without trivial ones
-    symmetric: bool  # whether a symmetry maps one half of the orbit to the other
-    conservative: bool  # whether a first integral parametrises the orbits
-
-
-@dataclass(frozen=True)
 class EventKind:
     """One kind of event."""
 
     text: str  # what happens, in words
-    # function of multipliers (k, r), slopes (k,) and `OrbitKind` whose values (k,) change sign at
-    # the event; a slope is the parameter's part of the unit tangent; None where boundaries and
-    # conditions show the event
-    test: Callable[[np.ndarray, np.ndarray, OrbitKind], np.ndarray] | None = None
-    # whether the event can happen on such a branch
-    watched: Callable[[OrbitKind], bool] = lambda here: here.count > 0
+    # function of multipliers (k, r), slopes (k,) and the branch's equations whose values (k,)
+    # change sign at the event; a slope is the parameter's part of the unit tangent; None where
+    # boundaries and conditions show the event, and the itinerary changes
+    test: Callable[[np.ndarray, np.ndarray, OrbitEquations], np.ndarray] | None = None
+    # whether the event can happen on such a branch with so many multipliers
+    watched: Callable[[int, OrbitEquations], bool] = lambda count, curve: count > 0
     # function of multipliers (r,): whether a sign change is the event, not a pole or a neutral
     # saddle
     holds: Callable[[np.ndarray], bool] = lambda multipliers: True
     switches: bool = False  # whether another branch meets this one there
-    border_collision: bool = False  # whether the itinerary changes there
 
 
-def _at_minus_one(multipliers: np.ndarray, slopes: np.ndarray, here: OrbitKind) -> np.ndarray:
+def _at_minus_one(multipliers: np.ndarray, slopes: np.ndarray, curve: OrbitEquations) -> np.ndarray:
     found: np.ndarray = (1 + multipliers).prod(axis=-1).real
     return found
 
 
-def _at_one(multipliers: np.ndarray, slopes: np.ndarray, here: OrbitKind) -> np.ndarray:
+def _at_one(multipliers: np.ndarray, slopes: np.ndarray, curve: OrbitEquations) -> np.ndarray:
     """The product of 1 - multiplier, divided by the slope, with which it changes sign at a fold."""
     found: np.ndarray = (1 - multipliers).prod(axis=-1).real
-    return found if here.conservative else found / slopes
+    return found if curve.conservative else found / slopes
 
 
-def _pairs(multipliers: np.ndarray, slopes: np.ndarray, here: OrbitKind) -> np.ndarray:
+def _pairs(multipliers: np.ndarray, slopes: np.ndarray, curve: OrbitEquations) -> np.ndarray:
     """The product of 1 - m1 m2 over all pairs of multipliers m1, m2."""
     found: np.ndarray = 1 + 0 * multipliers[:, 0]
     for i, j in combinations(range(multipliers.shape[-1]), 2):
@@ -82,18 +72,18 @@ def _on_unit_circle(multipliers: np.ndarray) -> bool:
 
 
 KINDS = {
-    "fold": EventKind("the branch turns", lambda _, slopes, __: slopes, lambda here: True),
+    "fold": EventKind("the branch turns", lambda _, slopes, __: slopes, lambda *_: True),
     "flip": EventKind(
         "a multiplier is -1: an orbit of twice the period branches off",
         _at_minus_one,
-        lambda here: here.count > 0 and not here.symmetric,
+        lambda count, curve: count > 0 and curve.order != 2,
         _near(-1),
         switches=True,
     ),
     "neimark-sacker": EventKind(
         "a pair of multipliers is on the unit circle: a torus branches off",
         _pairs,
-        lambda here: here.count > 1 and not here.conservative,
+        lambda count, curve: count > 1 and not curve.conservative,
         _on_unit_circle,
     ),
     "branch-point": EventKind(
@@ -102,23 +92,17 @@ KINDS = {
     "symmetry-breaking": EventKind(
         "a pair of orbits without the symmetry branches off",
         _at_minus_one,
-        lambda here: here.count > 0 and here.symmetric,
+        lambda count, curve: count > 0 and curve.order == 2,
         _near(-1),
         switches=True,
     ),
-    "grazing": EventKind("a boundary is touched inside a phase", border_collision=True),
-    "tangent": EventKind(
-        "a phase leaves its boundary, or reaches it, without speed", border_collision=True
-    ),
-    "entry": EventKind("a boundary is already reached where a phase begins", border_collision=True),
-    "simultaneous": EventKind(
-        "another boundary is reached at the same instant", border_collision=True
-    ),
-    "condition": EventKind("a condition of a transition just holds", border_collision=True),
-    "vanishing-phase": EventKind("a dwell time shrinks to zero", border_collision=True),
-    "admissibility": EventKind(
-        "the orbit ceases to be a motion of the real system", border_collision=True
-    ),
+    "grazing": EventKind("a boundary is touched inside a phase"),
+    "tangent": EventKind("a phase leaves its boundary, or reaches it, without speed"),
+    "entry": EventKind("a boundary is already reached where a phase begins"),
+    "simultaneous": EventKind("another boundary is reached at the same instant"),
+    "condition": EventKind("a condition of a transition just holds"),
+    "vanishing-phase": EventKind("a dwell time shrinks to zero"),
+    "admissibility": EventKind("the orbit ceases to be a motion of the real system"),
 }
 
 
@@ -166,7 +150,7 @@ class Event(Shown):
     @property
     def border_collision(self) -> bool:
         """Whether the itinerary changes here."""
-        return KINDS[self.kind].border_collision
+        return KINDS[self.kind].test is None
 
     @property
     def switches(self) -> bool:
@@ -204,10 +188,9 @@ class Monitors:
         The unit tangents (k, n + 1) are in the curve's units.
         """
         multipliers, slopes = self.curve.multipliers(z), tangents[:, -1]
-        here = _orbit_kind(self.curve, multipliers)
         tests = [KINDS[monitor.kind].test for monitor in self.smooth]
         with np.errstate(all="ignore"):  # a slope may be zero
-            values = [test(multipliers, slopes, here) for test in tests if test is not None]
+            values = [test(multipliers, slopes, self.curve) for test in tests if test is not None]
         return np.stack(values, axis=-1)
 
     def border_values(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -250,10 +233,6 @@ class Monitors:
         return kind.test is None or kind.holds(self.curve.multipliers(z[None])[0])
 
 
-def _orbit_kind(curve: OrbitEquations, multipliers: np.ndarray) -> OrbitKind:
-    return OrbitKind(multipliers.shape[-1], curve.order == 2, curve.conservative)
-
-
 def _border(waves: PhaseWaves) -> dict[str, tuple[np.ndarray, np.ndarray]]:
     """Values and times (k, b) by source."""
     ends, (highest, when) = ends_of(waves), interior_maxima(waves)
@@ -275,11 +254,11 @@ def monitors_of(curve: OrbitEquations, points: np.ndarray) -> Monitors:
     boundary with which the phase begins or ends: its rate is watched instead.
     """
     some = points[np.unique(np.linspace(0, len(points) - 1, _SAMPLES).astype(int))]
-    here = _orbit_kind(curve, curve.multipliers(some))
+    count = curve.multipliers(some).shape[-1]
     smooth = tuple(
         Monitor(name)
         for name, kind in KINDS.items()
-        if kind.test is not None and kind.watched(here)
+        if kind.test is not None and kind.watched(count, curve)
     )
     groups = [phases for _, phases in curve.waves(some)]
     borders: list[Monitor] = []

@@ -62,7 +62,7 @@ class Track:
         self._known: dict[tuple[int, float], np.ndarray | None] = {}
         count = len(points) - 1
         steps = np.repeat(np.arange(count), _PARTS)
-        found, part, ahead = self._interpolated(steps, np.tile(np.arange(_PARTS) / _PARTS, count))
+        found, part, ahead = self.interpolated(steps, np.tile(np.arange(_PARTS) / _PARTS, count))
         found[::_PARTS], ahead[::_PARTS] = points[:-1], tangents[:-1]
         self.places = np.append(steps + part, count)
         self._samples = np.vstack([found, points[-1:]]), np.vstack([ahead, tangents[-1:]])
@@ -81,7 +81,7 @@ class Track:
             ]
         return np.vstack(values)
 
-    def _interpolated(
+    def interpolated(
         self, steps: np.ndarray, r: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Points, parts of the chord and tangents of the cubics of steps, at r from 0 to 1."""
@@ -117,7 +117,7 @@ class Track:
     def _across(self, step: int, part: float) -> np.ndarray | None:
         first, last = self._points[step : step + 2] / self.curve.sizes
         chord = (last - first) / np.linalg.norm(last - first)
-        guess, *_ = self._interpolated(np.array([step]), np.array([part]))
+        guess, *_ = self.interpolated(np.array([step]), np.array([part]))
         offset = float(chord @ (first + part * (last - first)))
         found = correct(self.curve, guess[0], chord, offset)
         return None if found is None else found[0]
@@ -126,17 +126,6 @@ class Track:
         """Number of the step and part of its chord of a place, counted in steps."""
         step = min(int(place), len(self._points) - 2)
         return step, place - step
-
-    def value(self, monitor: Monitor, step: int, part: float) -> float:
-        """Value of a watched function at a part (0 to 1) of a step's chord; NaN without a point."""
-        point = self.point(step, part)
-        if point is None:
-            return float("nan")
-        _, _, (near,) = self._interpolated(np.array([step]), np.array([part]))
-        ahead = near if monitor.source else tangent_at(self.curve, point, near)
-        if ahead @ near < _LEAST_COSINE:  # a branch point, which has two tangents
-            ahead = near
-        return self.monitors.value(monitor, point, ahead)
 
 
 def locate_all(track: Track) -> list[Event]:
@@ -159,11 +148,19 @@ class _Watch(NamedTuple):
     usual: float  # size of its values
 
     def value(self, step: int, part: float) -> float:
-        return self.track.value(self.monitor, step, part)
+        """Exact value at a part (0 to 1) of a step's chord; NaN without a point of the branch."""
+        track, point = self.track, self.track.point(step, part)
+        if point is None:
+            return float("nan")
+        _, _, (near,) = track.interpolated(np.array([step]), np.array([part]))
+        ahead = near if self.monitor.source else tangent_at(track.curve, point, near)
+        if ahead @ near < _LEAST_COSINE:  # a branch point, which has two tangents
+            ahead = near
+        return track.monitors.value(self.monitor, point, ahead)
 
-    def at_sample(self, number: int) -> float:
+    def at(self, place: float) -> float:
         """Exact value at a place; the samples themselves lie on the interpolation."""
-        return self.value(*self.track.at(float(self.track.places[number])))
+        return self.value(*self.track.at(place))
 
 
 def _located(watch: _Watch, values: np.ndarray) -> Iterator[Event]:
@@ -191,7 +188,9 @@ def _located(watch: _Watch, values: np.ndarray) -> Iterator[Event]:
 
 def _crossed(watch: _Watch, window: range) -> set[int]:
     """Numbers of the samples in a window behind which the exact values change sign."""
-    signs = _signs(np.array([watch.at_sample(k) for k in window]))
+    signs = _signs(
+        np.array([watch.at(place) for place in watch.track.places[list(window)].tolist()])
+    )
     return {k for k, (s, t) in zip(window, pairwise(signs), strict=False) if s * t < 0}
 
 
@@ -219,12 +218,12 @@ def _around_extremum(watch: _Watch, window: range, sign: float) -> Iterator[Even
 
     if watch.monitor.kind == "condition":
         return  # what is touched and not crossed leads where it did
-    low, middle, high = watch.track.places[list(window)].tolist()
-    around = max(abs(watch.at_sample(k)) for k in window)
+    low, middle, high = places = watch.track.places[list(window)].tolist()
+    around = max(abs(watch.at(place)) for place in places)
     error = _TOUCHED[0] * around + _TOUCHED[1] * watch.usual
 
     def height(place: float) -> float:
-        found = sign * watch.value(*watch.track.at(place))
+        found = sign * watch.at(place)
         if found < -error:
             raise _BeyondZero(place)
         return found if np.isfinite(found) else np.inf

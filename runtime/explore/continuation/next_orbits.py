@@ -81,9 +81,7 @@ def next_itineraries(
     return tuple(found.values())
 
 
-def orbits_beside(
-    branch: Branch, event: Event, parameters: Mapping[str, Any] | None = None
-) -> tuple[Orbit, ...]:
+def orbits_beside(branch: Branch, event: Event, parameters: Mapping[str, Any]) -> tuple[Orbit, ...]:
     """Admissible orbits of other itineraries on both sides of a border collision, very near it.
 
     Unlike `next_itineraries` all that converge are returned. Those nearest to the collision,
@@ -326,9 +324,7 @@ def _near(period: Any, base: Orbit) -> bool:
     return abs(float(period) / float(base.period) - 1) < _NEAR
 
 
-def other_branch(
-    branch: Branch, event: Event, parameters: Mapping[str, Any] | None = None
-) -> Orbit:
+def other_branch(branch: Branch, event: Event, parameters: Mapping[str, Any] | None) -> Orbit:
     """An orbit near an event on the branch that meets this one there, admissible if possible.
 
     At a flip it has twice the itinerary, and nearly twice the period; at a symmetry breaking it
