@@ -12,7 +12,7 @@ from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain, islice, permutations, product
-from typing import Any, TypeVar
+from typing import Any, Generic, TypeVar
 
 import numpy as np
 
@@ -20,7 +20,12 @@ from nonsmooth.runtime.core.errors import InputError, Interrupted, one_line, unk
 from nonsmooth.runtime.core.registry import Kept, registered
 from nonsmooth.runtime.core.values import Value, by_name, random_generator
 from nonsmooth.runtime.core.workload import check_memory
-from nonsmooth.runtime.explore.finding.outcomes import Attractors, Outcome, attractors_of
+from nonsmooth.runtime.explore.finding.outcomes import (
+    Attractors,
+    Outcome,
+    attractors_of,
+    numbers_of,
+)
 from nonsmooth.runtime.explore.finding.solved import (
     Equilibrium,
     add_orbit,
@@ -63,7 +68,22 @@ _MOST = 200
 
 
 @dataclass(frozen=True, eq=False)
-class FoundOrbit:
+class _Entry(Generic[Solved]):
+    """Something that was found, or why an entry of a file is none, and how starts led to it."""
+
+    solved: Solved | str
+    starts: int
+    share: float
+    mirror: int | None = None
+
+    def _known(self) -> Solved:
+        """What was found; raises `InputError` with the reason if it is refused."""
+        if isinstance(self.solved, str):
+            raise InputError(self.solved)
+        return self.solved
+
+
+class FoundOrbit(_Entry[Orbit]):
     """A periodic orbit and how many of the starts led to it.
 
     Attributes
@@ -78,11 +98,6 @@ class FoundOrbit:
         Place of the orbit before it whose mirror image it is; its own where it is its own.
     """
 
-    solved: Orbit | str
-    starts: int
-    share: float
-    mirror: int | None = None
-
     @property
     def orbit(self) -> Orbit:
         """The orbit.
@@ -92,7 +107,7 @@ class FoundOrbit:
         InputError
             Where a file holds what is no orbit of its system; so does all that is told of it.
         """
-        return _known(self.solved)
+        return self._known()
 
     @property
     def itinerary(self) -> tuple[tuple[str, str], ...]:
@@ -116,8 +131,7 @@ class FoundOrbit:
         return str(self.orbit.stability.verdict)
 
 
-@dataclass(frozen=True, eq=False)
-class FoundEquilibrium:
+class FoundEquilibrium(_Entry[Equilibrium]):
     """An equilibrium and how many of the starts led to it.
 
     Attributes
@@ -130,11 +144,6 @@ class FoundEquilibrium:
         Place of the equilibrium before it whose mirror image it is, or its own.
     """
 
-    solved: Equilibrium | str
-    starts: int
-    share: float
-    mirror: int | None = None
-
     @property
     def equilibrium(self) -> Equilibrium:
         """The equilibrium.
@@ -144,7 +153,7 @@ class FoundEquilibrium:
         InputError
             Where a file holds what is no equilibrium of its system.
         """
-        return _known(self.solved)
+        return self._known()
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -230,8 +239,7 @@ class Found(Kept):
     @property
     def outcomes(self) -> dict[Outcome, float]:
         """Shares of the starts that lead to nothing that is listed, by how they end."""
-        shares = {outcome: self.share(outcome) for outcome in Outcome}
-        return {outcome: share for outcome, share in shares.items() if share}
+        return {outcome: share for outcome in Outcome if (share := self.share(outcome))}
 
     @property
     def unclassified(self) -> float:
@@ -242,13 +250,6 @@ class Found(Kept):
     def resting(self) -> float:
         """Share of the starts that came to rest, at any of the places where that is possible."""
         return self.share(Outcome.RESTING)
-
-
-def _known(solved: Solved | str) -> Solved:
-    """The content of an entry; raises `InputError` with the reason if it is refused."""
-    if isinstance(solved, str):
-        raise InputError(solved)
-    return solved
 
 
 def label_names(found: Found) -> dict[int, str]:
@@ -334,9 +335,7 @@ def find_orbits(
     limits = start_box(point, box)
     check_memory(f"{count} starts", count * _KEPT * entry_size(len(limits)))
     random = random_generator(rng)
-    values = {name: float(value) for name, value in point.parameters.items()}
-
-    directions = translations_of(point)
+    values, directions = numbers_of([point]), translations_of(point)
 
     def follow(starts: np.ndarray, number: int, keep: int) -> Trajectories:
         motions = simulate_many(
@@ -420,40 +419,36 @@ def _in_order(
     Given labels count the orbits that attract, which come first, then the equilibria.
     """
     attracting, steady = len(attractors.orbits), attractors.equilibria
-    totals = [int((labels == i).sum()) for i in range(attracting + len(steady))]
-    of_orbits = totals[:attracting] + [0] * (len(orbits) - attracting)
-    of_steady = totals[attracting:]
-    order = sorted(range(len(orbits)), key=lambda i: (-of_orbits[i], float(orbits[i].period)))
-    steady_order = sorted(range(len(steady)), key=lambda i: -of_steady[i])
-    places = {old: new for new, old in enumerate(order) if old < attracting}
-    places |= {attracting + old: len(order) + new for new, old in enumerate(steady_order)}
+    unstable = len(orbits) - attracting  # no start leads to them, and no label is theirs
+    counts = [int((labels == i).sum()) for i in range(attracting + len(steady))]
+    counts[attracting:attracting] = [0] * unstable
+    solved: list[Any] = [*orbits, *steady]
+    order = sorted(range(len(orbits)), key=lambda i: (-counts[i], float(orbits[i].period)))
+    order += sorted(range(len(orbits), len(solved)), key=lambda i: -counts[i])
 
-    def is_orbit(entry: Orbit, other: Orbit, symmetry: Symmetry) -> bool:
-        return same_orbit(entry, image_of(other, symmetry))
+    def is_image(one: Any, other: Any, symmetry: Symmetry) -> bool:
+        if isinstance(one, Orbit):
+            return same_orbit(one, image_of(other, symmetry))
+        return same_state(one.state, symmetry.matrix @ other.state)
 
-    def is_steady(entry: Equilibrium, other: Equilibrium, symmetry: Symmetry) -> bool:
-        return same_state(entry.state, symmetry.matrix @ other.state)
-
-    def entries(
-        kind: Any, solved: Sequence[Any], counts: list[int], order: list[int], is_image: Any
-    ) -> Any:
+    def entries(kind: Any, places: list[int]) -> Any:
         found: list[Any] = []
-        for i in order:
+        for i in places:
             # the first one whose mirror image it is, perhaps itself
             mirrors = (
                 place
                 for place, other in enumerate([*(each.solved for each in found), solved[i]])
                 if any(is_image(solved[i], other, symmetry) for symmetry in symmetries)
             )
-            share = counts[i] / len(labels)
-            found.append(kind(solved[i], counts[i], share, next(mirrors, None)))
+            found.append(kind(solved[i], counts[i], counts[i] / len(labels), next(mirrors, None)))
         return tuple(found)
 
-    told = np.array([places.get(label, label) for label in labels.tolist()], dtype=int)
+    places = {old: new for new, old in enumerate(order)}
+    told = [places.get(i + unstable * (i >= attracting), i) for i in labels.tolist()]
     return (
-        entries(FoundOrbit, orbits, of_orbits, order, is_orbit),
-        entries(FoundEquilibrium, steady, of_steady, steady_order, is_steady),
-        told,
+        entries(FoundOrbit, order[: len(orbits)]),
+        entries(FoundEquilibrium, order[len(orbits) :]),
+        np.array(told, dtype=int),
     )
 
 

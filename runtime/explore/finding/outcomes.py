@@ -80,29 +80,24 @@ PERIODIC, UNINTERRUPTED, EQUILIBRIUM = 0, 1, 2  # beside the numbers of an Outco
 _RETURN = 1e-6  # in units of the largest size of a state on the cycle
 
 
-class Returns(NamedTuple):
-    """Transitions (n,) in a period, and periods; 0 and NaN where a motion does not come back."""
-
-    lengths: np.ndarray
-    periods: np.ndarray
-
-
 class Pursued(NamedTuple):
     """Motions (n,) after a longer simulation, with masks (n,) of escaping and undecided ones.
 
-    A motion is undecided if it still grows, but not as one that escapes.
+    A motion is undecided if it still grows, but not as one that escapes. Motions come back after
+    so many transitions and so long, some periods of the forcing, or after 0 and NaN.
     """
 
     motions: Trajectories
     escapes: np.ndarray
     undecided: np.ndarray
-    returns: Returns  # after some periods of the forcing
+    lengths: np.ndarray
+    periods: np.ndarray
 
 
 def pursue(
     systems: Sequence[PiecewiseLinear],
     motions: Trajectories,
-    threads: int | None = None,
+    threads: int | None,
 ) -> Pursued:
     """Motions (n,) of as many systems, followed for at least as many transitions again.
 
@@ -141,10 +136,8 @@ def pursue(
         total += length
         if not going.size:
             break
-    undecided = np.zeros(count, dtype=bool)
-    undecided[going] = True
-    returns = _stroboscopic_returns(systems, motions, threads)
-    return Pursued(motions, escapes, undecided, returns)
+    undecided = np.isin(np.arange(count), going)
+    return Pursued(motions, escapes, undecided, *_stroboscopic_returns(systems, motions, threads))
 
 
 def numbers_of(systems: Sequence[PiecewiseLinear]) -> dict[str, float | np.ndarray]:
@@ -204,11 +197,16 @@ def _weights(system: PiecewiseLinear) -> np.ndarray:
 def _sizes(systems: Sequence[PiecewiseLinear], motions: Trajectories) -> np.ndarray:
     """Largest sizes (n,) of motions over the entries that are kept, up to translations."""
     ends = np.concatenate([motions.last_states, motions.states[:, None]], axis=1)
-    known = np.where(np.isnan(ends), 0.0, ends)
-    found = np.empty(len(systems))
+    states = _up_to_shift(systems, np.where(np.isnan(ends), 0.0, ends))
+    weights = np.array([_weights(system) for system in systems])
+    return np.asarray((np.abs(states) * weights[:, None]).max(axis=(1, 2)))
+
+
+def _up_to_shift(systems: Sequence[PiecewiseLinear], states: np.ndarray) -> np.ndarray:
+    """States (n, ..., N) of as many systems, up to translations."""
+    found = states.copy()
     for place, system in enumerate(systems):
-        states = up_to_shift(known[place], translations_of(system))
-        found[place] = (np.abs(states) * _weights(system)).max()
+        found[place] = up_to_shift(states[place], translations_of(system))
     return found
 
 
@@ -310,9 +308,9 @@ def _changes(motions: Trajectories, scales: np.ndarray) -> np.ndarray:
 def _stroboscopic_returns(
     systems: Sequence[PiecewiseLinear],
     motions: Trajectories,
-    threads: int | None = None,
-) -> Returns:
-    """Returns of motions (n,) of as many systems after some periods of the forcing.
+    threads: int | None,
+) -> tuple[np.ndarray, np.ndarray]:
+    """Transitions (n,) and times until motions of as many systems come back with the forcing.
 
     The last entries of the motions have to be kept. `threads` None takes all processors.
     """
@@ -320,7 +318,7 @@ def _stroboscopic_returns(
     periods = np.array([forcing_period(system) or np.nan for system in systems])
     directions = [translations_of(system) for system in systems]
     sizes = sizes_of(motions.structure, motions.last_states, motions.last_times)
-    found = Returns(np.zeros(len(systems), dtype=int), np.full(len(systems), np.nan))
+    lengths, times = np.zeros(len(systems), dtype=int), np.full(len(systems), np.nan)
     going = np.flatnonzero((motions.status == Status.TRANSITIONS) & np.isfinite(periods))
     states = motions.last_states[going, -1]
     configurations = motions.last_configurations[going, -1]
@@ -347,12 +345,12 @@ def _stroboscopic_returns(
             moved = np.array([up_to_shift(moved[k], directions[p]) for k, p in enumerate(going)])
             back = (np.abs(moved) <= _RETURN * sizes[going]).all(axis=1)
             back &= stays & (now.configurations == first.configurations)
-            found.periods[going[back]] = flash * periods[going[back]]
-            found.lengths[going[back]] = passed[going[back]]
+            times[going[back]] = flash * periods[going[back]]
+            lengths[going[back]] = passed[going[back]]
             stays &= ~back
         going, first = going[stays], first.at(stays)
         states, configurations = now.states[stays], now.configurations[stays]
-    return found
+    return lengths, times
 
 
 class Outcome(IntEnum):
@@ -404,15 +402,14 @@ class Attractors:
         two entries of the motions have to be kept.
         """
         labels = _arrivals(motions, self.orbits)
-        quiet = motions.status == Status.QUIET
-        known = len(self.responses)  # one that was visited since stays unclassified
         staying: dict[str, int] = {}  # the first that never leaves a configuration
         for place, orbit in enumerate(self.orbits):
             if orbit.tables.cycle.uninterrupted:
                 staying.setdefault(orbit.itinerary[0][0], place)
         for place, equilibrium in enumerate(self.equilibria, len(self.orbits)):
             staying.setdefault(equilibrium.configuration, place)
-        quiet &= motions.configurations < known
+        # one that was visited since stays unclassified
+        quiet = (motions.status == Status.QUIET) & (motions.configurations < len(self.responses))
         for configuration in np.unique(motions.configurations[quiet]).tolist():
             here = quiet & (motions.configurations == configuration)
             labels[here] = _quiet_outcomes(
@@ -460,7 +457,7 @@ def pursued_outcomes(
     systems: Sequence[PiecewiseLinear],
     pursued: Pursued,
     labels: np.ndarray,
-    threads: int | None = None,
+    threads: int | None,
 ) -> np.ndarray:
     """Labels (n,) of motions of as many systems that were followed further.
 
@@ -471,19 +468,18 @@ def pursued_outcomes(
     found, motions = labels.copy(), pursued.motions
     found[pursued.escapes] = Outcome.DIVERGENT
     goes_on = (found == Outcome.UNCLASSIFIED) & (motions.status == Status.TRANSITIONS)
-    places = np.flatnonzero(goes_on & ~pursued.undecided & (pursued.returns.lengths == 0))
+    places = np.flatnonzero(goes_on & ~pursued.undecided & (pursued.lengths == 0))
     if places.size:
         here, part = [systems[place] for place in places.tolist()], motions.at(places)
         scales = [scales_of(system, part.at([k]))[0] for k, system in enumerate(here)]
         measured = stretching(here[0].kernels, numbers_of(here), part, np.array(scales), threads)
         common = np.array([forcing_turns(system) is not None for system in here])
         value, error = measured.exponents, _CERTAIN * measured.errors
-        regular = np.where(common, int(Outcome.QUASIPERIODIC), int(Outcome.INCOMMENSURATE))
-        settling = np.where(common, int(Outcome.UNCLASSIFIED), int(Outcome.INCOMMENSURATE))
-        outcomes = np.where(value > error, int(Outcome.CHAOTIC), regular)
-        outcomes = np.where(value < -error, settling, outcomes)
-        outcomes[np.isnan(value)] = Outcome.UNCLASSIFIED
-        found[places] = outcomes
+        found[places] = np.select(
+            [np.isnan(value), value > error, ~common, value < -error],
+            [Outcome.UNCLASSIFIED, Outcome.CHAOTIC, Outcome.INCOMMENSURATE, Outcome.UNCLASSIFIED],
+            Outcome.QUASIPERIODIC,
+        )
     return found
 
 
@@ -494,9 +490,9 @@ def labels_of_ends(motions: Trajectories) -> np.ndarray:
     be computed. The last entry of the motions has to be kept.
     """
     labels = np.where(motions.status < 0, int(Outcome.ILLEGAL), int(Outcome.UNCLASSIFIED))
-    now, before = motions.states, motions.last_states[:, -1]
-    small = [(np.abs(states) < LARGEST_STATE).all(axis=1) for states in (now, before)]
-    labels[(motions.status == Status.OVERFLOW) & ~small[0] & small[1]] = Outcome.DIVERGENT
+    ends = motions.states, motions.last_states[:, -1]
+    small, before = ((np.abs(states) < LARGEST_STATE).all(axis=1) for states in ends)
+    labels[(motions.status == Status.OVERFLOW) & ~small & before] = Outcome.DIVERGENT
     return labels
 
 
@@ -632,10 +628,9 @@ def settled(
         here = list(compress(systems, goes_on))
         pursued = pursue(here, flat.at(going), threads)
         later = _arrived(here, pursued.motions)
-        returns = pursued.returns
-        back = (later.outcomes == Outcome.UNCLASSIFIED) & (returns.lengths > 0)
+        back = (later.outcomes == Outcome.UNCLASSIFIED) & (pursued.lengths > 0)
         later.outcomes[back] = PERIODIC
-        later.lengths[back], later.periods[back] = returns.lengths[back], returns.periods[back]
+        later.lengths[back], later.periods[back] = pursued.lengths[back], pursued.periods[back]
         told = pursued_outcomes(here, pursued, later.outcomes, threads)
         _put(found, going, later._replace(outcomes=told))
     return Settled(*(array.reshape(shape) for array in found))
@@ -658,10 +653,7 @@ def _put(found: Settled, places: np.ndarray, others: Settled) -> None:
 
 def _arrived(systems: Sequence[PiecewiseLinear], motions: Trajectories) -> Settled:
     """What motions (n,) of as many systems have settled on, up to translations."""
-    states = motions.last_states.copy()
-    for place, system in enumerate(systems):
-        states[place] = up_to_shift(states[place], translations_of(system))
-    found = _returned(motions, states)
+    found = _returned(motions, _up_to_shift(systems, motions.last_states))
     for place in np.flatnonzero(motions.status == Status.QUIET).tolist():
         attractors = attractors_of(systems[place], ())
         label = int(attractors.labels(motions.at([place]))[0])
