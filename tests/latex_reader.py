@@ -32,7 +32,7 @@ class Written:
         self.equations, itinerary = equations, equations.itinerary
         self.name = f"{itinerary.system.name}/{itinerary.name}"
         self.document = describe_orbit(equations)
-        self.notation = self.document.shown.naming.notation
+        self.notation = self.document.shown.notation
 
     @property
     def lines(self):

@@ -5,11 +5,11 @@
 `hypertext`       documents as Markdown and HTML
 `describe`        documents of systems, orbits and itineraries
 `sections`        their sections, each a template of sentences and formulas
-`view`            an orbit: its equations, how they are written, saltation matrices
-`cycle`           an itinerary: the section at its start, transitions once each
-`wording`         words and lines that all sections share
-`printer`         expressions as LaTeX, in the order that a person would choose
-`symbols`         how symbols of the derivation are written, letters that none has
+`template`        what a template may say, and how it is filled
+`view`            what a section describes: a system, equations, an itinerary
+`notation`        words, relations and letters that all sections share
+`printer`         symbols and expressions as LaTeX, in the order of reading
+`symbols`         names as LaTeX, letters that no symbol has
 `blocks`          headings, paragraphs, formulas, tables; where lines break
 ================  ==============================================================
 """

@@ -6,8 +6,8 @@ Text carries two marks: ``$...$`` around LaTeX and ``*...*`` around emphasised w
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import sympy as sp
@@ -61,6 +61,12 @@ class Line:
     def latex(self) -> str:
         """The relation on one line."""
         return " ".join(filter(None, (self.left, self.relation, *self.pieces)))
+
+    def ended(self, mark: str) -> Line:
+        """The line with a mark at its end, in place of a comma there."""
+        *others, last = self.pieces
+        last = last.removesuffix(",") if mark else last
+        return replace(self, pieces=(*others, f"{last}{mark}"))
 
 
 @dataclass(frozen=True)
@@ -157,6 +163,16 @@ def marked(text: str) -> list[tuple[str, str]]:
     """Parts of text behind their marks: ``$`` for LaTeX, ``*`` for emphasis, nothing for words."""
     parts = enumerate(_MARKS.split(text))
     return [(part[0], part[1:-1]) if place % 2 else ("", part) for place, part in parts]
+
+
+def rendered(
+    text: str, words: Callable[[str], str], formula: Callable[[str], str], emphasis: str
+) -> str:
+    """Text in another format: its words, its formulas, and what emphasised words stand in."""
+    return "".join(
+        formula(part) if mark == "$" else emphasis.format(words(part)) if mark else words(part)
+        for mark, part in marked(text)
+    )
 
 
 def text_width(text: str) -> float:

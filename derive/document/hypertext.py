@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from html import escape
 from itertools import pairwise
 from xml.etree import ElementTree
@@ -16,7 +16,7 @@ from nonsmooth.derive.document.blocks import (
     Heading,
     Paragraph,
     Table,
-    marked,
+    rendered,
 )
 
 _STYLE = """
@@ -38,6 +38,7 @@ table { border-collapse: collapse; font-size: 0.95rem; }
 th, td { border-bottom: 1px solid #8886; padding: 0.3rem 0.8rem 0.3rem 0; text-align: left;
   vertical-align: baseline; }
 """
+_TIGHT = {"lspace": "0", "rspace": "0"}
 _TALL = {"mfrac", "mtable", "msqrt"}
 _OPENING, _CLOSING = ("(", "["), (")", "]")
 _SIGNS = ("+", "−", "±")
@@ -70,13 +71,7 @@ def to_html(document: Document) -> str:
 
     ImportError says that latex2mathml is not installed.
     """
-    try:
-        from latex2mathml.converter import convert
-    except ImportError as error:
-        raise ImportError(
-            'HTML needs the latex2mathml package: pip install "nonsmooth[html]"'
-        ) from error
-    page = _Page(convert)
+    page = _Page()
     body = "\n".join(page.block(block) for block in document.blocks)
     title = escape(document.title)
     return (
@@ -88,9 +83,15 @@ def to_html(document: Document) -> str:
 
 
 class _Page:
-    """A writer of blocks as HTML, with one converter of LaTeX to MathML."""
+    """A writer of blocks as HTML, with a converter of LaTeX to MathML."""
 
-    def __init__(self, convert: Callable[[str], str]) -> None:
+    def __init__(self) -> None:
+        try:
+            from latex2mathml.converter import convert
+        except ImportError as error:
+            raise ImportError(
+                'HTML needs the latex2mathml package: pip install "nonsmooth[html]"'
+            ) from error
         self.convert = convert
 
     def block(self, block: Block) -> str:
@@ -125,40 +126,30 @@ class _Page:
 
     def text(self, text: str) -> str:
         """HTML of text with formulas and emphasis."""
-        found = []
-        for mark, part in marked(text):
-            if mark == "$":
-                found.append(f"<math>{self.math(part)}</math>")
-            else:
-                found.append(f"<em>{escape(part)}</em>" if mark else escape(part))
-        return "".join(found)
+        return rendered(
+            text, escape, lambda latex: f"<math>{self.math(latex)}</math>", "<em>{}</em>"
+        )
 
     def math(self, latex: str) -> str:
-        """MathML of one piece of LaTeX, without its outer element."""
+        """MathML of one piece of LaTeX, without its outer element, mended."""
         if not latex.strip():
             return "<mrow></mrow>"
-        return mathml(latex, self.convert)
+        # the converter forgets that one letter alone is upright, but not that a name is
+        return _mended(self.convert(re.sub(r"\\mathrm\{(\w)\}", r"\\operatorname{\1}", latex)))
 
 
 def equation_html(lines: Sequence[tuple[str, str]], name: str) -> str | None:
     """HTML table of numbered equations in MathML; None if no converter is installed."""
     try:
-        from latex2mathml.converter import convert
+        page = _Page()
     except ImportError:
         return None  # a notebook then takes the LaTeX
-    page = _Page(convert)
     rows = "".join(
         f"<tr><td>({k})</td><td>{page.text(f'${latex}$')}</td><td>{page.text(note)}</td></tr>"
         for k, (latex, note) in enumerate(lines, start=1)
     )
     caption = f"{escape(name)}; (k) marks the state behind phase k"
     return f"<table><caption>{caption}</caption>{rows}</table>"
-
-
-def mathml(latex: str, convert: Callable[[str], str]) -> str:
-    """MathML of LaTeX by the given converter, mended."""
-    # the converter forgets that one letter alone is upright, but not that a name is
-    return _mended(convert(re.sub(r"\\mathrm\{(\w)\}", r"\\operatorname{\1}", latex)))
 
 
 def _mended(mathml: str) -> str:
@@ -178,10 +169,6 @@ def _mended(mathml: str) -> str:
     return "".join(ElementTree.tostring(child, encoding="unicode") for child in root)
 
 
-def _core(element: Element) -> Element:
-    return element[0] if element.tag in ("msub", "msup", "msubsup") else element
-
-
 def _set_upright(name: Element) -> None:
     """Make an operator of one letter an upright identifier."""
     if name.tag == "mo" and re.fullmatch("[A-Za-z]", name.text or ""):
@@ -196,7 +183,7 @@ def _space_names(row: Element) -> None:
     for before, element, after in zip(neighbours, neighbours[1:], neighbours[2:], strict=False):
         if element is None:
             continue
-        name = _core(element)
+        name = element[0] if element.tag in ("msub", "msup", "msubsup") else element
         if name.tag not in ("mi", "mo") or not re.fullmatch("[a-z]{2,}", name.text or ""):
             continue
         name.tag = "mo"
@@ -216,11 +203,10 @@ def _space_signs(row: Element) -> None:
         if element.tag == "mi" and element.text in _SIGNS:
             element.tag = "mo"
         if element.tag == "mo" and element.text in ("/", "."):
-            element.attrib |= {"lspace": "0", "rspace": "0"}
+            element.attrib |= _TIGHT
     for before, sign in pairwise(row):
         if sign.tag == "mo" and before.text in _BEFORE_SIGN and sign.text in _SIGNS:
-            sign.set("form", "prefix")
-            sign.attrib |= {"lspace": "0", "rspace": "0"}
+            sign.attrib |= {"form": "prefix", **_TIGHT}
 
 
 def _settle_fences(row: Element) -> None:
@@ -229,7 +215,7 @@ def _settle_fences(row: Element) -> None:
         return
     inner = {element.tag for part in row for element in part.iter()}
     for fence in (row[0], row[-1]):
-        fence.attrib |= {"lspace": "0", "rspace": "0"}
+        fence.attrib |= _TIGHT
         if not inner & _TALL:
             fence.set("stretchy", "false")
 
@@ -239,5 +225,5 @@ def _pair_bars(row: Element) -> None:
     bars = [bar for bar in row if bar.text == "|"]
     for number, bar in enumerate(bars if len(bars) % 2 == 0 else ()):
         bar.tag = "mo"
-        bar.attrib |= {"form": "postfix" if number % 2 else "prefix", "stretchy": "false"}
-        bar.attrib |= {"lspace": "0", "rspace": "0"}
+        form = "postfix" if number % 2 else "prefix"
+        bar.attrib |= {"form": form, "stretchy": "false", **_TIGHT}

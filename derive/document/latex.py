@@ -16,7 +16,7 @@ from nonsmooth.derive.document.blocks import (
     Heading,
     Paragraph,
     Table,
-    marked,
+    rendered,
     text_width,
 )
 
@@ -152,14 +152,8 @@ def _table(table: Table) -> str:
 
 def _text(text: str) -> str:
     """LaTeX of text with formulas and emphasis, special characters escaped outside formulas."""
-    found = []
-    for mark, part in marked(text):
-        if mark == "$":
-            found.append(f"${part}$")
-        else:
-            words = "".join(_SPECIAL.get(c, c) for c in part)
-            found.append(rf"\emph{{{words}}}" if mark else words)
-    return "".join(found)
+    special = str.maketrans(_SPECIAL)
+    return rendered(text, lambda words: words.translate(special), "${}$".format, r"\emph{{{}}}")
 
 
 def compile_pdf(latex: str) -> bytes:

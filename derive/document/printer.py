@@ -1,22 +1,74 @@
-"""Expressions as LaTeX, in the order of terms and factors that a person would choose."""
+"""Symbols and expressions as LaTeX, in the order of terms and factors that a person would choose.
+
+A symbol of the derivation is written by what it means, as the table says.
+"""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import sympy as sp
 from sympy.printing.latex import LatexPrinter
 
-from nonsmooth.derive.declaration.algebra import remembered
+from nonsmooth.derive.declaration.algebra import cancel, factor, factor_terms, remembered
 from nonsmooth.derive.document.blocks import width
-from nonsmooth.derive.document.symbols import Symbols, grouped_by, is_written
+from nonsmooth.derive.document.symbols import (
+    GREEK,
+    Responses,
+    free,
+    grouped_by,
+    head,
+    identifier,
+    responses_of,
+)
 from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.flows.entire import ExponentialDifference
-from nonsmooth.derive.symbols import meaning_of
+from nonsmooth.derive.flows.modal import Flow
+from nonsmooth.derive.symbols import Symbol, inside, meaning_of
 
+# LaTeX by meaning: a number is a part of the symbol, a word a letter that is free
+_WRITTEN = {
+    "state": "<0>^{(<1>)}",
+    "reset": "<0>^{(<1>)+}",
+    "derivative": r"\partial_{<1>} <0>",
+    "carried": r"<0>|_{\Phi}",
+    "on boundary": r"<0>|_{\Sigma}",
+    "delay": "<0>",
+    "cosine part": "a_{<0>}",
+    "sine part": "b_{<0>}",
+    "constant part": "c_{<0>}",
+    "amplitude": "A_{<0>}",
+    "rate": "<rate>_{<0>}",
+    "cosine": r"\cos \theta_{<0>}",
+    "sine": r"\sin \theta_{<0>}",
+    "divisor": "<coefficient>_{<0>}",
+    "coefficient": "<coefficient>_{<0>}",
+    "right": "<right>_{<0>}",
+    "determinant": "<determinant>",
+    "numerator": "<numerator>_{<0>}",
+    "without": "<0>^{[<1>]}",
+    "equation": "F_{<0>}",
+    "offset": "c_{<0>,<1><2>}",
+}
+# the first that the declaration leaves free
+_LETTERS = {
+    "coefficient": r"a \alpha \mathsf{a}",
+    "right": r"b \beta \mathsf{b}",
+    "determinant": r"D \Delta \mathsf{D}",
+    "numerator": r"N \mathsf{N}",
+    "factor": r"\gamma \varrho \mathsf{c}",
+    "rate": r"s g \mathsf{s}",
+}
+# meanings of what a state is along an orbit, and of its derivatives
+_OF_STATES = ("state", "reset", "derivative", "carried", "on boundary")
+_WORD = r"[A-Za-z]\w*"
+_SUM = rf"{_WORD}(?:\s*[-+*/]\s*{_WORD})*"
+_EXPRESSION = re.compile(rf"(?<![-\w])(?:{_SUM}|\({_SUM}\))(?:\s*[-+*/]\s*(?:{_WORD}|\({_SUM}\)))*")
+_HEAD = re.compile(r"\\?[A-Za-z]+(?:\{[^{}]*\})?")
 # a symbol with indices, to which a power may be put
 _LETTER = re.compile(r"\\?[A-Za-z]+(?:\{[A-Za-z]+\})?(?:_\{[^ ]*\})?")
 # place of functions among the factors of a product
@@ -24,8 +76,20 @@ _FUNCTIONS = 5
 
 
 @dataclass(eq=False)
-class Notation(Symbols, LatexPrinter):
+class Printer(LatexPrinter):
     """LaTeX of the symbols and expressions of one document."""
+
+    states: tuple[sp.Symbol, ...]
+    constants: tuple[sp.Symbol, ...]  # parameters and the spectrum
+    # symbols for values of functions of time, or for half a dwell time, and what they are
+    functions: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    unknowns: tuple[sp.Symbol, ...] = ()
+    # coordinates of the start, and the index of the state of each
+    start: Mapping[sp.Symbol, int] = field(default_factory=dict)
+    # mark of a state behind a phase, ``(2)`` or ``(2)+``, by its dwell time
+    behind: Mapping[sp.Symbol, str] = field(default_factory=dict)
+    # by configuration; their impulse responses have numbers
+    flows: Mapping[str, Flow] = field(default_factory=dict)
 
     WIDEST = 34.0
 
@@ -36,7 +100,124 @@ class Notation(Symbols, LatexPrinter):
         """LaTeX of a symbol, or of the value of a function of time that it stands for."""
         if symbol in self.functions:
             return self.latex(self.functions[symbol])
-        return super().symbol(symbol)
+        if not isinstance(symbol, Symbol):
+            return identifier(symbol.name)
+        parts = [self._part(part) for part in symbol.parts]
+        match symbol.meaning:
+            case "written":
+                return str(symbol.parts[1])
+            case "constant":
+                return _barred(parts[0])
+            case "times":
+                return _indexed(*parts)
+            case "part":
+                place, coordinate, dwell = symbol.parts
+                state = f"{self.symbol(self.states[place])}^{{{self.behind[dwell]}}}"
+                return _barred(state) if coordinate == 1 else _indexed(state, parts[1])
+            case "spectrum" if parts[0] in _LETTERS:
+                return f"{self.letter_for(parts[0])}_{{{parts[1]}}}"
+            case meaning if meaning in _WRITTEN:
+                return re.sub(
+                    "<(\\w+)>",
+                    lambda m: parts[int(m[1])] if m[1].isdigit() else self.letter_for(m[1]),
+                    _WRITTEN[meaning],
+                )
+        latex = identifier(symbol.name)
+        if latex in self.declared:  # the user's letter stays
+            return latex.replace(head(latex), rf"\hat{{{head(latex)}}}", 1)
+        return latex
+
+    @cached_property
+    def declared(self) -> frozenset[str]:
+        """LaTeX of the symbols that the user has named."""
+        every = (*self.states, *self.constants, *self.unknowns)
+        return frozenset(identifier(s.name) for s in every if not isinstance(s, Symbol))
+
+    def matrix_letter(self, letter: str) -> str:
+        """Letter of a matrix, upright where the user has named something so."""
+        return free((letter, rf"\mathsf{{{letter}}}"), self.declared)
+
+    def with_formulas(self, text: str) -> str:
+        """Text in which the names of symbols, and arithmetic with them, are set as formulas."""
+
+        def formula(match: re.Match[str]) -> str:
+            found = match[0]
+            named = {word: self._named(word) for word in re.findall(_WORD, found)}
+            if all(named.values()):
+                return f"${re.sub(_WORD, lambda m: named[m[0]], found)}$"
+            return re.sub(_WORD, lambda m: f"${named[m[0]]}$" if named[m[0]] else m[0], found)
+
+        return _EXPRESSION.sub(formula, text)
+
+    def plain(self, expression: sp.Expr) -> sp.Expr:
+        """An expression with powers of time, and halves of dwell times, written out."""
+        return sp.sympify(expression).xreplace(
+            {s: e for s, e in self.functions.items() if not e.is_Function}
+        )
+
+    @remembered
+    def tidy(self, expression: sp.Expr) -> sp.Expr:
+        """An expression ordered for reading: state by state, with constants factored."""
+        expression = self.plain(expression)
+        if expression.has(sp.Function) or expression.is_Atom:
+            return expression
+        if any(p.exp == sp.Rational(1, 2) and p.base.is_Add for p in expression.atoms(sp.Pow)):
+            return expression
+        expression = sp.expand(expression)
+        moving = expression.free_symbols - set(self.constants)
+        grouped: dict[sp.Expr, dict[sp.Expr, sp.Expr]] = {}
+        for monomial, part in grouped_by(expression, moving).items():
+            states = filter(self.is_state, monomial.free_symbols)
+            rest, state = monomial.as_independent(*states, as_Add=False)
+            inner = grouped.setdefault(state, {})
+            inner[rest] = inner.get(rest, sp.Integer(0)) + factor(cancel(part))
+        sums: dict[sp.Expr, sp.Expr] = {}
+        for state, inner in grouped.items():
+            shared = factor_terms(sp.Add(*(r * f for r, f in inner.items())))
+            if shared in (1, -1):
+                sums[shared] = sums.get(shared, sp.Integer(0)) + state
+            else:
+                add_product(sums, shared, state)
+        parts = [f * s if f.is_number else sp.Mul(f, s) for f, s in sums.items()]
+        return factor_terms(sp.Add(*parts)) if len(parts) > 1 else sp.Add(*parts)
+
+    def place(self, symbol: sp.Symbol) -> int | None:
+        """Index of the state that a symbol is, at the start, behind a phase, or differentiated."""
+        state = inside(symbol, *_OF_STATES)
+        return self.start.get(symbol, self.states.index(state) if state in self.states else None)
+
+    def is_state(self, symbol: sp.Symbol) -> bool:
+        """Whether a symbol is a state in this sense."""
+        return self.place(symbol) is not None
+
+    def is_function(self, symbol: sp.Symbol) -> bool:
+        """Whether a symbol stands for a value of a function, and needs no brackets behind it."""
+        known = self.functions.get(symbol)
+        return (known is not None and known.is_Function) or meaning_of(symbol) in ("cosine", "sine")
+
+    def _part(self, part: object) -> str:
+        """LaTeX of a part of a symbol."""
+        return self.symbol(part) if isinstance(part, sp.Symbol) else str(part).replace("_", ",")
+
+    def _named(self, word: str) -> str:
+        """LaTeX of a name in a text; empty for another word."""
+        if word in self._known and (len(word) > 1 or word.isupper()):
+            return self.symbol(self._known[word])
+        indexed = re.fullmatch(rf"[A-Za-z]{{1,2}}\d+|(?:{'|'.join(GREEK)})\d*", word)
+        return identifier(word) if indexed else ""
+
+    @cached_property
+    def _known(self) -> dict[str, sp.Symbol]:
+        return {str(s): s for s in (*self.unknowns, *self.constants, *self.states)}
+
+    def letter_for(self, meaning: str) -> str:
+        """Letter of linear equations, characteristic factors or rates."""
+        return free(_LETTERS[meaning].split(), {head(identifier(name)) for name in self._known})
+
+    @cached_property
+    def responses(self) -> Responses:
+        """Numbers of the factors of impulse responses."""
+        return responses_of(self.flows.values(), map(self.symbol, self._known.values()))
 
     def latex(self, expression: Any) -> str:
         """LaTeX of an expression or a matrix; that of a 1 x 1 matrix is that of its entry."""
@@ -47,11 +228,10 @@ class Notation(Symbols, LatexPrinter):
     def _print_Symbol(self, symbol: sp.Symbol, style: str = "plain") -> str:
         return self.symbol(symbol)
 
-    def _print_Add(self, expression: sp.Add, order: Any = None) -> str:
+    def _print_Add(self, expression: sp.Expr, order: Any = None) -> str:
         return self.sum(expression)
 
-    def _print_Mul(self, expression: sp.Mul) -> str:
-        return self.sum(expression)
+    _print_Mul = _print_Add
 
     def _print_Pow(self, expression: sp.Pow) -> str:
         if expression.exp.is_Rational and expression.exp.is_negative:
@@ -150,8 +330,7 @@ class Notation(Symbols, LatexPrinter):
             if function == 1 or not moving:
                 terms.append(coefficient * function)
             else:
-                core, frequency = (-core, -frequency) if -core in shared else (core, frequency)
-                shared[core] = shared.get(core, sp.Integer(0)) + frequency * function
+                add_product(shared, core, frequency * function)
         return (*(sp.Mul(core, total) for core, total in shared.items()), *terms)
 
     def is_sine(self, symbol: sp.Symbol) -> bool:
@@ -207,23 +386,26 @@ class Notation(Symbols, LatexPrinter):
 
     def factor(self, expression: sp.Expr) -> tuple[int, str]:
         """Sign of an expression, and LaTeX to which other factors may be put."""
-        return self.term(expression, alone=False)
+        return self._term(expression, False)
 
-    def term(self, term: sp.Expr, *, alone: bool = True) -> tuple[int, str]:
-        """Sign and LaTeX of a product; a sum that is `alone` behind a plus sign has no brackets."""
-        return self._term(term, alone)
+    def term(self, term: sp.Expr) -> tuple[int, str]:
+        """Sign and LaTeX of a product; a sum behind a plus sign has no brackets."""
+        return self._term(term, True)
 
     @remembered
     def _term(self, term: sp.Expr, alone: bool) -> tuple[int, str]:
-        """Sign and LaTeX of a product, its sums turned so that numbers in them are positive."""
+        """Sign and LaTeX of a product, its sums turned so that numbers in them are positive.
+
+        A sum that is `alone` behind a plus sign has no brackets.
+        """
         number, rest = term.as_coeff_Mul()
         sign = -1 if number.is_negative else 1
         factors = list(sp.Mul.make_args(rest))
         roots = [f for f in factors if f.is_Pow and abs(f.exp) == sp.Rational(1, 2)]
         above, below = [abs(number).p, abs(number).q] if number.is_Rational else [abs(number), 1]
         above, below = [sp.sympify(above)], [sp.sympify(below)]
-        for factor in (f for f in factors if f not in roots):
-            base, exponent = factor.as_base_exp()
+        for part in (f for f in factors if f not in roots):
+            base, exponent = part.as_base_exp()
             if base.is_Add and exponent.is_Integer and exponent % 2 and self.looks_negative(base):
                 base, sign = -base, -sign
             if exponent.is_Rational and exponent < 0:
@@ -265,7 +447,7 @@ class Notation(Symbols, LatexPrinter):
         """Whether a sum can take up a minus sign in front of it."""
         if not factor.is_Add or factor.as_coeff_Add()[0] != 0:
             return False
-        if any(map(is_written, factor.free_symbols)):
+        if any(meaning_of(symbol) == "written" for symbol in factor.free_symbols):
             return False
         return any(self.term(a)[0] < 0 for a in factor.args)
 
@@ -294,7 +476,7 @@ class Notation(Symbols, LatexPrinter):
             # without brackets of its own it ends a product
             bracketed = isinstance(self.functions.get(base), ExponentialDifference)
             return _FUNCTIONS + (0 if bracketed else 1), str(factor)
-        bracketed = is_written(base) and self._print(base).endswith(r"\right)")
+        bracketed = meaning_of(base) == "written" and self._print(base).endswith(r"\right)")
         if base.is_Function or base == sp.E or bracketed:
             return _FUNCTIONS, str(factor)
         if meaning_of(base) == "derivative":
@@ -302,6 +484,12 @@ class Notation(Symbols, LatexPrinter):
         if base in self.constants:
             return 1, str(factor)
         return 2, str(factor)
+
+
+def add_product(groups: dict[sp.Expr, sp.Expr], factor: sp.Expr, term: sp.Expr) -> None:
+    """Add factor times term to a sum of products, in which factors differ by more than a sign."""
+    key, term = (-factor, -term) if -factor in groups else (factor, term)
+    groups[key] = groups.get(key, sp.Integer(0)) + term
 
 
 def with_signs(terms: Iterable[tuple[int, str]]) -> tuple[str, ...]:
@@ -316,3 +504,15 @@ def _is_root_of_fraction(factor: sp.Expr) -> bool:
     return bool(
         factor.is_Pow and factor.exp == sp.Rational(1, 2) and sp.fraction(factor.base)[1] != 1
     )
+
+
+def _indexed(latex: str, index: str) -> str:
+    """LaTeX of a symbol with one more index."""
+    head, raised, above = latex.partition("^")
+    head = f"{head[:-1]},{index}}}" if "_{" in head else f"{head}_{{{index}}}"
+    return f"{head}{raised}{above}"
+
+
+def _barred(latex: str) -> str:
+    """LaTeX of a symbol with a bar over its letter."""
+    return _HEAD.sub(lambda letter: rf"\bar{{{letter[0]}}}", latex, count=1)

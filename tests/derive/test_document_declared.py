@@ -76,7 +76,7 @@ def test_letters_are_those_that_nothing_else_has():
     symbols = sp.symbols("A R n c f m mu J p_1 s", positive=True)
     system = one_mass(0, sp.Add(*symbols))
     itinerary = Itinerary("one", system, (Phase("free", "stop-reaches-stop", "tau"),))
-    chosen = [*vars(describe_orbit(itinerary).shown.letters).values()]
+    chosen = [*vars(describe_orbit(itinerary).shown.notation.letters).values()]
     assert len({*chosen}) == len(chosen)
     assert not {"A", "R", "n", "c", "f", "m", r"\mu", "J", "p", "s"} & {*chosen}
 

@@ -8,7 +8,7 @@ import sympy as sp
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from nonsmooth.derive.document.printer import Notation
+from nonsmooth.derive.document.printer import Printer
 from nonsmooth.derive.symbols import Symbol, derivative
 from tests.formulas.latex import read_latex
 from tests.formulas.layout import Unreadable
@@ -39,9 +39,7 @@ FUNCTIONS = {
     HALF: TIMES[0] / 2,
     SQUARE: TIMES[2] ** 2,
 }
-NOTATION = Notation(
-    STATES, CONSTANTS, FUNCTIONS, unknowns=TIMES, projectors=(CONSTANTS[7], CONSTANTS[8])
-)
+NOTATION = Printer(STATES, CONSTANTS, FUNCTIONS, unknowns=TIMES)
 LETTERS = (*STATES, *CONSTANTS, *TIMES, *CHAIN, *FUNCTIONS)
 VALUES = {s: sp.Float(0.31 + 0.031 * i, 30) for i, s in enumerate(s for s in LETTERS)}
 VALUES |= {s: f.xreplace(VALUES) for s, f in FUNCTIONS.items()}

@@ -24,7 +24,7 @@ from nonsmooth.derive.codegen.emit import emit_library
 from nonsmooth.derive.codegen.kernels import orbit_kernels
 from nonsmooth.derive.document.describe import describe_orbit
 from nonsmooth.derive.document.hypertext import to_markdown
-from nonsmooth.derive.document.view import naming_of
+from nonsmooth.derive.document.view import notation_of
 from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.equations.program import evaluate
 from nonsmooth.derive.symbols import Symbol, derivative
@@ -86,7 +86,7 @@ def test_equations_do_not_depend_on_what_the_user_calls_things(names):
 @pytest.mark.parametrize("names", NAMES.values(), ids=NAMES)
 def test_different_symbols_are_written_differently(names):
     equations = hopping(names)
-    notation = naming_of(equations).notation
+    notation = notation_of(equations)
     declared = (*equations.system.states, *(p.symbol for p in equations.system.parameters))
     stages = (*equations.stages_of("jacobian"), *equations.stages_of("map"))
     made = {s for stage in stages for s, _ in stage.assignments} - {*notation.functions}

@@ -76,7 +76,7 @@ class CycleLaw(SystemLaw):
         if self.transition is None:
             return {**super().names, **self.along}
         # all is written in the state in front of the transition
-        notation = self.facts.naming.notation
+        notation = self.facts.notation
         (first, *_) = self.cycle.passings[self.transition - 1].phases
         state = self.orbit.ends[first - 1][:, 0]
         symbols = map(notation.symbol, self.facts.system.states)
@@ -87,9 +87,10 @@ class CycleLaw(SystemLaw):
     @cached_property
     def along(self):
         """What the letters of the document stand for on the orbit."""
-        cycle, orbit, facts, letters = self.cycle, self.orbit, self.facts, self.cycle.letters
-        naming, count = facts.naming, self.cycle.count
-        state = naming.state
+        cycle, orbit, facts = self.cycle, self.orbit, self.facts
+        notation, count = facts.notation, self.cycle.count
+        letters = notation.letters
+        state = notation.state
         found = {}
 
         def say(name, value):
@@ -106,7 +107,7 @@ class CycleLaw(SystemLaw):
         say(letters.base, base)
         say(letters.coordinates, inverse @ orbit.start)
         for symbol, place in zip(section.coordinates, section.places, strict=True):
-            say(naming.notation.symbol(symbol), float(orbit.start[place, 0]))
+            say(notation.symbol(symbol), float(orbit.start[place, 0]))
         size = len(orbit.start)
         passage, remainder = np.eye(size), np.zeros((size, 1))
         local = monodromy = np.eye(size)
@@ -117,7 +118,7 @@ class CycleLaw(SystemLaw):
             say(rf"\Phi^{{({k + 1})}}", phi)
             say(f"{letters.forcing}^{{({k + 1})}}", forcing)
             say(rf"\tau^{{({k + 1})}}", time)
-            say(naming.notation.symbol(sp.Symbol(phase.dwell_time, positive=True)), time)
+            say(notation.symbol(sp.Symbol(phase.dwell_time, positive=True)), time)
             passage, remainder = reset @ phi @ passage, reset @ (phi @ remainder + forcing) + jump
             normal = orbit.number(passing.normal)
             a, b = facts.fields[phase.configuration]
@@ -148,7 +149,7 @@ class CycleLaw(SystemLaw):
         say(letters.matrix, a)
         say(letters.offset, b)
         if cycle.itinerary.period is not None:
-            say(naming.notation.symbol(cycle.itinerary.period.symbol), float(sum(orbit.times)))
+            say(notation.symbol(cycle.itinerary.period.symbol), float(sum(orbit.times)))
         return found
 
     def statement(self, row, condition):
@@ -200,7 +201,7 @@ class CycleLaw(SystemLaw):
 
         time = 0.5 * self.orbit.times[self.phase - 1]
         return names | {
-            "g": highest, "t": time, name_of(facts.naming.state): Motion.of(before, moved)
+            "g": highest, "t": time, name_of(facts.notation.state): Motion.of(before, moved)
         }  # fmt: skip
 
     # -- tables

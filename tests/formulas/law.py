@@ -12,7 +12,6 @@ from scipy.optimize import brentq
 
 from nonsmooth.derive import SecondOrder, System
 from nonsmooth.derive.document.blocks import Document, Formula, Heading, Paragraph, Table
-from nonsmooth.derive.document.wording import letters_of
 from tests.formulas.latex import read_latex
 from tests.formulas.layout import Accent, Atom, Unreadable, core_of, plain
 from tests.formulas.pages import inline
@@ -71,18 +70,18 @@ class Facts:
     given: dict
 
     @property
-    def naming(self):
+    def notation(self):
         """How symbols are written, which is all that the document of a system shows."""
-        return getattr(self.document.shown, "naming", self.document.shown)
+        return self.document.shown.notation
 
     @cached_property
     def letters(self):
-        return letters_of(self.naming, (*self.system.states, *self.naming.notation.constants))
+        return self.notation.letters
 
     @cached_property
     def numbers(self):
         """All that follows from the parameters."""
-        found, constants = dict(self.given), {*self.naming.notation.constants}
+        found, constants = dict(self.given), {*self.notation.constants}
         for line in (line for formula in self.document.formulas for line in formula.lines):
             if line.subject in constants - found.keys():
                 found[line.subject] = float(line.shows.xreplace(found))
@@ -131,7 +130,7 @@ class Facts:
 
     def made(self, configuration, time=0.83):
         """Those names, with what they stand for."""
-        notation, system = self.naming.notation, self.system
+        notation, system = self.notation, self.system
         found = {name_of(r"\mathrm{e}"): np.e, "π": np.pi, "t": time}
         for symbol, value in self.numbers.items():
             found[name_of(notation.symbol(symbol))] = value
@@ -145,7 +144,7 @@ class Facts:
             found[name_of(f"{notation.symbol(symbol)}'")] = rates[i]
             if isinstance(dynamics, SecondOrder) and i < size // 2:
                 found[name_of(f"{notation.symbol(symbol)}''")] = rates[size // 2 + i]
-        letter = self.naming.letter
+        letter = self.notation.letter
         if isinstance(dynamics, SecondOrder) and size > 2:
             if name_of(letter) in found:
                 raise Broken(f"{letter} is a coordinate, and all of them")
@@ -165,8 +164,8 @@ class Facts:
             phi, forcing = self.flow(configuration, t)
             return phi @ start[:, None] + forcing
 
-        found[name_of(self.naming.state)] = Motion.of(state, moved)
-        found[name_of(f"{self.naming.state}'")] = rates[:, None]
+        found[name_of(self.notation.state)] = Motion.of(state, moved)
+        found[name_of(f"{self.notation.state}'")] = rates[:, None]
         for i, symbol in enumerate(system.states):
             name = name_of(notation.symbol(symbol))
             found[f"{name}()"] = lambda t, i=i: moved(t)[i, 0]
@@ -204,7 +203,7 @@ class Facts:
             return float((value * np.exp(1j * phase(t))).real)
 
         for which, place in enumerate(others):
-            text = self.naming.notation.symbol(self.system.states[place])
+            text = self.notation.symbol(self.system.states[place])
             name = f"{text[:-1]},p}}" if "_{" in text else f"{text}_{{p}}"
             found[f"{name_of(name)}()"] = partial(response, which=which)
         return found
@@ -212,7 +211,7 @@ class Facts:
     @cached_property
     def responses(self):
         """Characteristic factors and impulse responses, by the numbers of the document."""
-        known = self.naming.notation.responses
+        known = self.notation.responses
         functions = response_functions(known, self.numbers)
         found = {name_of(latex): function for latex, function in functions.items()}
         letters = self.letters
@@ -228,7 +227,7 @@ class Facts:
 
     def is_response(self, left):
         """Whether a relation says what an impulse response is."""
-        return plain(left).startswith(f"{name_of(self.naming.notation.responses.letter)}_")
+        return plain(left).startswith(f"{name_of(self.notation.responses.letter)}_")
 
     def one_cluster(self, configuration):
         """All eigenvalues as one cluster: what is said of clusters holds for it too."""
@@ -354,7 +353,7 @@ class SystemLaw:
 
     @property
     def about_centre(self):
-        state = self.facts.naming.state
+        state = self.facts.notation.state
         return rf"{state}(t) = d + \Phi(t)\,({state}(0) - d)"
 
     def centre(self, value):
@@ -386,7 +385,7 @@ class SystemLaw:
 
     @property
     def plain_names(self):
-        notation = self.facts.naming.notation
+        notation = self.facts.notation
         return {name_of(notation.symbol(s)): v for s, v in self.facts.given.items()} | {
             "π": np.pi,
             name_of(r"\mathrm{e}"): np.e,
@@ -505,7 +504,7 @@ class SystemLaw:
         kinds[table.header](table)
 
     def domains(self, table):
-        notation = self.facts.naming.notation
+        notation = self.facts.notation
         known = {f"${notation.symbol(p.symbol)}$": p for p in self.parameters}
         for name, _, domain in table.rows:
             parameter = known.pop(name)
@@ -593,7 +592,7 @@ class SystemLaw:
             raise Broken(f"transitions that are not shown: {left}")
 
     def reset(self, transition, text):
-        notation = self.facts.naming.notation
+        notation = self.facts.notation
         wanted = {name_of(notation.symbol(s)): e for s, e in transition.reset.items()}
         for formula in inline(text):
             left, right = split(read_latex(formula), "=")

@@ -1,4 +1,4 @@
-"""The section of a document on derivatives: Jacobian, Poincaré map, saltation, monodromy."""
+"""The sections of a document on derivatives, transitions, stability and admissibility."""
 
 from __future__ import annotations
 
@@ -6,24 +6,21 @@ from dataclasses import replace
 
 import sympy as sp
 
+from nonsmooth.derive.declaration.itinerary import dwell_symbol
+from nonsmooth.derive.declaration.transition import Condition
 from nonsmooth.derive.document.blocks import Block, Line
-from nonsmooth.derive.document.sections.template import (
-    by_entries,
-    compose,
-    relation,
-    sentence,
-)
-from nonsmooth.derive.document.view import View
-from nonsmooth.derive.document.wording import Naming
-from nonsmooth.derive.equations.chain import Link
+from nonsmooth.derive.document.notation import enumeration
+from nonsmooth.derive.document.template import compose, sentence
+from nonsmooth.derive.document.view import Cycle, Passing, View, is_unit
+from nonsmooth.derive.equations.energy import is_conservative
 from nonsmooth.derive.symbols import Symbol, derivative, parts_of_derivative
 
 # LaTeX of what a phase makes of a perturbation on the boundaries, and of a saltation matrix
-LOCAL_MAP = r"""
+_LOCAL_MAP = r"""
 [resets: @reset_{@index} ]\left(I - \frac{@field_{@index} @normal_{@index}}{@normal_{@index}
 @field_{@index}}\right) \Phi^{(@phase)}
 """
-SALTATION = r"""
+_SALTATION = r"""
 [resets: @reset_{@at} | I] + \left(@field_{@at}^{+} - [resets: @reset_{@at} ]@field_{@at}\right)
 \frac{@normal_{@at}}{@normal_{@at} @field_{@at}}
 """
@@ -57,7 +54,7 @@ def derivative_section(view: View) -> list[Block]:
 
 def _half_jacobian(view: View) -> list[Block]:
     """Paragraph on the derivatives of conditions halfway through phases."""
-    symbol, latex = view.naming.notation.symbol, view.naming.notation.latex
+    symbol, latex = view.notation.symbol, view.notation.latex
     coordinates = view.equations.chain.start.coordinates
     dwell = [u for u in view.equations.unknowns if u not in coordinates]
     return compose(
@@ -76,7 +73,7 @@ def _half_jacobian(view: View) -> list[Block]:
             for u in dwell
             if link.dwell not in dwell and (rate := sp.diff(link.duration, u)) != 0
         ],
-        coefficient=view.naming.notation.letter("coefficient"),
+        coefficient=view.notation.letter_for("coefficient"),
     )
 
 
@@ -100,32 +97,29 @@ def _chain_rule(view: View) -> list[Block]:
         $$
         $E$ being the derivative of $@state^{(0)}$ by the section's coordinates [resets: and $R_{0}$
         the unit matrix]. The rows of the Jacobian of the equations are $n_{k} U_{k}$ for the
-        switching conditions and the section's rows of $[last: R_{@phases} ]U_{@phases} - U_{0}$ for
+        switching conditions and the section's rows of $[last: R_{@count} ]U_{@count} - U_{0}$ for
         the closure. [equations.chain.forcing: Those of the conditions on the forcing are their
         derivatives as they stand.] [swapped: A derivative by @swapped is that of the boundary's
         function itself, since the flows do not contain it.]
         """,
         derived=any(link.duration != link.dwell for link in links),
         single=zeros[0] if len(zeros) == 1 else None,
-        resets=_resets(view),
-        last=not _is_unit(links[-1]),
-        phases=len(links),
+        last=not is_unit(links[-1]),
         swapped=[u for u in equations.unknowns if str(u) in view.itinerary.solved_for],
     )
 
 
 def _local_maps(view: View) -> list[Block]:
     """Blocks on the Jacobian of the Poincaré map as a product of local maps."""
-    naming, links, chain = view.naming, view.links, view.equations.chain
-    resets = _resets(view)
-    rates = [
-        replace(
-            relation(naming, f"{naming.notation.symbol(rate)} = n_{{{k}}} f_{{{k}}}", value),
-            subject=rate,
-        )
-        for k, link in enumerate(links, start=1)
-        for rate, value in [(Symbol("rate", k), (link.normal * link.velocity)[0])]
-    ]
+    notation, links, chain = view.notation, view.links, view.equations.chain
+    fields: dict[str, sp.Matrix] = {}
+    rates: list[Line] = []
+    for k, link in enumerate(links, start=1):
+        fields |= {f"n_{{{k}}}": link.normal, f"f_{{{k}}}": link.velocity}
+        if not is_unit(link):
+            fields[f"R_{{{k}}}"] = link.reset
+        line = notation.relation(Symbol("rate", k), (link.normal * link.velocity)[0])
+        rates.append(replace(line, left=f"{line.left} = n_{{{k}}} f_{{{k}}}"))
     return compose(
         view,
         r"""
@@ -136,7 +130,7 @@ def _local_maps(view: View) -> list[Block]:
         over its dwell time, $f_{k}$ the vector field at its end [resets: , | and] $n_{k}$ the
         gradient of the boundary on which it ends [resets: and $R_{k}$ the matrix of the reset
         behind it], | , and] the Jacobian of the Poincaré map is [many links: the product of the
-        local maps | that of the local map]@cited,
+        local maps | that of the local map]@cited(map),
         $$
         J &= @letter^{+} [many links: \left(@product @local\right) | @local] @letter,
         $$
@@ -162,16 +156,14 @@ def _local_maps(view: View) -> list[Block]:
         $$
         @entries
         """,
-        resets=resets,
-        cited=naming.cited("map"),
         letter="L" if chain.forcing else "E",
-        local=sentence(view, LOCAL_MAP, resets=resets, index=view.phase, **_LETTERS),
+        local=sentence(view, _LOCAL_MAP, index=view.phase, **_LETTERS),
         partial=", $R_{k}$ being $I$ where it is not given,"
-        if resets and any(map(_is_unit, links))
+        if view.resets and any(map(is_unit, links))
         else "",
-        directions=chain.forcing and naming.notation.latex(chain.directions),
-        returning=chain.forcing and naming.notation.latex(chain.returning(sp.eye(chain.end.rows))),
-        fields=_fields(naming, links),
+        directions=chain.forcing and notation.latex(chain.directions),
+        returning=chain.forcing and notation.latex(chain.returning(sp.eye(chain.end.rows))),
+        fields=fields,
         rates=rates,
         entries=_entries(view),
     )
@@ -179,15 +171,14 @@ def _local_maps(view: View) -> list[Block]:
 
 def _entries(view: View) -> list[Block]:
     """Blocks with the entries of a small map, in the order in which they are computed."""
-    equations, naming = view.equations, view.naming
+    equations, notation = view.equations, view.notation
     names = equations.chain.coordinates
     if equations.chain.forcing or not 0 < len(names) <= _LARGEST:
         return []
     stages, matrix = equations.map_program
     first, *others = names
     every = [a for stage in stages for a in stage.assignments]
-    columns = {q: [a for a in every if parts_of_derivative(a[0])[1] == q] for q in names}
-    shown = set(columns[first])
+    columns = {q: {s: e for s, e in every if parts_of_derivative(s)[1] == q} for q in names}
     blocks = compose(
         view,
         r"""
@@ -202,25 +193,14 @@ def _entries(view: View) -> list[Block]:
         $$
         """,
         entries=[
-            Line(
-                f"J_{{{i + 1}{j + 1}}}" if others else "J",
-                "=",
-                naming.notation.pieces(matrix[i, j]),
-                None,
-                matrix[i, j],
-            )
+            notation.relation(f"J_{{{i + 1}{j + 1}}}" if others else "J", matrix[i, j], tidy=False)
             for i in range(len(names))
             for j in range(len(names))
         ],
-        first=naming.notation.symbol(first),
-        lines=[naming.equal(s, e) for s, e in columns[first]],
+        first=first,
+        lines=columns[first],
     )
     for q in others:
-        new = [
-            (s, e)
-            for s, e in columns[q]
-            if (_turned(s, q, first), _turned(e, q, first)) not in shown
-        ]
         blocks += compose(
             view,
             """
@@ -229,8 +209,12 @@ def _entries(view: View) -> list[Block]:
             @new
             $$
             """,
-            name=naming.notation.symbol(q),
-            new=[naming.equal(s, e) for s, e in new],
+            name=q,
+            new={
+                s: e
+                for s, e in columns[q].items()
+                if columns[first].get(_turned(s, q, first)) != _turned(e, q, first)
+            },
         )
     return blocks
 
@@ -243,22 +227,16 @@ def _turned(expression: sp.Expr, coordinate: sp.Symbol, other: sp.Symbol) -> sp.
     )
 
 
-def _fields(naming: Naming, links: tuple[Link, ...]) -> list[Line]:
-    """Lines with the gradients, vector fields and resets at the ends of the phases."""
-    lines: list[Line] = []
-    for index, link in enumerate(links, start=1):
-        lines.append(relation(naming, f"n_{{{index}}}", link.normal))
-        lines += by_entries(naming, f"f_{{{index}}}", link.velocity)
-        if not _is_unit(link):
-            lines.append(relation(naming, f"R_{{{index}}}", link.reset))
-    return lines
-
-
 def _saltation(view: View) -> list[Block]:
     """Blocks on saltation matrices, the monodromy matrix, and their relation to J."""
     forcing = view.equations.chain.forcing
     # multipliers 1 of every orbit: of time, and of a forcing's invariants
     neutral = 2 * len(forcing.places) if forcing else 1
+    orbit = enumerate(zip(view.links, view.saltations, strict=True), start=1)
+    matrices = {
+        f"S_{{{k}}}": f"R_{{{k}}}" if matrix == link.reset and not is_unit(link) else matrix
+        for k, (link, matrix) in orbit
+    }
     return compose(
         view,
         r"""
@@ -290,29 +268,172 @@ def _saltation(view: View) -> list[Block]:
         and the multiplier 1 of what no motion changes: the amplitudes of the forcing [phases: and
         the differences of phase]].
         """,
-        saltation=sentence(view, SALTATION, at="k", resets=_resets(view), **_LETTERS),
-        resets=_resets(view),
+        saltation=sentence(view, _SALTATION, at="k", **_LETTERS),
         jumps=any(m != k.reset for k, m in zip(view.links, view.saltations, strict=True)),
-        matrices=_saltation_matrices(view),
+        matrices=matrices,
         neutral=neutral,
         phases=neutral > 2,
     )
 
 
-def _saltation_matrices(view: View) -> list[Line]:
-    """Lines with the saltation matrices at the orbit."""
-    lines: list[Line] = []
-    for k, (link, matrix) in enumerate(zip(view.links, view.saltations, strict=True), start=1):
-        if matrix == link.reset and not _is_unit(link):
-            lines.append(relation(view.naming, f"S_{{{k}}}", f"R_{{{k}}}"))
-        else:
-            lines += by_entries(view.naming, f"S_{{{k}}}", matrix)
-    return lines
+def passing_section(cycle: Cycle) -> list[Block]:
+    """Blocks with the gradient, fields, reset and saltation matrix of each transition."""
+    return compose(
+        cycle,
+        r"""
+        Transition $j$ [distinct: ends phase $j$; it has | has] the gradient $@normal_{j}$ and the
+        constant $@constant_{j}$ of its boundary, the vector field $@field_{j}$ of the configuration
+        in front of it and $@field_{j}^{+}$ of that behind it[resets: , the matrix $@reset_{j}$ and
+        the constant $@jump_{j}$ of its reset (the unit matrix and zero where they are not given)].
+        All are written in the state in front of the transition. A perturbed motion reaches the
+        boundary earlier or later; to first order its perturbation behind the transition is that in
+        front of it times the saltation matrix
+        $$
+        @letters.saltation_{j} &= @matrix.
+        \tag{@label(The transitions 1)}
+        $$
+        The boundary is crossed transversally, and the matrix is defined, only where the rate
+        $@normal_{j} @field_{j}$ is positive.
+
+        @transitions
+        """,
+        matrix=sentence(cycle, _SALTATION, at="j"),
+        transitions=[
+            block
+            for place, passing in enumerate(cycle.passings, start=1)
+            for block in _passing(cycle, place, passing)
+        ],
+    )
 
 
-def _is_unit(link: Link) -> bool:
-    return bool(link.reset == sp.eye(link.reset.rows))
+def _passing(cycle: Cycle, place: int, passing: Passing) -> list[Block]:
+    """Blocks on one transition."""
+    letters = cycle.notation.letters
+    field = f"{letters.field}_{{{place}}}"
+    matrices = {field: passing.before, f"{field}^{{+}}": passing.behind}
+    if passing.resets:
+        matrices[f"{letters.reset}_{{{place}}}"] = passing.reset
+    if not passing.jump.is_zero_matrix:
+        matrices[f"{letters.jump}_{{{place}}}"] = passing.jump
+    return compose(
+        cycle,
+        r"""
+        Transition @place, from *@passing.transition.source* by *@passing.boundary* to
+        *@passing.transition.target* [distinct: | (behind phase[many phases: s] @phases)]:
+        $$
+        @normal_{@place} &= @passing.normal
+        @constant_{@place} &= @passing.constant
+        @matrices
+        @normal_{@place} @field_{@place} &= @passing.rate
+        @saltation
+        $$
+        """,
+        place=place,
+        passing=passing,
+        phases=list(map(str, passing.phases)),
+        matrices=matrices,
+        saltation={f"{letters.saltation}_{{{place}}}": passing.saltation},
+    )
 
 
-def _resets(view: View) -> bool:
-    return not all(map(_is_unit, view.links))
+def stability_section(cycle: Cycle) -> list[Block]:
+    """Blocks with the Poincaré map's Jacobian and the monodromy matrix as products."""
+    return compose(
+        cycle,
+        r"""
+        On the section at the start, the dwell times follow a perturbation of the start: each phase
+        carries it along and projects it along the vector field onto the boundary. [distinct: | At
+        phase $k$ the field $@field_{@index}$ and the matrix $@letters.saltation_{@index}$ are those
+        at $@state^{(k)}$.] The Jacobian of the Poincaré map is the product of these local maps, and
+        over equal times the monodromy matrix is that of flows and saltation matrices,
+        $$
+        @jacobian &= @embedding^{+} [product: \left(@product @local\right) | @local] @embedding,
+        \mathcal{M} &= @product @letters.saltation_{@index} \Phi^{(@phase)}.
+        \tag{@label(Stability 1)}
+        $$
+        $\mathcal{M}$ takes the vector field at the start, $@matrix @state^{(0)} + @offset$ of the
+        first phase, to itself. Beside this multiplier 1, and zeros, it has the multipliers of
+        $@jacobian$, and $\operatorname{tr} \mathcal{M} = 1 + \operatorname{tr} @jacobian$. The
+        orbit is stable where every multiplier that is not trivial lies inside the unit circle.
+        [harmonics: #Trivial of those of $@jacobian$ [many trivial: are | is] 1 and trivial: the
+        forcing keeps the amplitude[many trivial: s and phases] of the start. | [conservative: One
+        more is 1 and trivial, since the energy is kept along the orbit.]] [directions:
+        #Directions.cols more [many directions.cols: are | is] 1 and trivial, since nothing depends
+        on a shift: $@jacobian @embedding^{+} @letters.directions = @embedding^{+}
+        @letters.directions$.]
+        """,
+        local=sentence(cycle, _LOCAL_MAP),
+        trivial=2 * len(cycle.harmonics) - 1,
+        conservative=is_conservative(cycle.itinerary),
+    )
+
+
+def admissibility_section(cycle: Cycle) -> list[Block]:
+    """Blocks on admissibility: no boundary is crossed inside a phase.
+
+    A table has the conditions under which each transition is the one that applies.
+    """
+    itinerary, single = cycle.itinerary, cycle.count == 1
+    names = [p.dwell_time for p in itinerary.phases if p.dwell_time not in itinerary.vanishing]
+    dwell = [cycle.notation.symbol(dwell_symbol(name)) for name in names]
+    positive = [f"{symbol} > 0" for symbol in dwell]
+    return compose(
+        cycle,
+        r"""
+        A solution is a motion of the system if its dwell times are positive, no boundary of a
+        phase's configuration is crossed before the phase ends, and each boundary is crossed
+        outwards: with the boundary functions $g$ of the configuration of phase $@phase$ and
+        $@state(t)$ the motion in it,
+        $$
+        @positive,\qquad
+            g\left(@state(t)\right) < 0 \text{ for } 0 < t < @time,\qquad
+            @normal_{@index} @field_{@index} > 0,
+        \tag{@label(Admissibility 1)}
+        $$
+        [single: | $\tau^{(k)}$ being the dwell time of phase $k$.] Where a maximum of $g$ inside a
+        phase is zero the orbit grazes, and its itinerary is about to change.
+
+        [conditions: At a transition the first applies whose conditions hold: those of the
+        transition itself have to hold, and those of each that is declared before it must not. Where
+        a function vanishes, the first of its derivatives along the flow of the named configuration
+        that does not vanish decides. | The transitions have no further conditions.]
+
+        | Transition | Required | Along | @conditions
+        """,
+        positive=r",\; ".join(
+            positive if len(positive) <= 3 else [positive[0], r"\ldots", positive[-1]]
+        ),
+        time=dwell[0] if single else r"\tau^{(k)}",
+        single=single,
+        conditions=[
+            row
+            for place, passing in enumerate(cycle.passings, start=1)
+            for row in _conditions(cycle, place, passing)
+        ],
+    )
+
+
+def _conditions(cycle: Cycle, place: int, passing: Passing) -> list[tuple[str, ...]]:
+    """Rows of a table with the conditions that decide for a transition."""
+    transition = passing.transition
+    required = [_required(cycle, (c,), holds=True) for c in transition.conditions]
+    event = transition.source, transition.boundaries
+    same = [t for t in cycle.system.transitions if (t.source, t.boundaries) == event]
+    # those that are declared before it
+    for other in same[: same.index(transition)]:
+        distinct = tuple(c for c in other.conditions if c not in transition.conditions)
+        if distinct:
+            required.append(_required(cycle, distinct, holds=False))
+    return [
+        ("" if row else f"${place}$", *texts) for row, texts in enumerate(dict.fromkeys(required))
+    ]
+
+
+def _required(cycle: Cycle, conditions: tuple[Condition, ...], *, holds: bool) -> tuple[str, str]:
+    """Text of conditions that all have to hold, or of which one must not, and along what."""
+    texts = [
+        f"{'not ' if c.holds != holds else ''}{cycle.notation.math(c.function, ' > 0')}"
+        for c in conditions
+    ]
+    along = enumeration(list(dict.fromkeys(f"*{c.along}*" for c in conditions)))
+    return " or ".join(texts), along

@@ -2,42 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 
 import sympy as sp
 
 from nonsmooth.derive.declaration.algebra import cancel, factor
-from nonsmooth.derive.declaration.dynamics import Dynamics, SecondOrder
-from nonsmooth.derive.document.blocks import Block, Line, Paragraph
-from nonsmooth.derive.document.printer import Notation, with_signs
+from nonsmooth.derive.declaration.dynamics import SecondOrder
+from nonsmooth.derive.document.blocks import Block
+from nonsmooth.derive.document.notation import Notation
+from nonsmooth.derive.document.printer import with_signs
 from nonsmooth.derive.document.sections.responses import response_flows
-from nonsmooth.derive.document.sections.template import (
-    by_entries,
-    compose,
-    relation,
-)
-from nonsmooth.derive.document.symbols import is_response
-from nonsmooth.derive.document.wording import Naming, alike, enumeration, letters_of
+from nonsmooth.derive.document.template import compose
+from nonsmooth.derive.document.view import Described
 from nonsmooth.derive.flows.modal import Flow, Spectrum
 
-_Terms = list[tuple[sp.Expr, sp.Matrix]]
+_Terms = tuple[tuple[sp.Expr, sp.Matrix], ...]  # functions of time, times matrices
 
 
-def flow_section(
-    naming: Naming,
-    spectrum: Spectrum,
-    flows: Mapping[str, Flow],
-    names: Sequence[str],
-) -> tuple[list[Block], dict[str, int]]:
-    """Blocks on the flows of the named configurations, and the number of each flow by name.
+def flow_section(shown: Described) -> list[Block]:
+    """Blocks on the flows of the configurations.
 
-    Those that are not among the `flows` have no closed form and are exponentials.
+    Those that have no closed form are exponentials.
     """
-    closed = {name: flows[name] for name in names if name in flows}
-    others = {n: naming.system.configuration(n).dynamics for n in names if n not in flows}
-    entries = _entries(spectrum, closed.values())
+    notation = shown.notation
+    flows = notation.flows
+    entries = _entries(notation.spectrum, flows.values())
     blocks = compose(
-        naming,
+        notation,
         r"""
         [entries: [roots: All that needs a root of the parameters is the spectrum, evaluated once
         for each set of parameters[meaning: . It consists of @meaning]: | The factors below
@@ -46,23 +37,20 @@ def flow_section(
         @entries
         $$
         """,
-        entries=[naming.equal(s, e, tidy=_single(e)) for s, e in entries],
-        roots=any(_has_root(e) for _, e in entries),
-        meaning=_meaning(naming, closed.values(), dict(entries)),
+        entries=[notation.relation(s, e, tidy=_single(e)) for s, e in entries.items()],
+        roots=any(
+            not p.exp.is_integer and p.free_symbols
+            for e in entries.values()
+            for p in e.atoms(sp.Pow)
+        ),
+        meaning=_meaning(notation, entries),
     )
-    shared: dict[int, list[str]] = {}
-    if closed:
-        describe = response_flows if any(map(is_response, closed.values())) else _closed
-        more, shared = describe(naming, closed)
-        blocks += more
-    if others:
-        more, further = _exponentials(naming, others, len(shared) + 1)
-        blocks += more
-        shared |= further
-    return blocks, {name: number for number, sharing in shared.items() for name in sharing}
+    if flows:
+        blocks += response_flows(notation) if notation.in_responses else _closed(notation)
+    return blocks if len(flows) == len(notation.names) else blocks + _exponentials(notation)
 
 
-def _entries(spectrum: Spectrum, flows: Iterable[Flow]) -> list[tuple[sp.Symbol, sp.Expr]]:
+def _entries(spectrum: Spectrum, flows: Iterable[Flow]) -> dict[sp.Symbol, sp.Expr]:
     """Entries of the spectrum that the flows need, directly or through others, in order."""
     needed: set[sp.Symbol] = set()
     for flow in flows:
@@ -73,18 +61,17 @@ def _entries(spectrum: Spectrum, flows: Iterable[Flow]) -> list[tuple[sp.Symbol,
         if symbol in needed:
             needed |= expression.free_symbols
             kept.append((symbol, expression))
-    return kept[::-1]
+    return dict(kept[::-1])
 
 
-def _meaning(
-    naming: Naming, flows: Iterable[Flow], entries: Mapping[sp.Symbol, sp.Expr]
-) -> list[str]:
+def _meaning(notation: Notation, entries: Mapping[sp.Symbol, sp.Expr]) -> list[str]:
     """What the spectrum's symbols are: frequencies, differences of eigenvalues, projectors."""
-    oscillating = {s for f in flows for g in f.basis if g.has(sp.cos) for s in g.free_symbols}
-    if not naming.second_order or not oscillating & set(entries):
+    functions = (g for flow in notation.flows.values() for g in flow.basis)
+    oscillating = {s for g in functions if g.has(sp.cos) for s in g.free_symbols}
+    if not notation.second_order or not oscillating & set(entries):
         return []
     stems = {symbol.parts[0] for symbol in entries}
-    mass, stiffness = map(naming.notation.matrix, "MK")
+    mass, stiffness = map(notation.matrix_letter, "MK")
     found = {
         r"the frequencies $\omega$, whose squares are the eigenvalues of"
         rf" ${mass}^{{-1}} {stiffness}$ for the coordinates that are free": True,
@@ -94,83 +81,63 @@ def _meaning(
     return [text for text, occurs in found.items() if occurs]
 
 
-def _has_root(expression: sp.Expr) -> bool:
-    """Whether parameters occur below a root."""
-    powers = expression.atoms(sp.Pow)
-    return any(not p.exp.is_integer and p.free_symbols for p in powers)
-
-
 def _single(expression: sp.Expr) -> bool:
     """Whether a sum has a denominator of at most one symbol, and may be put together."""
     return len(sp.fraction(sp.together(expression))[1].free_symbols) < 2
 
 
-def _closed(naming: Naming, flows: Mapping[str, Flow]) -> tuple[list[Block], dict[int, list[str]]]:
-    """Blocks on flows in closed form, and by number the configurations of each.
-
-    Flows with equal matrices share a number and are shown once.
-    """
-    shared = alike({name: (flow.basis, flow.matrices) for name, flow in flows.items()})
-    functions = [g for flow in flows.values() for g in flow.basis]
-    blocks = _centres(naming, flows, shared)
+def _closed(notation: Notation) -> list[Block]:
+    """Blocks on flows in closed form; those with equal matrices are shown once."""
+    flows = notation.flows
+    blocks = _centres(notation)
     blocks += compose(
-        naming,
+        notation,
         r"""
         [second_order: The flows are written by blocks of positions and velocities, $\Phi^{11}$ and
         $\Phi^{12}$ for the positions, $\Phi^{21}$ and $\Phi^{22}$ for the velocities; $I$ is the
         unit matrix. [cosines: The matrices at the cosines are, up to their signs, the
         projectors on the modes.]]
         """,
-        cosines=any(g.has(sp.cos) for g in functions),
+        cosines=any(g.has(sp.cos) for flow in flows.values() for g in flow.basis),
     )
     names: dict[sp.Matrix, str] = {}
-    for number, sharing in shared.items():
-        blocks += compose(
-            naming,
-            r"$\Phi_{@number}$, @listed:",
-            number=number,
-            listed=naming.flow_of(sharing),
-        )
-        blocks += _flow(naming, flows[sharing[0]], number, names)
-    return blocks, shared
+    for number, sharing in notation.sharing.items():
+        if sharing[0] in flows:
+            blocks += _flow(notation, flows[sharing[0]], number, names)
+    return blocks
 
 
-def _centres(
-    naming: Naming, flows: Mapping[str, Flow], shared: Mapping[int, Sequence[str]]
-) -> list[Block]:
+def _centres(notation: Notation) -> list[Block]:
     """Blocks that show how each configuration maps a state: about a centre, or with an offset."""
-    notation = naming.notation
-    centres = {name: centre_of(flow) for name, flow in flows.items()}
+    flows = notation.flows
+    centres = {name: centre_of(flows[name]) for name in notation.names if name in flows}
     centred = {name: c for name, c in centres.items() if c is not None and not c.is_zero_matrix}
     drifting = [name for name, centre in centres.items() if centre is None]
     blocks = compose(
-        naming,
+        notation,
         r"""
         [centred: Inside a configuration with the centre $d$, $@state(t) = d + \Phi(t)\,(@state(0) -
         d)$; the centres that differ from the origin are]
 
-        [still: In these coordinates [many flows: every one of the configurations has its centre at
-        the origin | the centre is at the origin], so that $@state(t) = \Phi(t)\,@state(0)$.]
+        [still: In these coordinates [many centres: every one of the configurations has its centre
+        at the origin | the centre is at the origin], so that $@state(t) = \Phi(t)\,@state(0)$.]
         $$
         @lines
         $$
         """,
         centred=centred,
         still=not centred and not drifting,
-        flows=flows,
-        lines=[
-            relation(naming, rf"d_{{\text{{{name}}}}}", centre) for name, centre in centred.items()
-        ],
+        centres=centres,
+        lines={rf"d_{{\text{{{name}}}}}": centre for name, centre in centred.items()},
     )
     for name in drifting:
-        number = next(k for k, sharing in shared.items() if name in sharing)
-        pieces = [rf"\Phi_{{{number}}}(t)\,{naming.state}(0)"]
+        pieces = [rf"\Phi_{{{notation.flow_number(name)}}}(t)\,{notation.state}(0)"]
         for function, offset in zip(flows[name].basis, flows[name].offsets, strict=True):
             if not offset.is_zero_matrix:
                 scalar = "" if function == 1 else rf"{notation.latex(function)}\,"
                 pieces.append(f"+ {scalar}{notation.latex(offset.applyfunc(notation.tidy))}")
         blocks += compose(
-            naming,
+            notation,
             "*@name* has no centre; there\n$$\n@state(t) &= @pieces\n$$",
             name=name,
             pieces=tuple(pieces),
@@ -178,45 +145,50 @@ def _centres(
     return blocks
 
 
-def _flow(naming: Naming, flow: Flow, number: int, names: dict[sp.Matrix, str]) -> list[Block]:
+def _flow(notation: Notation, flow: Flow, number: int, names: dict[sp.Matrix, str]) -> list[Block]:
     """Blocks on one flow; the constant matrices in it get names, which others may share."""
-    notation, in_blocks = naming.notation, naming.second_order
+    in_blocks = notation.second_order
     size = flow.matrices[0].rows
     half = size // 2 if in_blocks else size
     known = dict.fromkeys(names)
     whole = flow.matrix()
     # equal blocks make one line
-    heads: dict[tuple[tuple[sp.Expr, sp.Matrix], ...], list[str]] = {}
-    shown: dict[str, sp.Matrix] = {}
+    heads: dict[_Terms, list[str]] = {}
+    shown: dict[_Terms, sp.Matrix] = {}
     for i in range(size // half):
         for j in range(size // half):
             place = (slice(i * half, (i + 1) * half), slice(j * half, (j + 1) * half))
-            terms = [
-                (function, sp.ImmutableMatrix(matrix[place]))
-                for function, matrix in zip(flow.basis, flow.matrices, strict=True)
-            ]
+            matrices = [sp.ImmutableMatrix(matrix[place]) for matrix in flow.matrices]
+            terms = _collected(dict(zip(flow.basis, matrices, strict=True)), known)
             head = rf"\Phi_{{{number}}}" + (f"^{{{i + 1}{j + 1}}}" if in_blocks else "") + "(t)"
-            heads.setdefault(tuple(_collected(terms, known)), []).append(head)
-            shown[head] = sp.ImmutableMatrix(whole[place])
-    new: list[Line] = []
+            heads.setdefault(terms, []).append(head)
+            shown.setdefault(terms, whole[place])
+    new: dict[str, sp.Matrix] = {}
     for matrix in dict.fromkeys(m for found in heads for _, m in found):
         if matrix not in names and matrix.rows > 1 and matrix != sp.eye(matrix.rows):
             names[matrix] = f"P_{{{len(names) + 1}}}"
-            new += by_entries(naming, names[matrix], matrix)
-    lines = [
-        Line(" = ".join(equal), "=", _pieces(notation, found, names), None, shown[equal[0]])
-        for found, equal in heads.items()
-    ]
-    return compose(naming, "$$\n@new\n$$\n$$\n@lines\n$$", new=new, lines=lines)
+            new[names[matrix]] = matrix
+    return compose(
+        notation,
+        "@listed:\n\n$$\n@new\n$$\n$$\n@lines\n$$",
+        listed=notation.flow_of(number),
+        new=new,
+        lines=[
+            notation.relation(
+                " = ".join(equal), _pieces(notation, terms, names), shows=shown[terms]
+            )
+            for terms, equal in heads.items()
+        ],
+    )
 
 
-def _collected(terms: _Terms, known: dict[sp.Matrix, None]) -> _Terms:
+def _collected(terms: Mapping[sp.Expr, sp.Matrix], known: dict[sp.Matrix, None]) -> _Terms:
     """Terms of a sum with common factors taken out of the matrices, and equal ones joined.
 
     A matrix takes the sign with which it is known already.
     """
     found: dict[sp.Matrix, sp.Expr] = {}
-    for function, matrix in terms:
+    for function, matrix in terms.items():
         if matrix.is_zero_matrix:
             continue
         factor, rest = _common_factor(matrix)
@@ -224,15 +196,14 @@ def _collected(terms: _Terms, known: dict[sp.Matrix, None]) -> _Terms:
             factor, rest = -factor, -rest
         known[rest] = None
         found[rest] = found.get(rest, sp.Integer(0)) + factor * function
-    return [(scalar, matrix) for matrix, scalar in found.items()]
+    return tuple((scalar, matrix) for matrix, scalar in found.items())
 
 
 def _common_factor(matrix: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
     """Factor that all entries share, and the matrix without it, its first number positive."""
-    entries = [e for e in matrix if e != 0]
-    common = [f for f in sp.Mul.make_args(entries[0]) if not f.is_Add]
-    for entry in entries[1:]:
-        factors = sp.Mul.make_args(entry)
+    first, *others = (sp.Mul.make_args(e) for e in matrix if e != 0)
+    common = [f for f in first if not f.is_Add]
+    for factors in others:
         common = [f for f in common if f in factors and f != -1]
     factor = sp.Mul(*common)
     rest = sp.ImmutableMatrix(matrix / factor).applyfunc(sp.expand)
@@ -243,9 +214,7 @@ def _common_factor(matrix: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
     return (-factor, -rest) if negative else (factor, rest)
 
 
-def _pieces(
-    notation: Notation, terms: Sequence[tuple[sp.Expr, sp.Matrix]], names: dict[sp.Matrix, str]
-) -> tuple[str, ...]:
+def _pieces(notation: Notation, terms: _Terms, names: dict[sp.Matrix, str]) -> tuple[str, ...]:
     """LaTeX of a sum of functions of time times matrices."""
     found: list[tuple[int, str]] = []
     for scalar, matrix in terms:
@@ -258,21 +227,16 @@ def _pieces(
     return with_signs(found) or ("0",)
 
 
-def _exponentials(
-    naming: Naming, motions: Mapping[str, Dynamics], first: int
-) -> tuple[list[Block], dict[int, list[str]]]:
-    """Blocks that say how flows without a closed form are computed, and whose each number is.
-
-    `first` is the first number that is not taken.
-    """
-    states = naming.system.states
-    letters = letters_of(naming, (*states, *naming.notation.constants))
-    shared = alike({name: motion.field(states)[0] for name, motion in motions.items()}, first)
-    second = [motion for motion in motions.values() if isinstance(motion, SecondOrder)]
-    blocks = compose(
-        naming,
+def _exponentials(notation: Notation) -> list[Block]:
+    """Blocks that say how flows without a closed form are computed."""
+    system = notation.system
+    names = [name for name in notation.names if name not in notation.flows]
+    dynamics = [system.configuration(name).dynamics for name in names]
+    second = [motion for motion in dynamics if isinstance(motion, SecondOrder)]
+    return compose(
+        notation,
         r"""
-        The flow of [none: no configuration is written | @listed is not written] out in the
+        The flow of [none: no configuration is written | *@names* is not written] out in the
         parameters: it comes from numbers, once for each set of parameters. With the matrix
         $@matrix$ and the column $@offset$ of $@state' = @matrix @state + @offset$[second: , which
         hold the equations of motion solved for the accelerations below the rows of $@letter'$[held:
@@ -299,20 +263,22 @@ def _exponentials(
 
         @numbered
         """,
-        none=len(motions) == len(naming.system.configurations) > 1,
-        listed=enumeration([f"*{name}*" for name in motions]),
+        none=len(names) == len(system.configurations) > 1,
+        names=names,
         second=second,
         held=any(d.held for d in second),
         numbered=[
-            Paragraph(
-                rf"$\Phi_{{{number}}}$, {naming.flow_of(sharing)}: the {len(states)}"
-                f" eigenvalues are found from the numbers of the matrix ${letters.matrix}$."
+            block
+            for number, sharing in notation.sharing.items()
+            if sharing[0] in names
+            for block in compose(
+                notation,
+                "@flow: the @size eigenvalues are found from the numbers of the matrix $@matrix$.",
+                flow=notation.flow_of(number),
+                size=len(system.states),
             )
-            for number, sharing in shared.items()
         ],
-        **vars(letters),
     )
-    return blocks, shared
 
 
 def centre_of(flow: Flow) -> sp.Matrix | None:

@@ -1,45 +1,43 @@
-"""The sections of a document on the reduction of an orbit's equations, and on their solution."""
+"""The sections of a document on the solution of an orbit's equations, in three ways."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from itertools import groupby
 
 import sympy as sp
 
-from nonsmooth.derive.document.blocks import Block, Formula, Line, Table
-from nonsmooth.derive.document.cycle import Cycle
-from nonsmooth.derive.document.sections.equations import cycle_end
-from nonsmooth.derive.document.sections.template import compose, sentence
-from nonsmooth.derive.document.view import View
-from nonsmooth.derive.document.wording import Naming, count, enumeration
+from nonsmooth.derive.document.blocks import Block, Line
+from nonsmooth.derive.document.notation import Notation
+from nonsmooth.derive.document.template import compose, sentence
+from nonsmooth.derive.document.view import Cycle, View, is_unit
 from nonsmooth.derive.equations.elimination import entry
 from nonsmooth.derive.equations.explicit import LINEAR, RETURN
+from nonsmooth.derive.equations.period_map import PeriodMap
 from nonsmooth.derive.equations.program import Stage
 from nonsmooth.derive.equations.reduction import Elimination
 from nonsmooth.derive.symbols import Symbol, inside, meaning_of
 
+PERIOD_MAP = "The map of a period"
+
 
 def reduction_section(view: View) -> list[Block]:
     """Blocks on what is eliminated along the chain, by which rule, and what remains."""
-    equations, naming = view.equations, view.naming
+    equations, notation = view.equations, view.notation
     reduction = equations.reduction
     if reduction.equations == equations.equations and not reduction.eliminations:
         return compose(view, "Nothing is eliminated: Newton's method works on the equations above.")
-    rows = [
-        (", ".join(f"${naming.notation.symbol(e.unknown)}$" for e in found), naming.prose(rule))
-        for rule, found in groupby(reduction.eliminations, lambda e: e.rule)
-    ]
-    others = [(s, e) for s, e in reduction.values.items() if s != e and s in equations.unknowns]
     phases = len(view.links)
     assigned = {s for stage in reduction.stages for s, _ in stage.assignments}
     return compose(
         view,
         r"""
         Whatever is linear or explicit is eliminated. The chain is followed from the phase with the
-        smallest section, *@phase.configuration* (phase @place), and each switching condition is
-        used as far as it goes, which leaves @left[reduction.unknowns: , @reduction.unknowns].
+        smallest section, *@configuration* (phase @place), and each switching condition is used as
+        far as it goes, which leaves #reduction.unknowns unknown(s)[reduction.unknowns: ,
+        @reduction.unknowns].
 
-        @table
+        | Eliminated | <Rule> | @eliminated
 
         [returns: A switching condition with one frequency and no drift has the form $a \cos\theta +
         b \sin\theta + c = 0$. That it rises through zero fixes the cosine and the sine of the angle
@@ -52,8 +50,8 @@ def reduction_section(view: View) -> list[Block]:
 
         @stages
 
-        [remaining: The reduced system has @remaining: | Nothing remains to be solved: the orbit is
-        explicit.]
+        [reduction.equations: The reduced system has #reduction.equations equation(s): | Nothing
+        remains to be solved: the orbit is explicit.]
 
         @rest
 
@@ -65,16 +63,18 @@ def reduction_section(view: View) -> list[Block]:
         $$
         """,
         reduction=reduction,
-        phase=view.itinerary.rotated(reduction.rotation).phases[0],
+        configuration=view.itinerary.rotated(reduction.rotation).phases[0].configuration,
         place=reduction.rotation + 1,
-        left=count(len(reduction.unknowns), "unknown"),
-        table=Table(("Eliminated", "Rule"), tuple(rows), wrapped=1) if rows else [],
+        eliminated=[
+            (", ".join(notation.math(e.unknown) for e in found), notation.prose(rule))
+            for rule, found in groupby(reduction.eliminations, lambda e: e.rule)
+        ],
         returns=any(e.rule == RETURN for e in reduction.eliminations),
         turn=r"[0, 2\pi)",
         beyond=[
             block
             for k in range(phases + 1, 2 * phases)
-            if assigned & {Symbol("state", s, k) for s in naming.system.states}
+            if assigned & {Symbol("state", s, k) for s in notation.system.states}
             for block in compose(
                 view,
                 "Behind the last phase the count goes on: $@state^{(@k)}$ is the state behind phase"
@@ -84,17 +84,11 @@ def reduction_section(view: View) -> list[Block]:
             )
         ],
         parts=_parts(view),
-        stages=_stages(view),
-        remaining=count(len(reduction.equations), "equation") if reduction.equations else "",
-        rest=_rest(view),
+        stages=_stages(view, groupby(reduction.stages, lambda stage: stage.title)),
+        rest=view.numbered("The reduction", reduction.equations),
         roots=_both_roots(view),
-        others=[naming.equal(s, e) for s, e in others],
+        others={s: e for s, e in reduction.values.items() if s != e and s in equations.unknowns},
     )
-
-
-def _rest(view: View) -> list[Formula]:
-    """The equations of the reduced system as numbered formulas."""
-    return view.numbered("The reduction", view.equations.reduction.equations)
 
 
 def _both_roots(view: View) -> list[Block]:
@@ -105,7 +99,7 @@ def _both_roots(view: View) -> list[Block]:
     (unknown,), ((_, equation),) = reduction.unknowns, reduction.equations
     a, b, c = sp.Poly(sp.expand(equation), unknown).all_coeffs()
     poles = [d for d, _ in reduction.determinants]
-    latex = view.naming.notation.latex
+    latex = view.notation.latex
     return compose(
         view,
         r"""
@@ -116,7 +110,7 @@ def _both_roots(view: View) -> list[Block]:
         @unknown &= \frac{@half \pm \sqrt{@radicand}}{@a}.
         $$
         """,
-        unknown=view.naming.notation.symbol(unknown),
+        unknown=view.notation.symbol(unknown),
         half=latex(sp.factor_terms(-b / 2)),
         radicand=latex(sp.collect(sp.expand((b / 2) ** 2 - a * c), poles, sp.factor)),
         a=latex(a),
@@ -125,11 +119,10 @@ def _both_roots(view: View) -> list[Block]:
 
 def _parts(view: View) -> list[Block]:
     """Blocks on the meaning of bars, indices and numbers in brackets in the stages."""
-    naming, reduction = view.naming, view.equations.reduction
-    symbol = naming.notation.symbol
+    notation, reduction = view.notation, view.equations.reduction
+    symbol = notation.symbol
     assigned = [s for stage in reduction.stages for s, _ in stage.assignments]
-    parts = [s for s in assigned if meaning_of(s) == "part"]
-    of_start = next((s for s in reversed(parts) if s.parts[1] != 1), None)
+    of_start = [s for s in assigned if meaning_of(s) == "part" and s.parts[1] != 1]
     columns: list[sp.Symbol] = []
     left: list[str] = []
     right: list[str] = []
@@ -137,7 +130,7 @@ def _parts(view: View) -> list[Block]:
         rule = reduction.eliminations[-1].rule
         columns = [e.unknown for e in reduction.eliminations if e.rule == rule]
         kept = [u for u in reduction.unknowns if u in view.equations.chain.start.coordinates]
-        matrix, side = map(naming.notation.letter, ("coefficient", "right"))
+        matrix, side = map(notation.letter_for, ("coefficient", "right"))
         left = [rf"{matrix}_{{i{j}}}\, {symbol(q)}" for j, q in enumerate(columns, start=1)]
         right = [f"{side}_{{i}}", *(f"{side}_{{i,{symbol(q)}}} {symbol(q)}" for q in kept)]
     return compose(
@@ -147,7 +140,8 @@ def _parts(view: View) -> list[Block]:
         start. A bar marks their value where these coordinates are zero, and a coordinate as the
         last index, as in $@bar$, its coefficient.]
 
-        [columns: The @many for @columns [many columns: are | is], in the order of the table,]
+        [columns: The #columns linear equation(s) for @columns [many columns: are | is], in the
+        order of the table,]
         $$
         [columns: @left &= @right]
         $$
@@ -155,51 +149,46 @@ def _parts(view: View) -> list[Block]:
         stands where it is used. [steps: A number in square brackets counts the steps of
         elimination.]]
         """,
-        bar=symbol(of_start) if of_start else "",
+        bar=of_start[-1] if of_start else None,
         columns=columns,
-        many=count(len(columns), "linear equation"),
         left=" + ".join(left),
         right=" + ".join(right),
         steps=any(meaning_of(s) == "without" for s in assigned),
     )
 
 
-def _stages(view: View) -> list[Block]:
-    """Blocks with the stages of the reduction, each under its title."""
-    naming, reduction = view.naming, view.equations.reduction
-    chain = {a for s in view.equations.chain.stages for a in s.assignments}
-    titles: list[tuple[str, list[tuple[sp.Symbol, sp.Expr]]]] = []
-    for stage in reduction.stages:
-        kept = [a for a in stage.assignments if a[0] not in naming.notation.functions]
-        if titles and titles[-1][0] == stage.title:
-            titles[-1][1].extend(kept)
-        elif kept:
-            titles.append((stage.title, kept))
-    rules = {f"{e.unknown}: {e.rule}": e for e in reduction.eliminations}
+def _stages(view: View, titled: Iterable[tuple[str, Iterable[Stage]]]) -> list[Block]:
+    """Blocks with the stages of a computation under their titles."""
+    notation, equations = view.notation, view.equations
+    chain = {a for s in equations.chain.stages for a in s.assignments}
+    rules = {f"{e.unknown}: {e.rule}": e for e in equations.reduction.eliminations}
     blocks: list[Block] = []
-    for title, assignments in titles:
-        known = all(a in chain for a in assignments)
-        text = _introduced(naming, rules[title]) if title in rules else naming.prose(title)
-        blocks += compose(
-            view,
-            """
-            @text: [known: @symbols as in the chain of states.]
-            $$
-            @lines
-            $$
-            """,
-            text=text[:1].upper() + text[1:],
-            known=known,
-            symbols=[s for s, _ in assignments],
-            lines=[] if known else [naming.equal(s, e) for s, e in assignments],
-        )
+    for title, stages in titled:
+        every = [a for stage in stages for a in stage.assignments]
+        assignments = {s: e for s, e in every if s not in notation.functions}
+        if assignments:
+            text = _introduced(notation, rules[title]) if title in rules else notation.prose(title)
+            known = assignments.items() <= chain
+            blocks += compose(
+                view,
+                """
+                @text: [known: @symbols as in the chain of states.]
+                $$
+                @lines
+                $$
+                """,
+                text=text[:1].upper() + text[1:],
+                known=known,
+                symbols=list(assignments),
+                lines={} if known else assignments,
+            )
     return blocks
 
 
-def _introduced(naming: Naming, elimination: Elimination) -> str:
+def _introduced(notation: Notation, elimination: Elimination) -> str:
     """Text that introduces the assignment by which an unknown was eliminated."""
     return sentence(
-        naming,
+        notation,
         """
         [linear: The switching condition is linear in $@elimination.unknown$ | [returns: Hence
         $@elimination.unknown$, the first return | The condition of @boundary is linear in
@@ -208,18 +197,17 @@ def _introduced(naming: Naming, elimination: Elimination) -> str:
         elimination=elimination,
         linear=elimination.rule == LINEAR,
         returns=elimination.rule == RETURN,
-        boundary=naming.prose(elimination.rule.removeprefix("linear in ")),
+        boundary=notation.prose(elimination.rule.removeprefix("linear in ")),
     )
 
 
 def solution_section(view: View) -> list[Block]:
     """Blocks on the conditions halfway, solved for the start, and the remaining equations."""
-    naming, reduction = view.naming, view.equations.reduction
+    reduction = view.equations.reduction
     coordinates = view.equations.chain.start.coordinates
     alone = _alone(view)
-    one = len(reduction.equations) == 1
-    poles = {d for d, _ in reduction.determinants}
-    cleared = one and poles & reduction.equations[0][1].free_symbols
+    poles = [d for d, _ in reduction.determinants]
+    cleared = len(reduction.equations) == 1 and {*poles} & reduction.equations[0][1].free_symbols
     return compose(
         view,
         """
@@ -230,9 +218,9 @@ def solution_section(view: View) -> list[Block]:
 
         @together
 
-        [rest: There [one: remains | remain] @remaining for the dwell time[one: | s]
-        @reduction.unknowns[cleared: : @label times $@pole$, which has no pole where $@pole$
-        vanishes. A zero at which $@pole$ vanishes too may belong to no orbit]:]
+        [rest: There [many rest: remain | remains] #rest equation(s) for the dwell time[many rest:
+        s] @reduction.unknowns[cleared: : @label times $@poles$, which has no pole where $@poles$
+        vanishes. A zero at which $@poles$ vanishes too may belong to no orbit]:]
 
         @rest
 
@@ -242,12 +230,10 @@ def solution_section(view: View) -> list[Block]:
         alone=alone,
         coordinates=coordinates,
         together=_together(view),
-        one=one,
-        remaining=count(len(reduction.equations), "equation"),
         cleared=cleared,
         label=view.labels_of(reduction.equations[0][0]) if cleared else "",
-        pole=naming.notation.symbol(next(iter(poles))) if poles else "",
-        rest=_rest(view),
+        poles=poles,
+        rest=view.numbered("The reduction", reduction.equations),
         explicit=[] if reduction.equations else _explicit(view),
     )
 
@@ -256,42 +242,45 @@ def _stage(view: View, title: str) -> Stage | None:
     return next((s for s in view.equations.reduction.stages if s.title.startswith(title)), None)
 
 
+def _lines(view: View, title: str) -> list[Line]:
+    """Lines of the stage whose title begins so; none if there is none."""
+    stage = _stage(view, title)
+    return [view.notation.relation(s, e) for s, e in stage.assignments] if stage else []
+
+
 def _alone(view: View) -> list[Block]:
     """Blocks on coordinates that a single equation gives, with a constant coefficient."""
     blocks: list[Block] = []
     for elimination in view.equations.reduction.eliminations:
-        symbol = elimination.unknown
-        stage = _stage(view, f"{symbol}: ")
-        if stage is not None:
-            ((_, expression),) = stage.assignments
+        lines = _lines(view, f"{elimination.unknown}: ")
+        if lines:
             blocks += compose(
                 view,
-                "Equation @where [blocks: then] gives\n$$\n@line\n$$",
+                "Equation @where [blocks: then] gives\n$$\n@lines\n$$",
                 where=view.labels_of(elimination.rule.removeprefix("linear in: ")),
                 blocks=blocks,
-                line=view.naming.equal(symbol, expression),
+                lines=lines,
             )
     return blocks
 
 
 def _together(view: View) -> list[Block]:
     """Blocks on coordinates that several equations give together, by Cramer's rule."""
-    naming, reduction = view.naming, view.equations.reduction
+    notation, reduction = view.notation, view.equations.reduction
     if not reduction.determinants:
         return []
-    coefficients = _stage(view, "coefficients of the linear equations")
     right = _stage(view, "right-hand sides of the linear equations")
-    ((determinant, _),) = reduction.determinants
     together = [e for e in reduction.eliminations if _stage(view, f"{e.unknown}: ") is None]
     unknowns = [e.unknown for e in together]
     meanings = together[0].rule.removeprefix("linear in: ").split("; ")
-    labels = [label for m in meanings for label in view.labels_of(m)]
-    table = [naming.equal(s, e) for s, e in (coefficients.assignments if coefficients else ())]
-    column = [naming.sum(s, e) for s, e in (right.assignments if right else ())]
+    table = _lines(view, "coefficients of the linear equations")
+    column = [
+        notation.relation(s, notation.signed(notation.by_function(e)), shows=e)
+        for s, e in (right.assignments if right else ())
+    ]
     # an entry that is one function of time has no name
     named = len(table) == len(unknowns) ** 2 and len(column) == len(unknowns)
     titles = ("determinant of the linear", "numerators of", f"{', '.join(map(str, unknowns))} by")
-    solved = [s for title in titles if (s := _stage(view, title)) is not None]
     return compose(
         view,
         """
@@ -317,28 +306,26 @@ def _together(view: View) -> list[Block]:
         there is no such orbit, or a whole family of them.]
         """,
         alone=len(unknowns) < view.equations.chain.start.dimension,
-        labels=labels,
+        labels=[label for m in meanings for label in view.labels_of(m)],
         unknowns=unknowns,
         entries=not named and (table or column),
         named=named,
-        system=_system(naming, unknowns) if named else [],
+        system=_system(notation, unknowns) if named else [],
         table=table if named else [*table, *column],
         column=column if named else [],
-        solved=[naming.equal(s, e) for stage in solved for s, e in stage.assignments],
-        determinant=determinant,
+        solved=[line for title in titles for line in _lines(view, title)],
+        determinant=reduction.determinants[0][0],
     )
 
 
-def _system(naming: Naming, unknowns: list[sp.Symbol]) -> Line:
+def _system(notation: Notation, unknowns: list[sp.Symbol]) -> Line:
     """Line with the linear equations in the letters of their coefficients."""
-    notation, size = naming.notation, len(unknowns)
-    if size == 1:
-        left = f"{notation.symbol(entry(0, 0, 1))}\\, {notation.symbol(unknowns[0])}"
-        return Line(left, "=", (f"{notation.symbol(Symbol('right', 1))},",))
+    size = len(unknowns)
     table = sp.Matrix(size, size, lambda i, j: entry(i, j, size))
     right = sp.Matrix([Symbol("right", i + 1) for i in range(size)])
-    left = f"{notation.latex(table)} {notation.latex(sp.Matrix(unknowns))}"
-    return Line(left, "=", (f"{notation.latex(right)},",))
+    left, column = notation.latex(table), notation.latex(sp.Matrix(unknowns))
+    thin = "\\," if size == 1 else ""
+    return notation.relation(f"{left}{thin} {column}", notation.latex(right), ",")
 
 
 def _explicit(view: View) -> list[Block]:
@@ -373,39 +360,36 @@ def _inward_rate(view: View) -> sp.Symbol | None:
 
 def elimination_section(cycle: Cycle) -> list[Block]:
     """Blocks on the start as the solution of a linear system, given the dwell times."""
-    notation, harmonics = cycle.naming.notation, cycle.harmonics
-    several, based = cycle.count > 1, not cycle.start.constant.is_zero_matrix
+    harmonics, based = cycle.harmonics, not cycle.start.constant.is_zero_matrix
     return compose(
         cycle,
         r"""
-        Given the dwell times, one passage is an affine map of the start, $@ends = @passage
+        Given the dwell times, one passage is an affine map of the start, $@end = @passage
         @state^{(0)} + @remainder$, with
         $$
         @passage &= @product [resets: @reset_{@index} ]\Phi^{(@phase)},\qquad
-        @remainder &= [several: \sum_{k=1}^{@count}
+        @remainder &= [many count: \sum_{k=1}^{@count}
             \left(\prod_{i=@count}^{k+1} [resets: @reset_{@inner} ]\Phi^{(i)}\right)
             [resets: \left(@added\right) | @added] | @added],
         $$
-        [several: the factors of later phases standing on the left. The | so that the] closure is
+        [many count: the factors of later phases standing on the left. The | so that the] closure is
         linear in the start and determines it [directions: and $@shift$],
         $$
         \left(I - @embedding^{+} @passage @embedding\right) @letters.coordinates &= @embedding^{+}
             [enclosed: \left(@moved\right) | @moved].
-        \tag{@label}
+        \tag{@label(The reduction 1)}
         $$
-        What is left are the switching conditions (@conditions)[free: , as many as dwell times;
-        | ;] Newton's method solves them from a guess, the start following the dwell times.
+        What is left are the switching conditions (@label(The equations 2))[free: , as many as dwell
+        times; | ;] Newton's method solves them from a guess, the start following the dwell times.
 
         [harmonics: The forcing is an exception: @oscillating oscillate by themselves, and nothing
-        acts on them. They return after whole multiples of @periods alone, which fixes the sum of
-        the dwell times, and then from every start: in (@label) their rows vanish. Of their start
-        @kept [many harmonics: keep | keeps] the value that is given, the amplitude[many harmonics:
-        s] of the forcing, and the phase[many harmonics: s] of it at the start [many harmonics: are
-        unknowns | is an unknown] in place of the sum. The other rows of (@label) determine the
-        other coordinates from these.]
+        acts on them. They return after whole multiples of $@periods$ alone, which fixes the sum of
+        the dwell times, and then from every start: in (@label(The reduction 1)) their rows vanish.
+        Of their start $@kept$ [many harmonics: keep | keeps] the value that is given, the
+        amplitude[many harmonics: s] of the forcing, and the phase[many harmonics: s] of it at the
+        start [many harmonics: are unknowns | is an unknown] in place of the sum. The other rows of
+        (@label(The reduction 1)) determine the other coordinates from these.]
         """,
-        ends=cycle_end(cycle),
-        several=several,
         inner=cycle.index.replace("k", "i"),
         added=sentence(
             cycle,
@@ -417,10 +401,138 @@ def elimination_section(cycle: Cycle) -> list[Block]:
             based=based,
         ),
         enclosed=based or cycle.directions,
-        label=cycle.label("The reduction"),
-        conditions=cycle.label("The equations", 1),
         free=cycle.itinerary.period is None,
         oscillating=[s for h in harmonics for s in (h.first, h.second)],
-        periods=enumeration([f"${notation.latex(2 * sp.pi / h.frequency)}$" for h in harmonics]),
-        kept=enumeration([f"${notation.latex(h.invariant)}$" for h in harmonics]),
+        periods=[2 * sp.pi / h.frequency for h in harmonics],
+        kept=[h.invariant for h in harmonics],
     )
+
+
+def period_map_section(view: View) -> list[Block]:
+    """Blocks on N in blocks, the start that it gives, and the equations that it leaves."""
+    notation, turn = view.notation, view.equations.period_map
+    sought, known = ([turn.start[i] for i in p] for p in (turn.sought, turn.known))
+    # positions and velocities where masses stick
+    letter = notation.letter if notation.second_order else notation.state.lower()
+    assigned = [a for stage in turn.start_stages for a in stage.assignments]
+    numerators = {s: e for s, e in assigned if meaning_of(s) == "numerator"}
+    # what the section knows does not depend on what is sought, and no offset occurs
+    symbols = set().union(*(entry.free_symbols for entry in known))
+    linear = turn.offset.is_zero_matrix is True
+    separate = linear and not set(sought) & symbols
+    labels = [f"({view.label(f'The equations {k + 1}')})" for k in range(view.count)]
+    left = [label for k, label in enumerate(labels) if k not in turn.contained]
+    square = turn.compatibility and separate and len(known) == len(sought)
+    return compose(
+        view,
+        r"""
+        The equations can be taken in another order, that of the Appendix of Pascal (2011). Given
+        the dwell times a whole turn is [linear: a linear | an affine] map of the start. Of its
+        entries $@letter_{0}$ is sought, and $@letter_{0}'$ is what the section knows:
+        $$
+        @groups
+        $$
+        The map has four blocks. [dropped: A reset that only states that its boundary is reached is
+        left out.]
+        $$
+        @state^{(@count)} &= \tilde N @state^{(0)}[linear: |  + c],
+        \tilde N &= @product
+            = \left(\begin{matrix}@rows\end{matrix}\right)
+        $$
+        Periodicity reads@cited(turn):
+        $$
+        (\tilde N_{1} - I) @letter_{0} + \tilde N_{2} @letter_{0}'[linear: |  + c_{1}] = 0,
+        \tilde N_{3} @letter_{0} + (\tilde N_{4} - I) @letter_{0}'[linear: |  + c_{2}] = 0.
+        $$
+        Its entries are the derivatives of the state behind the last phase by the start, at given
+        dwell times. Each phase carries them as it carries the state; one that is a number, a dwell
+        time or the same as another has no line of its own.
+
+        @stages
+
+        So the blocks are
+        $$
+        @blocks
+        $$
+        The first condition is linear in @sought and gives the start[separate: @cited(linear
+        start)]:
+        $$
+        [separate: @letter_{0} &= -(\tilde N_{1} - I)^{-1} \tilde N_{2} @letter_{0}',]
+        $$
+        [separate: which is, entry by entry,]
+        $$
+        @start
+        $$
+        [compatibility: With this start the second becomes the compatibility condition[many
+        compatibility: s] on the dwell times. It contains equation[many contained: s] @contained,
+        from which the section knows $@letter_{0}'$:]
+
+        @compatibility
+
+        [square: Where $\tilde N_{3}$ is nonsingular these read@cited(compatibility):]
+        $$
+        [square: \tilde M @letter_{0}' &= 0,
+        \tilde M &= (\tilde N_{1} - I)^{-1} \tilde N_{2} - \tilde N_{3}^{-1} (\tilde N_{4} - I).]
+        $$
+        [equal: Since the entries of $@letter_{0}'$ are equal, the rows of $\tilde M$ then sum to
+        zero.]
+
+        [left: With @left, for the same start, there | There] are #together equation(s) for
+        @unknowns.
+        """,
+        linear=linear,
+        rows=r"\tilde N_{1} & \tilde N_{2}\\\tilde N_{3} & \tilde N_{4}",
+        letter=letter,
+        groups={
+            f"{letter}_{{0}}": _shown(sp.Matrix(sought)),
+            f"{letter}_{{0}}'": _shown(sp.Matrix(known)),
+        },
+        dropped=any(
+            k not in turn.resets and not is_unit(link) for k, link in enumerate(view.links)
+        ),
+        product=_product(view, turn),
+        stages=_stages(view, ((stage.title, (stage,)) for stage in turn.map_stages)),
+        blocks=_blocks(view, turn),
+        sought=sought,
+        separate=separate,
+        start={s: e.xreplace(numerators) for s, e in assigned if s not in numerators},
+        compatibility=view.numbered(PERIOD_MAP, turn.compatibility),
+        contained=[labels[k] for k in turn.contained],
+        square=square,
+        equal=square and len(set(known)) == 1,
+        left=left,
+        together=len(turn.compatibility) + len(left),
+        unknowns=turn.unknowns,
+    )
+
+
+def _product(view: View, turn: PeriodMap) -> str:
+    """LaTeX of the product of flows and resets, the first phase on the right."""
+    notation, factors = view.notation, []
+    for k, link in enumerate(view.links):
+        if link.duration != 0:
+            number, dwell = (
+                notation.flow_number(link.flow.configuration),
+                notation.symbol(link.dwell),
+            )
+            factors.append(rf"\Phi_{{{number}}}({dwell})")
+        if k in turn.resets:
+            factors.append(f"R_{{{k + 1}}}")
+    return r" \, ".join(reversed(factors))
+
+
+def _blocks(view: View, turn: PeriodMap) -> list[Line]:
+    """Lines with the blocks of N and of its offset."""
+    named = {rf"\tilde N_{{{i}}}": block for i, block in enumerate(turn.blocks, start=1)}
+    if not turn.offset.is_zero_matrix:
+        named |= {
+            f"c_{{{i}}}": turn.offset.extract(list(places), [0])
+            for i, places in enumerate((turn.sought, turn.known), start=1)
+        }
+    latex = view.notation.latex
+    return [view.notation.relation(n, latex(m), shows=_shown(m)) for n, m in named.items()]
+
+
+def _shown(block: sp.Matrix) -> sp.Basic:
+    """A matrix as a line shows it: a single entry is written alone."""
+    return block[0] if len(block) == 1 else block

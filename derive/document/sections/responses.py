@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 
 import sympy as sp
 
 from nonsmooth.derive.declaration.parameter import sign_of
 from nonsmooth.derive.document.blocks import Block, Formula, Line
-from nonsmooth.derive.document.printer import Notation, with_signs
-from nonsmooth.derive.document.sections.template import compose, relation, summed
-from nonsmooth.derive.document.symbols import CONSTANT, Factors, Letters
-from nonsmooth.derive.document.wording import Naming, alike, letters_of
+from nonsmooth.derive.document.notation import Notation
+from nonsmooth.derive.document.printer import with_signs
+from nonsmooth.derive.document.symbols import CONSTANT, Factors
+from nonsmooth.derive.document.template import compose
 from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.derive.flows.modal import TIME, Flow
 from nonsmooth.derive.symbols import Symbol
@@ -25,39 +25,35 @@ _REGIMES = (
 _Harmonics = dict[Factors, tuple[sp.Expr, sp.Expr]]
 
 
-def response_flows(
-    naming: Naming, flows: Mapping[str, Flow]
-) -> tuple[list[Block], dict[int, list[str]]]:
-    """Blocks on flows in impulse responses, and by number the configurations of each."""
-    shared = alike({name: (f.basis, f.matrices, f.offsets) for name, f in flows.items()})
-    letters = letters_of(naming, (*naming.system.states, *naming.notation.constants))
-    blocks = _definitions(naming, letters)
-    for number, names in shared.items():
+def response_flows(notation: Notation) -> list[Block]:
+    """Blocks on flows in impulse responses, and on their steady responses."""
+    flows = notation.flows
+    shared = [names for names in notation.sharing.values() if names[0] in flows]
+    blocks = _definitions(notation)
+    for number, names in enumerate(shared, start=1):
         blocks += compose(
-            naming,
+            notation,
             r"""
-            $\Phi_{@number}$, @listed: each coordinate by itself,
+            @listed: each coordinate by itself,
             $$
             @lines
             $$
             """,
-            number=number,
-            listed=naming.flow_of(names),
-            lines=_motion(naming, flows[names[0]]),
+            listed=notation.flow_of(number),
+            lines=_motion(notation, flows[names[0]]),
         )
-    return blocks + _steady_blocks(naming, letters, flows, shared.values()), shared
+    return blocks + _steady_blocks(notation, shared)
 
 
-def _definitions(naming: Naming, letters: Letters) -> list[Block]:
+def _definitions(notation: Notation) -> list[Block]:
     """Blocks that define the impulse responses by their factors, and those of single ones."""
-    notation, responses = naming.notation, naming.notation.responses
+    responses, variable = notation.responses, notation.letters.eigenvalue
     factors = list(responses.factors)
     if any(CONSTANT in product for product in responses.products):
         factors.insert(0, CONSTANT)
-    variable = letters.eigenvalue
     single = [p[0] for p in responses.products if len(p) == 1]
     return compose(
-        naming,
+        notation,
         r"""
         The motion is written in impulse responses. With the factors of the characteristic
         polynomials
@@ -75,59 +71,50 @@ def _definitions(naming: Naming, letters: Letters) -> list[Block]:
 
         @single
         """,
-        polynomials=[
-            relation(
-                naming,
-                rf"{responses.polynomial}_{{{responses.number(factor)}}}({variable})",
-                _polynomial_pieces(notation, [sp.Integer(1), *reversed(factor)], variable),
+        polynomials={
+            rf"{responses.polynomial}_{{{responses.number(factor)}}}({variable})": (
+                _polynomial_pieces(notation, factor)
             )
             for factor in factors
-        ],
+        },
         h=responses.letter,
         chi=responses.polynomial,
         s=variable,
         several=any(len(p) > 1 for p in responses.products),
         high=any(len(factor) > 2 for factor in factors),
-        single=[Formula(_single(naming, letters, f)) for f in single if len(f) <= 2],
+        single=[Formula(_single(notation, f)) for f in single if len(f) <= 2],
     )
 
 
-def _polynomial_pieces(
-    notation: Notation, coefficients: Sequence[sp.Expr], variable: str
-) -> tuple[str, ...]:
+def _polynomial_pieces(notation: Notation, factor: sp.Tuple) -> tuple[str, ...]:
     """LaTeX of the terms of a monic polynomial, the highest power first."""
-    degree = len(coefficients) - 1
+    variable = notation.letters.eigenvalue
     pieces: list[tuple[int, str]] = []
-    for place, coefficient in enumerate(coefficients):
+    for power, coefficient in reversed([*enumerate((*factor, sp.Integer(1)))]):
         if coefficient == 0:
             continue
-        power = degree - place
         raised = variable if power == 1 else f"{variable}^{{{power}}}" if power else ""
         sign, text = notation.factor(coefficient) if power else notation.term(coefficient)
-        if text == "1" and power:
-            text = ""
-        pieces.append((sign, " ".join(filter(None, (text, raised)))))
+        pieces.append((sign, f"{'' if text == '1' and power else text} {raised}".strip()))
     return with_signs(pieces)
 
 
-def _single(naming: Naming, letters: Letters, factor: sp.Tuple) -> tuple[Line, ...]:
+def _single(notation: Notation, factor: sp.Tuple) -> tuple[Line, ...]:
     """Lines for the response of one factor: an exponential, or each regime of an oscillation."""
-    notation = naming.notation
     left = notation.responses.latex(0, (factor,), "t")
     if len(factor) == 1:
-        function = sp.exp(-factor[0] * TIME)
-        return (Line(left, "=", (notation.latex(function),), None, function),)
+        return (notation.relation(left, sp.exp(-factor[0] * TIME)),)
     square, rate = factor
     decay = rate / 2
     discriminant = sp.factor_terms(sp.expand(decay**2 - square))
-    shown = sign_of(discriminant, naming.system.parameters)
+    shown = sign_of(discriminant, notation.system.parameters)
     regimes = [r for r in _REGIMES if shown in (None, r[0])]
     front = rf"{notation.latex(sp.exp(-decay * TIME))}\," if decay != 0 else ""
     lines, below = [], ""
     if len(regimes) > 1:
-        below = rf"{letters.damped}_{{{notation.responses.number(factor)}}}"
+        below = rf"{notation.letters.damped}_{{{notation.responses.number(factor)}}}"
         inside = " ".join(notation.pieces(sp.expand(-discriminant)))
-        lines.append(Line(below, "=", (rf"\sqrt{{|{inside}|}}",)))
+        lines.append(notation.relation(below, rf"\sqrt{{|{inside}|}}"))
     # without denominators
     scale = sp.fraction(sp.together(decay**2))[1]
     one, other = (notation.latex(sp.expand(scale * e)) for e in (decay**2, square))
@@ -136,7 +123,7 @@ def _single(naming: Naming, letters: Letters, factor: sp.Tuple) -> tuple[Line, .
         text = rf"\frac{{\{name}\left({frequency}\,t\right)}}{{{frequency}}}" if sign else "t"
         text = rf"\{name} t" if sign and frequency == "1" else text
         case = rf"\quad\text{{if }} {one} {sides} {other}\text{{ ({regime})}}" if below else ""
-        lines.append(Line(left, "=", (f"{front}{text}{case}",)))
+        lines.append(notation.relation(left, f"{front}{text}{case}"))
     return tuple(lines)
 
 
@@ -151,32 +138,33 @@ def _positions(flow: Flow) -> dict[int, int]:
     return found
 
 
-def _motion(naming: Naming, flow: Flow) -> list[Line]:
+def _motion(notation: Notation, flow: Flow) -> list[Line]:
     """Lines for each state after a time, by the states at the time 0."""
-    notation, states = naming.notation, naming.system.states
-    matrix, offset = flow.matrix(), flow.offset()
+    states = notation.system.states
     starts = [Symbol("written", f"{s}_start", f"{notation.symbol(s)}(0)") for s in states]
     rates = {velocity: place for place, velocity in _positions(flow).items()}
+    augmented = sp.Matrix.hstack(flow.matrix(), flow.offset())
     lines = []
     for i, state in enumerate(states):
-        pieces: tuple[str, ...]
+        pieces: list[str] = []
         if i in rates:
-            pieces = (f"{notation.symbol(states[rates[i]])}'(t)",)
+            pieces = [f"{notation.symbol(states[rates[i]])}'(t)"]
         else:
-            entries = zip([*matrix.row(i), offset[i]], [*starts, sp.Integer(1)], strict=True)
-            pieces = summed(notation, [sp.factor_terms(sp.expand(e)) * s for e, s in entries])
-        lines.append(Line(f"{notation.symbol(state)}(t)", "=", pieces))
+            for entry, start in zip(augmented.row(i), (*starts, 1), strict=True):
+                if entry != 0:
+                    first, *rest = notation.pieces(sp.factor_terms(sp.expand(entry)) * start)
+                    plus = "+ " if pieces and not first.startswith("-") else ""
+                    pieces += [f"{plus}{first}", *rest]
+        lines.append(notation.relation(f"{notation.symbol(state)}(t)", tuple(pieces) or "0"))
     return lines
 
 
-def _steady_blocks(
-    naming: Naming, letters: Letters, flows: Mapping[str, Flow], shared: Iterable[Sequence[str]]
-) -> list[Block]:
+def _steady_blocks(notation: Notation, shared: Iterable[Sequence[str]]) -> list[Block]:
     """Blocks on steady responses to one harmonic forcing: amplitudes and lags.
 
     Each list of `shared` names configurations with one flow.
     """
-    system, notation = naming.system, naming.notation
+    system, flows = notation.system, notation.flows
     if len(system.forcing) != 1:
         return []
     ((cosine, sine),) = system.forcing
@@ -189,15 +177,18 @@ def _steady_blocks(
         for place, terms in _steady(flows[names[0]], *places).items():
             text = notation.symbol(system.states[place])
             left = f"{text[:-1]},p}}(t)" if "_{" in text else f"{text}_{{p}}(t)"
-            lines.append(relation(naming, left, _steady_pieces(naming, letters, terms)))
+            lines.append(notation.relation(left, _steady_pieces(notation, terms)))
             known |= {factor for product in terms for factor in product}
         if lines:
             responses.setdefault(tuple(lines), []).extend(f"*{name}*" for name in names)
+    transfers: dict[str, str] = {}
+    for factor in sorted(known, key=notation.responses.number):
+        transfers |= _transfer(notation, factor, frequency)
     return compose(
-        naming,
+        notation,
         """
         [known: Let $@phase(t)$ be the phase of the forcing, @pair its cosine and sine. In the
-        steady response each factor $@notation.responses.polynomial_{j}$ multiplies the amplitude by
+        steady response each factor $@responses.polynomial_{j}$ multiplies the amplitude by
         $@amplitude_{j}$ and lags behind by $@lag_{j}$,]
         $$
         @transfers
@@ -205,23 +196,18 @@ def _steady_blocks(
         [known: and what is left of a motion is a free one, from the differences at the start. The
         steady responses are]
 
-        @responses
+        @steady
         """,
         known=known,
         pair=(cosine, sine),
-        transfers=[
-            line
-            for factor in sorted(known, key=notation.responses.number)
-            for line in _transfer(naming, letters, factor, frequency)
-        ],
-        responses=[
+        transfers=transfers,
+        steady=[
             block
             for lines, sharing in responses.items()
             for block in compose(
-                naming, "@names:\n$$\n@lines\n$$", names=", ".join(sharing), lines=lines
+                notation, "@names:\n$$\n@lines\n$$", names=", ".join(sharing), lines=lines
             )
         ],
-        **vars(letters),
     )
 
 
@@ -253,26 +239,21 @@ def _steady(flow: Flow, cosine: int, sine: int) -> dict[int, _Harmonics]:
     return found
 
 
-def _transfer(naming: Naming, letters: Letters, factor: sp.Tuple, frequency: sp.Expr) -> list[Line]:
-    """Lines with the amplitude and the lag of a factor at the forcing's frequency."""
-    notation, number = naming.notation, naming.notation.responses.number(factor)
+def _transfer(notation: Notation, factor: sp.Tuple, frequency: sp.Expr) -> dict[str, str]:
+    """LaTeX of the amplitude and the lag of a factor at the forcing's frequency."""
+    letters, number = notation.letters, notation.responses.number(factor)
     powers = [c * (-1) ** (k // 2) * frequency**k for k, c in enumerate((*factor, sp.Integer(1)))]
     text, imaginary = notation.latex(sp.Add(*powers[::2])), sp.Add(*powers[1::2])
     if imaginary != 0:
         sign, size = notation.factor(imaginary)
         text += rf" {'-' if sign < 0 else '+'} {size} \mathrm{{i}}"
-    gain = rf"\frac{{1}}{{\left|{text}\right|}}"
-    return [
-        Line(rf"{letters.amplitude}_{{{number}}}", "=", (gain,)),
-        Line(rf"{letters.lag}_{{{number}}}", "=", (rf"\operatorname{{arg}}\left({text}\right)",)),
-    ]
+    gain, lag = rf"\frac{{1}}{{\left|{text}\right|}}", rf"\operatorname{{arg}}\left({text}\right)"
+    return {f"{letters.amplitude}_{{{number}}}": gain, f"{letters.lag}_{{{number}}}": lag}
 
 
-def _steady_pieces(
-    naming: Naming, letters: Letters, terms: Mapping[Factors, tuple[sp.Expr, sp.Expr]]
-) -> tuple[str, ...]:
+def _steady_pieces(notation: Notation, terms: _Harmonics) -> tuple[str, ...]:
     """LaTeX of the harmonic terms of a steady response."""
-    notation = naming.notation
+    letters = notation.letters
     pieces: list[tuple[int, str]] = []
     for product, coefficients in terms.items():
         numbers = list(map(notation.responses.number, product))

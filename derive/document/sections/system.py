@@ -1,66 +1,60 @@
-"""The sections of a document that declare a system: states, parameters, transitions, contacts."""
+"""The sections of a document that declare a system: states, parameters, motions, transitions."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Sequence
 from dataclasses import replace
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.itinerary import Itinerary
+from nonsmooth.derive.declaration.algebra import cancel
+from nonsmooth.derive.declaration.dynamics import Dynamics, SecondOrder
 from nonsmooth.derive.declaration.parameter import Parameter
 from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.declaration.transition import ContactLaw, Transition
-from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph, Table
-from nonsmooth.derive.document.printer import Notation
-from nonsmooth.derive.document.sections.template import compose, math, sentence
-from nonsmooth.derive.document.wording import Naming, enumeration
+from nonsmooth.derive.declaration.transition import Transition
+from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph
+from nonsmooth.derive.document.notation import Notation, enumeration
+from nonsmooth.derive.document.template import compose, sentence
+from nonsmooth.derive.document.view import Cycle, Described, View
+from nonsmooth.derive.symbols import Symbol
+
+# of matrices, by the attribute of the motion that they are
+_Letters = dict[tuple[str, sp.Matrix], str]
 
 
-def system_section(
-    naming: Naming, itinerary: Itinerary | None, required: Iterable[sp.Symbol] = ()
-) -> list[Block]:
+def system_section(shown: Described) -> list[Block]:
     """Blocks on the name, the states, the parameters and the presentation of a system.
 
-    `itinerary` is None for the document of a system. Substitutions of the parameters in
-    `required`, whose values the orbit requires, are left out.
+    Substitutions of parameters whose values the orbit requires are left out.
     """
-    system = itinerary.system if itinerary else naming.system
+    notation, system, itinerary = shown.notation, shown.declared, shown.itinerary
     size = len(system.states) // 2
     positions, velocities = system.states[:size], system.states[size:]
     # a dwell time may be called as a word of a description is
-    described = replace(naming.notation, unknowns=())
+    described = replace(notation, unknowns=())
     parameters = list(system.parameters)
     moved: list[Line] = []
-    substituted: list[Line] = []
+    substituted: dict[sp.Symbol, sp.Expr] = {}
     presentation = itinerary.presentation if itinerary else None
     if presentation:
         parameters += presentation.parameters
         origins = zip(presentation.states, system.states, presentation.origin, strict=True)
-        moved = [naming.equal(new, old - o, tidy=False) for new, old, o in origins if new != old]
-        substitution = presentation.substitution.items()
-        substituted = [naming.equal(s, e) for s, e in substitution if s not in required]
+        moved = [notation.relation(n, old - o, tidy=False) for n, old, o in origins if n != old]
+        required = shown.equations.required if isinstance(shown, View) else {}
+        substituted = {s: e for s, e in presentation.substitution.items() if s not in required}
     if itinerary and itinerary.period:
         parameters.append(itinerary.period)
-    rows = tuple(
-        (
-            math(naming, p.symbol),
-            described.prose(_one_paragraph(p.description)),
-            f"${_domain(p, naming.notation)}$",
-        )
-        for p in parameters
-    )
     return compose(
-        naming,
+        notation,
         r"""
-        The system is *@system.name*: @description. [second_order: Its state consists of the
+        The system is *@name*: @description. [second_order: Its state consists of the
         position[many positions: s] @positions and the [many positions: velocities | velocity]
-        @velocities, a prime being the derivative by time. | Its state is @system.states. @forcing]
+        $@velocities$, a prime being the derivative by time. | Its state is @states. @forcing]
 
-        @table
+        | Parameter | <Meaning> | Domain | @parameters
 
-        [constraints: The parameters obey @constraints.]
+        [constraints: The parameters obey $@constraints \ge 0$.]
 
         [moved: The equations are written in the shifted coordinates]
         $$
@@ -71,20 +65,23 @@ def system_section(
         @substituted
         $$
         """,
-        system=system,
-        description=described.prose(_one_paragraph(system.description)),
+        name=system.name,
+        states=system.states,
+        description=described.with_formulas(_one_paragraph(system.description)),
         positions=positions,
-        velocities=[
-            f"${naming.notation.symbol(v)} = {naming.notation.symbol(x)}'$"
-            for x, v in zip(positions, velocities, strict=True)
-        ]
-        if naming.second_order
-        else [],
-        forcing=_forcing(naming, system),
-        table=Table(("Parameter", "Meaning", "Domain"), rows, wrapped=1) if rows else [],
-        constraints=[
-            math(naming, c, r" \ge 0") for c in naming.system.constraints if not c.is_nonnegative
+        velocities={
+            v: f"{notation.symbol(x)}'" for v, x in zip(velocities, positions, strict=False)
+        },
+        forcing=_forcing(notation, system),
+        parameters=[
+            (
+                notation.math(p.symbol),
+                described.with_formulas(_one_paragraph(p.description)),
+                f"${_domain(p, notation)}$",
+            )
+            for p in parameters
         ],
+        constraints=[c for c in notation.system.constraints if not c.is_nonnegative],
         moved=moved,
         substituted=substituted,
     )
@@ -95,62 +92,188 @@ def _one_paragraph(text: str) -> str:
     return " ".join(text.split())
 
 
-def _forcing(naming: Naming, system: System) -> str:
+def _forcing(notation: Notation, system: System) -> str:
     """Sentences on the two states of each harmonic forcing."""
     matrix, _ = system.configurations[0].dynamics.field(system.states)
     return " ".join(
         sentence(
-            naming,
+            notation,
             "Of these @pair are the cosine and the sine of the phase of a forcing, which turns with"
             " the frequency $@frequency$.",
-            pair=(cosine, sine),
-            frequency=naming.notation.latex(
-                matrix[system.states.index(sine), system.states.index(cosine)]
-            ),
+            pair=pair,
+            frequency=notation.latex(matrix[tuple(map(system.states.index, reversed(pair)))]),
         )
-        for cosine, sine in system.forcing
+        for pair in system.forcing
     )
 
 
 def _domain(parameter: Parameter, notation: Notation) -> str:
     """LaTeX of the domain of a parameter."""
-    name = notation.symbol(parameter.symbol)
+    name, lower, upper = map(notation.text, (parameter.symbol, parameter.lower, parameter.upper))
     above, below = (r"\ge", r"\le") if parameter.closed else (">", "<")
     end = r"\le" if parameter.upper_closed else "<"
-    lower, upper = sp.sympify(parameter.lower), sp.sympify(parameter.upper)
-    if lower.is_infinite and upper.is_infinite:
-        return rf"{name} \in \mathbb{{R}}"
-    if lower.is_infinite:
-        return f"{name} {end} {notation.latex(upper)}"
-    if upper.is_infinite:
-        return f"{name} {above} {notation.latex(lower)}"
-    return f"{notation.latex(lower)} {below} {name} {end} {notation.latex(upper)}"
+    if parameter.lower == -sp.oo:
+        return rf"{name} \in \mathbb{{R}}" if parameter.upper == sp.oo else f"{name} {end} {upper}"
+    if parameter.upper == sp.oo:
+        return f"{name} {above} {lower}"
+    return f"{lower} {below} {name} {end} {upper}"
 
 
-def model_section(naming: Naming, system: System) -> list[Block]:
+def model_section(shown: Described) -> list[Block]:
     """Blocks on what stands behind a system's equations, as it is declared."""
     blocks: list[Block] = []
-    for text in map(_one_paragraph, system.model):
+    for text in map(_one_paragraph, shown.declared.model):
         alone = text.startswith("$") and "$" not in text[1:-1]
         # a line may break behind a wide space
         pieces = tuple(re.split(r"(?<=\\qquad)", text[1:-1]))
         blocks.append(Formula((Line("", "", pieces),)) if alone else Paragraph(text))
-    cited = naming.cited("model")
-    return blocks + compose(naming, "[cited: This is the model@cited.]", cited=cited)
+    cited = shown.notation.cited("model")
+    return blocks + compose(shown, "[cited: This is the model@cited.]", cited=cited)
 
 
-def transition_section(naming: Naming) -> list[Block]:
+def configuration_section(shown: Described) -> list[Block]:
+    """Blocks with the equations of motion of the configurations, and their boundaries.
+
+    Where flows are not written, also what else holds throughout a configuration.
+    """
+    notation = shown.notation
+    told = isinstance(shown, Cycle) or (shown.itinerary is None and notation.open)
+    phases = shown.itinerary.phases if isinstance(shown, View) else ()
+    chosen = list(map(notation.system.configuration, notation.names))
+    second = [c.dynamics for c in chosen if isinstance(c.dynamics, SecondOrder)]
+    letters = _letters(notation, second)
+    matrices = [notation.entries(letter, matrix) for (_, matrix), letter in letters.items()]
+    if any(len(lines) > 1 for lines in matrices):
+        letters, matrices = {}, []
+    return compose(
+        notation,
+        r"""
+        [first: Inside a configuration the motion is linear, with the state $@state =
+        \left(@column\right)^{\mathsf{T}}$.]
+
+        [second: In [first: those of second order | every configuration] the motion is
+        linear[matrices: , $@mass @letter''[damped:  + @damping @letter'] + @stiffness @letter =
+        \ell$[held: , and a coordinate that is held keeps its velocity: its row gives the reaction].
+        The matrices are | .]]
+        $$
+        @matrices
+        $$
+        @motions
+
+        A configuration is left where one of its boundary functions, negative inside, rises through
+        zero. [mixed: One that acts when reached is left at a tangency too, one that acts when
+        exceeded is not.]
+
+        | Configuration | Boundary | Inside | Acts when | @boundaries
+
+        [constraints: Throughout, @constraints.]
+        """,
+        first=len(second) < len(chosen),
+        second=second,
+        mass=notation.matrix_letter("M"),
+        damping=notation.matrix_letter("C"),
+        stiffness=notation.matrix_letter("K"),
+        damped=any(not d.damping.is_zero_matrix for d in second),
+        held=any(d.held for d in second),
+        matrices=[line for lines in matrices for line in lines],
+        motions=[
+            block
+            for configuration in chosen
+            for block in compose(
+                notation,
+                "*@name*[phases:  (phase[many phases: s] @phases)]@cited(configuration @name):"
+                "\n$$\n@lines\n$$",
+                name=configuration.name,
+                phases=[
+                    str(number)
+                    for number, phase in enumerate(phases, start=1)
+                    if phase.configuration == configuration.name
+                ],
+                lines=_motion(configuration.dynamics, notation, letters),
+            )
+        ],
+        mixed=len({b.acts_when for c in chosen for b in c.boundaries}) > 1,
+        boundaries=[
+            (
+                "" if position else f"*{configuration.name}*",
+                f"*{boundary.name}*",
+                notation.math(boundary.function, " < 0"),
+                boundary.acts_when,
+            )
+            for configuration in chosen
+            for position, boundary in enumerate(configuration.boundaries)
+        ],
+        constraints=[
+            sentence(notation, "$@c.constraints = 0$ in *@c.name*", c=c)
+            for c in chosen
+            if told and c.constraints
+        ],
+    )
+
+
+def _letters(notation: Notation, motions: Sequence[SecondOrder]) -> _Letters:
+    """Letters of M, C and K, numbered where configurations differ in them; none of one mass."""
+    found: _Letters = {}
+    if all(motion.mass.rows == 1 for motion in motions):
+        return found
+    for letter, attribute in (("M", "mass"), ("C", "damping"), ("K", "stiffness")):
+        matrices = dict.fromkeys(getattr(d, attribute) for d in motions)
+        if letter != "C" or any(not m.is_zero_matrix for m in matrices):
+            name = notation.matrix_letter(letter)
+            for index, matrix in enumerate(matrices, start=1):
+                found[attribute, matrix] = f"{name}_{{{index}}}" if len(matrices) > 1 else name
+    return found
+
+
+def _motion(dynamics: Dynamics, notation: Notation, letters: _Letters) -> list[Line]:
+    """Lines with the equations of motion.
+
+    They stand in the letters of the matrices, if there are any, unless a coordinate is held:
+    then each has a line of its own. That of a single mass has its factors in place.
+    """
+    states, x = notation.system.states, notation.letter
+    if letters and isinstance(dynamics, SecondOrder) and not dynamics.held:
+        terms = {"''": "mass", "'": "damping", "": "stiffness"}
+        left = " + ".join(
+            f"{letters[attribute, matrix]} {x}{primes}"
+            for primes, attribute in terms.items()
+            for matrix in [getattr(dynamics, attribute)]
+            if attribute != "damping" or not matrix.is_zero_matrix
+        )
+        load = dynamics.load.applyfunc(notation.tidy)
+        return [notation.relation(left, "0" if load.is_zero_matrix else notation.latex(load))]
+    if isinstance(dynamics, SecondOrder) and len(states) == 2 and not dynamics.held:
+        own = notation.symbol(states[0])
+        factors = [Symbol("written", f"x{primes}", own + primes) for primes in ("''", "'")]
+        coefficients = (dynamics.mass, dynamics.damping, dynamics.stiffness)
+        motion = zip(coefficients, (*factors, states[0]), strict=True)
+        summands = [matrix[0] * factor for matrix, factor in motion if matrix[0] != 0]
+        return [notation.relation(" ".join(notation.signed(summands)), dynamics.load[0])]
+    matrix, offset = (part.applyfunc(cancel) for part in dynamics.field(states))
+    rates = list(matrix * sp.Matrix(states) + offset)
+    held, primes = {}, "'"
+    if isinstance(dynamics, SecondOrder):
+        rates, held, primes = rates[len(states) // 2 :], dynamics.held_at(states), "''"
+    return [
+        notation.relation(
+            notation.symbol(states[i]) + ("'" if i in held else primes), held.get(i, rate)
+        )
+        for i, rate in enumerate(rates)
+    ]
+
+
+def transition_section(shown: Described) -> list[Block]:
     """Blocks on which configuration follows which set of boundaries, under which conditions."""
-    transitions = naming.system.transitions
+    notation, transitions = shown.notation, shown.notation.system.transitions
     if all(not t.conditions and len(t.boundaries) == 1 for t in transitions):
-        return _without_conditions(naming)
+        return _without_conditions(notation)
     conditions = list(dict.fromkeys(c for t in transitions for c in t.conditions))
     numbers = {c: f"$C_{{{i}}}$" for i, c in enumerate(conditions, start=1)}
     outcomes: dict[tuple[str, tuple[str, ...]], list[tuple[str, str, str]]] = {}
     for transition in transitions:
         event = transition.source, tuple(sorted(transition.boundaries))
         needed = enumeration([numbers[c] for c in transition.conditions]) or "always"
-        outcome = f"*{transition.target}*", needed, _reset(transition, naming)
+        outcome = f"*{transition.target}*", needed, _reset(transition, notation)
         outcomes.setdefault(event, []).append(outcome)
     # many events share one list of outcomes
     shared = dict.fromkeys(map(tuple, outcomes.values()))
@@ -161,7 +284,7 @@ def transition_section(naming: Naming) -> list[Block]:
         events.setdefault((source, rules[tuple(found)]), []).append(together)
     sources = (None, *(source for source, _ in events))
     return compose(
-        naming,
+        notation,
         """
         Boundaries that are reached at one instant are one transition. Of the configurations named
         for it the first whose conditions hold follows; a reset acts at the same instant and leaves
@@ -172,92 +295,77 @@ def transition_section(naming: Naming) -> list[Block]:
         [conditions: Where the function vanishes, the first of its derivatives that does not
         decides, along the flow of the named configuration.]
 
-        @conditions
+        | Condition | Holds if | Along | @conditions
 
         ## Rules
 
         Each rule is a list of configurations; the first that applies is taken.
 
-        @rules
+        | Rule | To | If | Reset | @rules
 
         ## Events
 
-        @events
+        | From | <Boundaries> | Rule | @events
         """,
         conditions=[
-            Table(
-                ("Condition", "Holds if", "Along"),
-                tuple(
-                    (
-                        number,
-                        f"{'' if c.holds else 'not '}{math(naming, c.function, ' > 0')}",
-                        f"*{c.along}*",
-                    )
-                    for c, number in numbers.items()
-                ),
+            (
+                number,
+                f"{'' if c.holds else 'not '}{notation.math(c.function, ' > 0')}",
+                f"*{c.along}*",
             )
-        ]
-        if numbers
-        else [],
-        rules=Table(
-            ("Rule", "To", "If", "Reset"),
-            tuple(
-                (rule if position == 0 else "", *outcome)
-                for found, rule in rules.items()
-                for position, outcome in enumerate(found)
-            ),
-        ),
-        events=Table(
-            ("From", "Boundaries", "Rule"),
-            tuple(
-                (f"*{source}*" if source != before else "", ", or ".join(found), rule)
-                for before, ((source, rule), found) in zip(sources, events.items(), strict=False)
-            ),
-            wrapped=1,
-        ),
+            for c, number in numbers.items()
+        ],
+        rules=[
+            (rule if position == 0 else "", *outcome)
+            for found, rule in rules.items()
+            for position, outcome in enumerate(found)
+        ],
+        events=[
+            (f"*{source}*" if source != before else "", ", or ".join(found), rule)
+            for before, ((source, rule), found) in zip(sources, events.items(), strict=False)
+        ],
     )
 
 
-def _without_conditions(naming: Naming) -> list[Block]:
+def _without_conditions(notation: Notation) -> list[Block]:
     """Table of transitions that single boundaries decide, one row for each."""
-    transitions = naming.system.transitions
-    resets = any(t.reset for t in transitions)
+    transitions = notation.system.transitions
     rows = [
-        (f"*{t.source}*", *(f"*{b}*" for b in t.boundaries), f"*{t.target}*", _reset(t, naming))
+        (f"*{t.source}*", *(f"*{b}*" for b in t.boundaries), f"*{t.target}*", _reset(t, notation))
         for t in transitions
     ]
-    width = 4 if resets else 3
+    resets = any(t.reset for t in transitions)
     return compose(
-        naming,
+        notation,
         """
         What follows at each boundary[resets: . A reset acts at the same instant; the states that it
         does not name are continuous | ; the state is continuous there].
 
-        @table
+        | From | Boundary | To |[resets:  Reset |] @rows
         """,
         resets=resets,
-        table=Table(
-            ("From", "Boundary", "To", "Reset")[:width], tuple(row[:width] for row in rows)
-        ),
+        rows=rows if resets else [row[:-1] for row in rows],
     )
 
 
-def _reset(transition: Transition, naming: Naming) -> str:
+def _reset(transition: Transition, notation: Notation) -> str:
     """Formulas for what a transition sets the states to."""
-    symbol = naming.notation.symbol
-    return ", ".join(f"${symbol(s)} := {math(naming, e)[1:]}" for s, e in transition.reset.items())
+    rules = transition.reset.items()
+    return ", ".join(f"${notation.symbol(s)} := {notation.text(e)}$" for s, e in rules)
 
 
-def law_section(naming: Naming, law: ContactLaw) -> list[Block]:
+def law_section(shown: Described) -> list[Block]:
     """Blocks on the contact law, which decides what follows at a contact's boundary."""
+    law, math = shown.declared.law, shown.notation.math
+    contacts = law.contacts if law else ()
     return compose(
-        naming,
+        shown,
         r"""
         The mass matrix couples these contacts: a force on one accelerates others. Where one reaches
         a boundary it is decided together with those at rest, by one law that asks neither for the
         order in which they are declared nor for their directions.
 
-        @limits
+        | Contact | Velocity $r$ | Static limit | Kinetic limit | @limits
 
         Let the limit $L_i$ be the kinetic one of those that have reached the limit of their force,
         the static one of the others at rest. Their accelerations are those that minimise
@@ -269,41 +377,34 @@ def law_section(naming: Naming, law: ContactLaw) -> list[Block]:
         its force. Where a force is at its limit, or $\dot{r}_i = 0$ for what slips, the first
         derivative that does not vanish decides. What that leaves open is ambiguous.
 
-        [stops: Of @stops: the minimum is one with $\dot{r} \leq 0$, where stops push.]
+        [stops: Of *@stops*: the minimum is one with $\dot{r} \leq 0$, where stops push.]
         """,
         distance=r"\tfrac{1}{2} \left\| \ddot{x} - \ddot{x}_\mathrm{free} \right\|_M^2",
-        limits=Table(
-            ("Contact", "Velocity $r$", "Static limit", "Kinetic limit"),
-            tuple(
-                (f"*{c.name}*", *(math(naming, e) for e in (c.relative, c.static, c.kinetic)))
-                for c in law.contacts
-                if c.friction
-            ),
-        ),
-        stops=" and ".join(f"*{contact.name}*" for contact in law.contacts if not contact.friction),
+        limits=[
+            (f"*{c.name}*", *map(math, (c.relative, c.static, c.kinetic)))
+            for c in contacts
+            if c.friction
+        ],
+        stops=[contact.name for contact in contacts if not contact.friction],
     )
 
 
-def contact_section(naming: Naming) -> list[Block]:
+def contact_section(shown: Described) -> list[Block]:
     """Blocks on the contacts: velocities and forces with which the surroundings act."""
+    math = shown.notation.math
     rows: list[tuple[str, ...]] = []
-    for contact in naming.system.contacts:
-        first = (
-            f"*{contact.name}*",
-            math(naming, contact.velocity),
-            math(naming, contact.surface),
-        )
-        forces = [(f"*{name}*", math(naming, force)) for name, force in contact.forces.items()]
+    for contact in shown.declared.contacts:
+        first = (f"*{contact.name}*", math(contact.velocity), math(contact.surface))
+        forces = [(f"*{name}*", math(force)) for name, force in contact.forces.items()]
         for place, force in enumerate(forces or [("", "")]):
             rows.append((*(("", "", "") if place else first), *force))
-    header = ("Contact", "Velocity", "Surroundings", "Configuration", "Force")
     return compose(
-        naming,
+        shown,
         """
         The surroundings act on the oscillator at its contacts: a force in the direction of the
         velocity of the point there, zero in the configurations that are not named.
 
-        @table
+        | Contact | Velocity | Surroundings | Configuration | Force | @rows
         """,
-        table=Table(header, tuple(rows)),
+        rows=rows,
     )

@@ -6,27 +6,34 @@ from collections.abc import Sequence
 
 import sympy as sp
 
+from nonsmooth.derive.declaration.algebra import factor
 from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.fields import exact
 from nonsmooth.derive.document.blocks import Block, Line
-from nonsmooth.derive.document.sections.template import compose, zeros
-from nonsmooth.derive.document.view import View, monodromy_trace
-from nonsmooth.derive.document.wording import Naming, count, number
+from nonsmooth.derive.document.printer import add_product
+from nonsmooth.derive.document.symbols import grouped_by
+from nonsmooth.derive.document.template import compose
+from nonsmooth.derive.document.view import View
 from nonsmooth.derive.equations.energy import on_boundary
 from nonsmooth.derive.equations.program import Stage
 from nonsmooth.derive.equations.reference import ReferenceOrbit
 from nonsmooth.derive.equations.section import passages_of
-from nonsmooth.derive.symbols import parts_of_derivative
+from nonsmooth.derive.symbols import Symbol, parts_of_derivative
 
 _DIGITS = 12
 _LARGEST = 3  # map that is shown as a matrix
 _ZERO = sp.Float("1e-20")
+# more products of functions of time are not written out
+_MOST_TERMS = 12
+# a factor of more terms gets a letter
+_LONG = 3
 
 
 def energy_section(view: View) -> list[Block]:
     """Blocks on the energy of each configuration, its changes, and the multiplier 1."""
-    energies = {name: _energy(view, name) for name in view.flows}
-    halves = {name: sp.Add(*terms) / 2 for name, terms in energies.items()}
+    notation = view.notation
+    energies = {name: _energy(view, name) for name in notation.names}
+    totals = {name: sp.Add(*terms) for name, terms in energies.items()}
     return compose(
         view,
         r"""
@@ -34,7 +41,7 @@ def energy_section(view: View) -> list[Block]:
         each configuration the energy is constant. With its constant chosen for each configuration,
         | the configuration the energy is constant,]
         $$
-        @energies
+        @lines
         $$
         @changes
 
@@ -44,17 +51,12 @@ def energy_section(view: View) -> list[Block]:
         $J$ at least once: the trivial multiplier of the family of orbits in which the energy
         varies.
         """,
-        energies=[
-            Line(
-                f"2 {_letter(name)}",
-                "=",
-                view.naming.notation.signed(terms),
-                None,
-                sp.Add(*terms),
-            )
+        energies=energies,
+        lines=[
+            notation.relation(f"2 {_letter(name)}", notation.signed(terms), shows=totals[name])
             for name, terms in energies.items()
         ],
-        changes=_changes(view, halves),
+        changes=_changes(view, {name: total / 2 for name, total in totals.items()}),
     )
 
 
@@ -64,10 +66,9 @@ def _letter(name: str) -> str:
 
 def _energy(view: View, name: str) -> list[sp.Expr]:
     """Terms of twice the energy as squares, up to a constant: masses, springs, grounds."""
-    system = view.naming.system
+    system = view.notation.system
     dynamics = system.configuration(name).dynamics
-    if not isinstance(dynamics, SecondOrder):
-        raise TypeError(f"{name} is no second-order motion")
+    assert isinstance(dynamics, SecondOrder)  # else no energy is kept
     size = dynamics.mass.rows
     x, v = system.states[:size], system.states[size:]
     stiffness, load = dynamics.stiffness, dynamics.load
@@ -86,7 +87,7 @@ def _energy(view: View, name: str) -> list[sp.Expr]:
 def _changes(view: View, energies: dict[str, sp.Expr]) -> list[Block]:
     """Blocks on the change of energy by each transition."""
     itinerary, system, _ = view.undecided
-    notation, states, required = view.naming.notation, system.states, view.equations.required
+    notation, states = view.notation, system.states
     lines: list[Line] = []
     places: list[str] = []
     continuous: list[str] = []
@@ -97,12 +98,12 @@ def _changes(view: View, energies: dict[str, sp.Expr]) -> list[Block]:
         change = sp.expand(behind - energies[before])
         change = min(sp.factor(change), sp.factor_terms(change), key=sp.count_ops)
         if change == 0:
-            continuous.append(f"*{passage.boundary}*")
+            continuous.append(passage.boundary)
             continue
         ((fixed, value),) = on_boundary(passage).items()
         places.append(f"${notation.symbol(fixed)} = {notation.latex(value)}$")
         left = f"{_letter(target)}^{{+}} - {_letter(before)}"
-        lines.append(Line(left, "=", (f"{notation.latex(change)},",), None, change))
+        lines.append(notation.relation(left, notation.latex(change), ",", shows=change))
     return compose(
         view,
         """
@@ -110,12 +111,12 @@ def _changes(view: View, energies: dict[str, sp.Expr]) -> list[Block]:
         $$
         @lines
         $$
-        [lines: which is zero [required: with @required | on the boundary @places].]
+        [lines: which is zero [equations.required: with $@equations.required$ | on the boundary
+        @places].]
 
-        [continuous: At @continuous it does not change.]
+        [continuous: At *@continuous* it does not change.]
         """,
         lines=lines,
-        required=[f"${notation.symbol(p)} = {notation.latex(v)}$" for p, v in required.items()],
         places=list(dict.fromkeys(places)),
         continuous=continuous,
     )
@@ -124,8 +125,10 @@ def _changes(view: View, energies: dict[str, sp.Expr]) -> list[Block]:
 def trace_section(view: View) -> list[Block]:
     """Blocks on the trace, in closed form where the rank is one, and on stability."""
     reduction, conservative = view.equations.reduction, view.equations.conservative
-    at_once = [link.dwell for link in view.links if link.duration == 0]
-    several = reduction.rank > 1 and reduction.image is None
+    size, several = (
+        len(view.equations.chain.coordinates),
+        reduction.rank > 1 and not reduction.image,
+    )
     if conservative and reduction.rank:
         return _conservative(view)
     return compose(
@@ -134,9 +137,9 @@ def trace_section(view: View) -> list[Block]:
         @trace
 
         [single: The orbit is stable, for perturbations that keep its itinerary, if
-        $|\operatorname{tr} J| < 1$@cited. [sides: The itinerary is kept where @sides on the
-        perturbed motion; on the other side of the collision another map holds, and this trace says
-        nothing about it.]]
+        $|\operatorname{tr} J| < 1$@cited(trace). [sides: The itinerary is kept where $@sides > 0$
+        on the perturbed motion; on the other side of the collision another map holds, and this
+        trace says nothing about it.]]
 
         [point: The orbit passes through a section that is a point. No perturbation passes it: $J =
         0$, $\operatorname{tr} J = 0$, and the orbit is stable for perturbations that keep its
@@ -155,11 +158,10 @@ def trace_section(view: View) -> list[Block]:
         """,
         trace=_slope(view) if reduction.image else _sum(view) if reduction.rank else [],
         single=reduction.rank > 0 and not several,
-        cited=view.naming.cited("trace"),
-        sides=zeros(view.naming, at_once, " > 0"),
+        sides=[link.dwell for link in view.links if link.duration == 0],
         point=reduction.rank == 0,
-        two=several and len(view.equations.chain.coordinates) == 2,
-        more=several and len(view.equations.chain.coordinates) > 2,
+        two=several and size == 2,
+        more=several and size > 2,
     )
 
 
@@ -171,21 +173,18 @@ def _sum(view: View) -> list[Block]:
     return compose(
         view,
         r"""
-        $J$ is a [several: matrix of @size rows, for the coordinates | number, for the coordinate]
-        @map_coordinates. [less: The orbit passes through a section of dimension @rank, at the start
-        of *@phase.configuration*, so that at most @multipliers [one: differs | differ] from zero.]
-        The trace of $J$ is computed by the local maps,
+        $J$ is a [many size: matrix of #size rows, for the coordinates | number, for the coordinate]
+        @map_coordinates. [less: The orbit passes through a section of dimension #rank, at the start
+        of *@phase.configuration*, so that at most #rank multiplier(s) [many rank: differ | differs]
+        from zero.] The trace of $J$ is computed by the local maps,
         $$
         \operatorname{tr} J &= @diagonal
         $$
         """,
-        several=size > 1,
-        size=number(size),
+        size=size,
         less=rank < size,
-        rank=number(rank),
+        rank=rank,
         phase=phases[equations.reduction.rotation % len(phases)],
-        multipliers=count(rank, "multiplier"),
-        one=rank == 1,
         diagonal=(*terms, f"{last}."),
     )
 
@@ -204,12 +203,6 @@ def _conservative(view: View) -> list[Block]:
             """,
             sum=_sum(view),
         )
-    notation, found = view.naming.notation, monodromy_trace(view)
-    trace: list[Line] = []
-    if found:
-        total = sp.Add(*found.terms).xreplace(found.factors).xreplace(found.names)
-        pieces = notation.signed(found.terms)
-        trace = [Line(r"\operatorname{tr} \mathcal{M}", "=", pieces, None, total)]
     return compose(
         view,
         r"""
@@ -225,8 +218,7 @@ def _conservative(view: View) -> list[Block]:
         [trace: Written out, with the switching conditions inserted,]
         $$
         @trace
-        @factors
-        [trace: \tag{@label}]
+        [trace: \tag{@label(The trace 1)}]
         $$
         Where $|\operatorname{tr} \mathcal{M} - 2| < 2$ the pair lies on the unit circle and the
         orbit is neutral. Where $|\operatorname{tr} \mathcal{M} - 2| > 2$ it is real, one of the two
@@ -234,20 +226,61 @@ def _conservative(view: View) -> list[Block]:
         = 1$ leaves nothing to compare, and the double eigenvalue 1, which has one eigenvector only,
         costs the eigenvalues of $\mathcal{M}$ half their digits.
         """,
-        trace=trace,
-        factors=[view.naming.equal(s, e) for s, e in found.factors.items()] if found else [],
-        label=view.label("The trace"),
+        trace=_monodromy_trace(view),
     )
+
+
+def _monodromy_trace(view: View) -> list[Line]:
+    """Lines for the trace of the monodromy matrix in functions of the dwell times.
+
+    Long factors in it have lines of their own. There are none if it is too long.
+    """
+    notation, names = view.notation, dict[sp.Symbol, sp.Expr]()
+    product = sp.eye(len(notation.system.states))
+    for index, (link, matrix) in enumerate(zip(view.links, view.saltations, strict=True), 1):
+        named = matrix.as_mutable()
+        for i in range(matrix.rows):
+            for j in range(matrix.cols):
+                if not matrix[i, j].is_number:
+                    latex = rf"\left(S_{{{index}}}\right)_{{{i + 1}{j + 1}}}"
+                    symbol = Symbol("written", f"saltation_{index}_{i}{j}", latex)
+                    named[i, j], names[symbol] = symbol, matrix[i, j]
+        product = named * link.transfer * product
+    total = sp.expand(product.trace())
+    functions = [s for s in total.free_symbols if notation.is_function(s)]
+    collected = grouped_by(total, [*functions, *names])
+    if len(collected) > _MOST_TERMS:
+        return []
+    order = {s: i for i, s in enumerate((*notation.functions, *names))}
+    flows = notation.flows.values()
+    frequencies = {s for flow in flows for g in flow.basis for s in g.free_symbols}
+    entries = {s for flow in flows for m in flow.matrices for s in m.free_symbols}
+    projectors = {*notation.spectrum.symbols} & entries - frequencies
+    # functions with one coefficient, but for frequencies, share it
+    groups: dict[sp.Expr, sp.Expr] = {}
+    for monomial in sorted(collected, key=lambda m: sorted(order[s] for s in m.free_symbols)):
+        entry, function = monomial.as_independent(*functions, as_Add=False)
+        inner, outer = factor(collected[monomial]).as_independent(*projectors, as_Add=False)
+        add_product(groups, outer * entry, inner * function)
+    long = [outer for outer in groups if len(sp.Add.make_args(outer)) > _LONG]
+    letters = {k: Symbol("written", f"kappa{i}", rf"\kappa_{{{i}}}") for i, k in enumerate(long, 1)}
+    terms = [
+        sp.Mul(letters.get(outer, outer), sp.factor_terms(inner)) for outer, inner in groups.items()
+    ]
+    written = {letter: k for k, letter in letters.items()}
+    total = sp.Add(*terms).xreplace(written).xreplace(names)
+    return [
+        notation.relation(r"\operatorname{tr} \mathcal{M}", notation.signed(terms), shows=total),
+        *(notation.relation(letter, k) for letter, k in written.items()),
+    ]
 
 
 def _slope(view: View) -> list[Block]:
     """Blocks on the trace as the slope of the map in one variable."""
-    reduction = view.equations.reduction
-    symbol = view.naming.notation.symbol
+    reduction, symbol = view.equations.reduction, view.notation.symbol
     first, *others = reduction.unknowns
     x = symbol(first)
     stages, trace = view.equations.trace_program
-    base = {s for stage in reduction.stages for s, _ in stage.assignments}
     return compose(
         view,
         r"""
@@ -267,7 +300,7 @@ def _slope(view: View) -> list[Block]:
         In the symbols of the stages this reads
         $$
         \operatorname{tr} J &= @trace
-        \tag{@label}
+        \tag{@label(The trace 1)}
         $$
         @derivatives
         """,
@@ -276,67 +309,63 @@ def _slope(view: View) -> list[Block]:
         start=symbol(reduction.start),
         x=x,
         others=others,
-        where=[f"({view.label('The reduction', i)})" for i in range(len(others))],
+        where=[f"({view.label(f'The reduction {i}')})" for i, _ in enumerate(others, start=1)],
         y=", ".join(map(symbol, others)),
         trace=trace,
-        label=view.label("The trace"),
-        derivatives=_derivatives(view.naming, stages, base, reduction.unknowns),
+        derivatives=_derivatives(view, stages),
     )
 
 
-def _derivatives(
-    naming: Naming, stages: Sequence[Stage], base: set[sp.Symbol], directions: Sequence[sp.Symbol]
-) -> list[Block]:
+def _derivatives(view: View, stages: Sequence[Stage]) -> list[Block]:
     """Blocks with the derivatives along the stages, direction by direction."""
-    named = {e: s for s, e in naming.notation.functions.items()}
+    notation, reduction = view.notation, view.equations.reduction
+    directions = reduction.unknowns
+    base = {s for stage in reduction.stages for s, _ in stage.assignments}
+    named = {e: s for s, e in notation.functions.items()}
     inlined: dict[sp.Symbol, sp.Expr] = {}
-    groups: dict[sp.Symbol | None, list[tuple[sp.Symbol, sp.Expr]]]
-    groups = {d: [] for d in (*directions, None)}
+    groups: dict[sp.Symbol | None, dict[sp.Symbol, sp.Expr]]
+    groups = {d: {} for d in (*directions, None)}
     for stage in stages:
         for symbol, expression in stage.assignments:
             if symbol in base:
                 continue
             inner, direction = parts_of_derivative(symbol)
-            if inner in naming.notation.functions:
+            if inner in notation.functions:
                 # the derivative of a cosine needs no symbol on paper
                 inlined[symbol] = expression.xreplace(named)
                 continue
             group = direction if direction in groups else None
-            groups[group].append((symbol, expression.xreplace(inlined)))
+            groups[group][symbol] = expression.xreplace(inlined)
     blocks: list[Block] = []
     for direction, assignments in groups.items():
         if assignments:
             blocks += compose(
-                naming,
+                notation,
                 """
                 [by: The derivatives by $@by$ [fixed: at fixed @fixed] | Further], stage by stage:
                 $$
                 @lines
                 $$
                 """,
-                by=naming.notation.symbol(direction) if direction else "",
+                by=direction,
                 fixed=[d for d in directions if d != direction],
-                lines=[naming.equal(s, e) for s, e in assignments],
+                lines=assignments,
             )
     return blocks
 
 
 def reference_section(view: View, orbit: ReferenceOrbit) -> list[Block]:
     """Blocks on the reference's parameters, the unknowns, the period and the multipliers."""
-    equations, notation = view.equations, view.naming.notation
-    reference = view.itinerary.reference
+    equations, notation, reference = view.equations, view.notation, view.itinerary.reference
     assert reference is not None  # the orbit is solved from it
     texts = {p: reference.parameters[str(p)] for p in equations.parameters}
-    unknowns = [
-        Line(notation.symbol(u), "=", (_number(value),))
-        for u, value in zip(equations.unknowns, orbit.unknowns, strict=True)
-    ]
+    values = zip(equations.unknowns, orbit.unknowns, strict=True)
     size = orbit.map.rows
     rows = (" & ".join(map(_number, orbit.map.row(i))) for i in range(size))
     return compose(
         view,
         r"""
-        With @given[cited: @cited,] the equations have the solution
+        With $@given$[cited: @cited,] the equations have the solution
         $$
         @unknowns
         $$
@@ -346,21 +375,18 @@ def reference_section(view: View, orbit: ReferenceOrbit) -> list[Block]:
         \operatorname{tr} J &= @trace
         [shown: J &= \left(\begin{matrix}@rows\end{matrix}\right)]
         $$
-        [size: and the multiplier[many multipliers: s] @multipliers.]
+        [size: and the multiplier[many multipliers: s] $@multipliers$.]
         """,
         # decimals stay as they are declared
-        given=[
-            f"${notation.symbol(p)} = {x if x[-1].isdigit() else notation.latex(exact(x))}$"
-            for p, x in texts.items()
-        ],
-        cited=view.naming.cited("reference"),
-        unknowns=unknowns,
+        given={p: x if x[-1].isdigit() else notation.latex(exact(x)) for p, x in texts.items()},
+        cited=notation.cited("reference"),
+        unknowns={notation.symbol(u): _number(value) for u, value in values},
         period=_number(orbit.period),
         trace=_number(orbit.map.trace()),
         shown=1 < size <= _LARGEST,
         rows=r"\\".join(rows),
         size=size,
-        multipliers=[f"${_number(m)}$" for m in orbit.multipliers],
+        multipliers=list(map(_number, orbit.multipliers)),
     )
 
 
