@@ -200,7 +200,7 @@ def test_a_tile_is_proved_on_parts(content, preloaded):
         for side, half in zip((-1, 1), halves, strict=True):
             with ctx.workprec(192):
                 orbit = tile.at(half[tile.place].at([0]).mid())
-            e = tile.space.variable(0, side / 2, 1 / 2)
+            e = whole[-1].space.variable(0, side / 2, 1 / 2)
             for before, after, exact in zip(whole, half, orbit, strict=True):
                 assert width(after) <= width(before.at([e]))
                 assert abs(after.at([0]) - exact) <= width(after) + 2**-40

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 from flint import arb, arb_mat, ctx
 
 from nonsmooth.runtime.checker.orbits.matrix_chains import along_chain, framed_phases
-from nonsmooth.runtime.checker.orbits.short import Short, quotient, quotients
+from nonsmooth.runtime.checker.orbits.short import Short, means
 from nonsmooth.runtime.checker.stated.declared import StatedSystem
 from nonsmooth.runtime.checker.stated.exact import (
     Failure,
@@ -128,10 +128,10 @@ class CheckedOrbit:
             divided = self.short is not None and self.short[::2] == (place, True)
             if divided:
                 time, rate = unknowns[self.first + place], b * y
-                mean = n * quotient(b, time)
+                mean, later = means(n, b, time)
                 values.append((mean * rate)[0, 0])
                 if slopes:
-                    change = (n * quotients(b, rate, time))[0, 0]
+                    change = (later * (b * rate))[0, 0]
                     rows.append((mean * (b * dy) + own * change).entries())
             y = flows[place] * y
             ends.append(y)

@@ -12,10 +12,12 @@ up to the flow, which the next section removes: that map needs no speed of the b
 
 from typing import Any, NamedTuple
 
+from flint import arb
+
 from nonsmooth.runtime.checker.stated.declared import StatedSystem
 from nonsmooth.runtime.checker.stated.exact import Numbers, demand, product
 from nonsmooth.runtime.core.rational_functions import pivot
-from nonsmooth.runtime.core.taylor_models import matrix
+from nonsmooth.runtime.core.taylor_models import matrix, middle_of
 
 
 class Short(NamedTuple):
@@ -88,28 +90,16 @@ def _jump(declared: StatedSystem, place: int) -> list[Any] | None:
     return found
 
 
-def quotient(b: Any, time: Any) -> Any:
-    """Return the mean (m, m) of exp (b s) over s from 0 to a time, which may be zero."""
-    size, inner = b.nrows(), b * time
-    rows: list[list[Any]] = [
-        [*(inner[i, j] for j in range(size)), *(int(i == j) for j in range(size))]
-        for i in range(size)
-    ]
-    rows += [[0] * (2 * size) for _ in range(size)]
-    found = matrix(rows).exp()
-    return matrix([[found[i, size + j] for j in range(size)] for i in range(size)])
+def means(row: Any, b: Any, time: Any) -> tuple[Any, Any]:
+    """Return the means (1, m) of row exp (b s) and of row exp (b s) s / time over s up to a time.
 
-
-def quotients(b: Any, vector: Any, time: Any) -> Any:
-    """Return the derivative of `quotient` by the time, times a vector (m, 1).
-
-    It is b (p1 - p2), with p1 and p2 the integrals of exp (b t s) and (1 - s) exp (b t s)
-    over s from 0 to 1.
+    The time may be zero.
     """
-    size, inner = b.nrows(), b * time
-    rows: list[list[Any]] = [
-        [*(inner[i, j] for j in range(size)), vector[i, 0], 0] for i in range(size)
-    ]
-    rows += [[*([0] * size), 0, 1], [0] * (size + 2)]
+    size, inner, entries = b.nrows(), b * time, row.entries()
+    numbers = (middle_of(entry).man_exp() for entry in entries)
+    unit = arb(2) ** int(max(power + mantissa.bit_length() for mantissa, power in numbers))
+    rows: list[list[Any]] = [[0, 1, *([0] * size)], [0, 0, *(entry / unit for entry in entries)]]
+    rows += [[0, 0, *(inner[i, j] for j in range(size))] for i in range(size)]
     found = matrix(rows).exp()
-    return b * matrix([[found[i, size] - found[i, size + 1]] for i in range(size)])
+    mean, earlier = (matrix([[found[k, 2 + j] for j in range(size)]]) * unit for k in (1, 0))
+    return mean, mean - earlier
