@@ -159,6 +159,7 @@ class GrowingSystem(System):
         return self.assembly.configuration(self._regimes(name))
 
     def _transitions_at(self, source: str, boundaries: frozenset[str]) -> Iterable[Transition]:
+        """The transitions out of a configuration by these boundaries, made now."""
         return transitions_at(self.assembly, self._regimes(source), boundaries)
 
     @cached_property

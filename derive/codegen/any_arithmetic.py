@@ -56,10 +56,10 @@ class _Printer(Ordered, StrPrinter):
     def _print_Constant(self, expr: Constant) -> str:
         return f'lib.constant("{expr.text}")'
 
-    def _print_sin(self, expr: sp.Expr) -> str:
+    def _print_wave(self, expr: sp.Expr) -> str:
         return f"lib.{expr.func}({self._print(expr.args[0])})"
 
-    _print_cos = _print_sin
+    _print_sin = _print_cos = _print_wave
 
     def _print_Abs(self, expr: sp.Expr) -> str:
         return f"abs({self._print(expr.args[0])})"

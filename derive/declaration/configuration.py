@@ -91,7 +91,7 @@ class Configuration:
         return dict(sorted(held.items()))
 
     def vanishing(self, states: Sequence[sp.Symbol]) -> list[sp.Expr]:
-        """List the functions that vanish throughout: of held velocities, then the constraints.
+        """List the functions that are zero throughout: velocity minus held velocity, constraints.
 
         Parameters
         ----------

@@ -236,6 +236,13 @@ class Itinerary:
                     raise DeclarationError(f"{where}: {kind} {name!r}, which is not declared")
                 if name in given[:place]:
                     raise DeclarationError(f"{where}: {kind} {name!r} is named twice")
+        presented = (self.presentation or self.system).states
+        for rules, symbols in ((self.reversor, presented), (self.symmetry, self.system.states)):
+            for symbol in rules:
+                if symbol not in symbols:
+                    raise DeclarationError(
+                        f"{where}: symbol {symbol} has other assumptions than the declared"
+                    )
         for state, image in self.symmetry.items():
             if image not in self.system.states and -image not in self.system.states:
                 raise DeclarationError(

@@ -39,9 +39,10 @@ class Program(NamedTuple):
 
 @dataclass(frozen=True)
 class Array:
-    """An array that a kernel takes or gives: its name, its shape and its entries, row by row.
+    """An array that a kernel or a C function takes or gives.
 
-    Of what it gives, the outputs before the one at the place `since` do without it.
+    Entries are row by row; arrays of functions of many points have none. Of an argument `since`
+    is the place of the first output that needs it, of an output of a C function its own place.
     """
 
     name: str

@@ -103,9 +103,13 @@ def row_of(function: sp.Expr, system: System) -> sp.Matrix:
 
 
 def map_of(rules: Values, system: System) -> sp.Matrix:
-    """An affine map of a system's state, of which states without a rule stay, as its matrix."""
-    rows = (row_of(rules.get(s, s), system) for s in system.states)
-    return sp.Matrix.vstack(*rows, row_of(sp.S.One, system))
+    """Matrix of an affine map of a system's state; a state without a rule stays."""
+    states, matrix = system.states, sp.eye(len(system.states) + 1)
+    for place, state in enumerate(states):
+        if state in rules:  # sums are kept in the form in which they are declared
+            shift = rules[state].subs(dict.fromkeys(states, 0))
+            matrix[place, :] = sp.Matrix([[*(sp.diff(rules[state], s) for s in states), shift]])
+    return matrix
 
 
 def simplified(matrix: sp.Matrix) -> sp.Matrix:
@@ -165,8 +169,11 @@ class Section:
 
 def enforced_at(passage: Passage, system: System) -> sp.Matrix:
     """Rows of the functions that are zero where a phase ends, its boundary's first."""
-    functions = passage.configuration.vanishing(system.states)
-    return sp.Matrix.vstack(passage.row, *(row_of(f, system) for f in functions))
+    configuration, states = passage.configuration, system.states
+    functions = configuration.vanishing(states)
+    held = len(functions) - len(configuration.constraints)
+    ordered = (*functions[held:], *functions[:held])  # constraints before velocities
+    return sp.Matrix.vstack(passage.row, *(row_of(f, system) for f in ordered))
 
 
 @remembered

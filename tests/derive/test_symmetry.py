@@ -154,6 +154,7 @@ def test_what_has_no_equations_is_refused(itinerary, message):
             "start of 'x1', which is not declared",  # the presentation calls it z1
         ),
         (rigid_stop.one_impact, {"reversor": {V: -V}}, "reversor of 'v', which is not declared"),
+        (rigid_stop.one_impact, {"reversor": {sp.Symbol("x1"): V}}, "x1 has other assumptions"),
         (
             dry_friction.solution_ii,
             {"vanishing": ("tb",)},

@@ -38,6 +38,18 @@ def stablest():
     return ns.design(symmetric(), minimise="spectral_radius", over={"V": (0.3, 3)})
 
 
+def test_an_interrupted_design_counts_the_orbit_that_was_told_last():
+    told = iter([False, False, True])
+
+    def stop(*_):
+        if next(told):
+            raise KeyboardInterrupt
+
+    with pytest.raises(ns.Interrupted) as stopped:
+        ns.design(symmetric(), minimise="spectral_radius", over={"V": (0.3, 3)}, progress=stop)
+    assert stopped.value.partial.after["spectral_radius"] < 0.85
+
+
 @cache
 def impacts():
     return ns.solve(IMPACTS)

@@ -429,7 +429,9 @@ def _verdict(tile: Entries) -> str:
 
 
 def verdict_of(claims: Mapping[str, str]) -> str:
-    """Return the verdict on all of a tile that claims, which go together, amount to."""
+    """Return the verdict on all of a tile that claims amount to."""
+    if claims["existence"] != "proved":
+        return "undecided"
     verdict = VERDICTS.get(claims["stability"], "undecided")
     ways = {"proved": verdict, "refuted": "not admissible"}
     return ways.get(claims["admissibility"], "undecided")

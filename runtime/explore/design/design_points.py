@@ -60,7 +60,7 @@ class Trial:
 
     place: np.ndarray  # (q,), of the parameters in their bounds: 0 is the lower one, 1 the upper
     members: tuple[DesignPoint, ...]
-    watches: tuple[WorstPlace, ...] = ()  # where on the branch these are
+    watches: tuple[WorstPlace, ...] = ()  # places that are followed along a branch
 
 
 class DesignPoints:

@@ -356,6 +356,8 @@ def optimise(trials: Trials) -> Ended:
     try:
         return _searched(trials, merit)
     except KeyboardInterrupt:
+        if not aim.spread:  # the orbit that progress was told last may be in no trial yet
+            trials.at(trials.points.visited[-1].place)
         return Ended(min(trials.visited, key=merit), INTERRUPTED)
 
 

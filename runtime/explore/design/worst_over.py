@@ -46,7 +46,7 @@ _WORSE = 1e-11  # by which a place between the watched ones may be worse
 class Trials:
     """The trials of a design: of one orbit each, or of those of a branch that are worst.
 
-    `points` covers the parameters of the design and, as the last, that of a branch. A place
+    `points` covers the parameters of the design and, if there is one, that of a branch. A place
     inside the branch's interval moves with the parameters, so that it stays worst.
     """
 

@@ -69,7 +69,7 @@ _MOST = 200
 
 @dataclass(frozen=True, eq=False)
 class _Entry(Generic[Solved]):
-    """Something that was found, or why an entry of a file is none, and how starts led to it."""
+    """What was found, or why a file's entry is none, with how many starts led to it."""
 
     solved: Solved | str
     starts: int
@@ -83,6 +83,7 @@ class _Entry(Generic[Solved]):
         return self.solved
 
 
+@dataclass(frozen=True, eq=False)
 class FoundOrbit(_Entry[Orbit]):
     """A periodic orbit and how many of the starts led to it.
 
@@ -131,6 +132,7 @@ class FoundOrbit(_Entry[Orbit]):
         return str(self.orbit.stability.verdict)
 
 
+@dataclass(frozen=True, eq=False)
 class FoundEquilibrium(_Entry[Equilibrium]):
     """An equilibrium and how many of the starts led to it.
 

@@ -83,15 +83,14 @@ _RETURN = 1e-6  # in units of the largest size of a state on the cycle
 class Pursued(NamedTuple):
     """Motions (n,) after a longer simulation, with masks (n,) of escaping and undecided ones.
 
-    A motion is undecided if it still grows, but not as one that escapes. Motions come back after
-    so many transitions and so long, some periods of the forcing, or after 0 and NaN.
+    A motion is undecided if it still grows, but not as one that escapes.
     """
 
     motions: Trajectories
     escapes: np.ndarray
     undecided: np.ndarray
-    lengths: np.ndarray
-    periods: np.ndarray
+    lengths: np.ndarray  # (n,) transitions in a period; 0 where a motion does not come back
+    periods: np.ndarray  # (n,) its time; NaN where a motion does not come back
 
 
 def pursue(

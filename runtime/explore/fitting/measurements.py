@@ -319,7 +319,7 @@ def _steady(
         if not np.isfinite(values).all():
             raise InputError(f"parameter {column} is missing or not finite in a row")
     rows = np.arange(float(next(iter(counts.values()))))
-    along = next((values for values in known.values() if np.ptp(values) > 0), rows)
+    along = next((v for v in known.values() if len(v) and np.ptp(v) > 0), rows)
     series = []
     for column, text in responses.items():
         response_quantity(text, structure)

@@ -159,7 +159,7 @@ class Minimum:
     problem: FitProblem  # with the noise that was estimated
     point: np.ndarray  # (q,)
     residuals: Residuals  # at the point
-    interrupted: bool  # whether there would have been more starts
+    interrupted: bool  # whether Ctrl-C ended it
     converged: bool
     message: str
     evaluations: int  # in all searches, including those over beginnings of the records
@@ -177,7 +177,8 @@ def minimise(
 
     The first start is the guess; the others are drawn between the bounds, or from the priors.
     `progress` gets the number of searches that are done and of all. Raises `InputError` if
-    there is no motion to begin with. Ctrl-C ends it with the best minimum until then, if any.
+    there is no motion to begin with. Ctrl-C ends it with the best minimum until then; without one
+    it is raised again.
     """
     problem = replace(problem, noise=_spreads(problem))
     points = _starts(problem, starts, random)

@@ -282,7 +282,6 @@ class _Work:
         self.reached: dict[Place, Tile] = {}  # the orbit is proved there
         self.tubes: dict[Place, MapTile] = {}
         self.decided = 0.0
-        self.whole = False  # whether no further tile is looked at
         self._order = count()
         for tile in state.tiles:
             if tile.verdict == "undecided" and not tile.looked_at:
@@ -296,9 +295,9 @@ class _Work:
     def stated(self) -> list[Tile]:
         """The tiles that fill the box, each with the claims that the checker proves.
 
-        The checker is asked about every tile with claims that it has not seen. A tile that was not
-        looked at gets no claim instead, until that is over. Over two parameters tiles with verdicts
-        have the same orbit where they meet; where that is not proved the second one is undecided.
+        The checker is asked about every tile with claims that it has not seen; one that waits to
+        be looked at gets no claim instead. Over two parameters tiles with verdicts have the same
+        orbit where they meet; where that is not proved the second one is undecided.
         """
         tiles = [*map(self._stated, self.tiles)]
         if len(self.region.names) != _PLANE:
@@ -316,12 +315,12 @@ class _Work:
                     self.same.add(pair)
         return tiles
 
-    def _stated(self, tile: Tile) -> Tile:
-        """A tile with the claims that the checker proves."""
+    def _stated(self, tile: Tile, *, waits: bool = True) -> Tile:
+        """A tile with the claims that the checker proves; none if it `waits` to be looked at."""
         nothing = "proved" not in tile.claims.values() and tile.event is None
         if nothing or tile.place in self.known or self.refusals.has_proved(tile):
             return tile
-        if not (self.whole or tile.looked_at):
+        if waits and not tile.looked_at:
             return replace(unproved(tile.place, _NOT_TRIED, looked_at=False), guess=tile.guess)
         reason = self.refusals.of_tile(tile)
         return unproved(tile.place, reason, looked_at=tile.looked_at) if reason else tile
@@ -337,7 +336,8 @@ class _Work:
             if not found:
                 break
             yield self.decided, looked_at
-        self.whole = True
+        # no further tile is looked at; an interruption leaves those that wait as they are
+        self.tiles = [self._stated(tile, waits=False) for tile in self.tiles]
 
     def _all(self) -> list[Tile]:
         waiting = sorted(self.waiting, key=itemgetter(0, 1))
