@@ -32,9 +32,11 @@ from nonsmooth.derive.document.blocks import Block, Formula, Heading, Line, Para
 from nonsmooth.derive.document.notation import Notation, enumeration, number
 
 _NAME = r"[a-z]+(?:[_.][a-z]+)*"
-_TEXT = re.compile(r"@(cited|label)\((.*?)\)")
 _VALUE = re.compile(f"@({_NAME})")
-_NUMBER = re.compile(rf"#({_NAME})(?:( [a-z ]+)\(s\))?", re.IGNORECASE)
+_INSERTION = re.compile(
+    rf"@(?P<method>cited|label)\((?P<key>.*?)\)|@(?P<value>{_NAME})"
+    rf"|#(?P<number>(?i:{_NAME}))(?:(?P<noun> [a-z ]+)\(s\))?"
+)
 _CHOICE = re.compile(rf"\[(many\s+)?({_NAME}):\s?([^\[\]]*?)(?:\s?(?<!\S)\|\s([^\[\]]*))?\]")
 _RELATION = re.compile(r"(?:(.*?)\s*&(=|\\to)\s+)?(.*)")
 _TAG = re.compile(r"\\tag\{(.*?)\}\s*(.*)")
@@ -93,14 +95,16 @@ class _Filling:
         return str((this if (_size(value) > 1 if many else value) else that) or "")
 
     def inserted(self, text: str) -> str:
-        """Text with the values in it."""
-        text = _TEXT.sub(lambda match: self.value(match[1])(self.inserted(match[2])), text)
-        text = _NUMBER.sub(self.number, text)
+        """Text with the values in it; what is inserted is not read again."""
         return "".join(self.repeated(mark, part) for mark, part in marked(text))
 
-    def number(self, match: re.Match[str]) -> str:
-        """A number in words, with a noun if there is one."""
-        name, noun = match.groups()
+    def insertion(self, match: re.Match[str]) -> str:
+        """What one name in a template stands for."""
+        if match["method"]:
+            return str(self.value(match["method"])(self.inserted(match["key"])))
+        if match["value"]:
+            return self.notation.text(self.value(match["value"]))
+        name, noun = match["number"], match["noun"]
         size = _size(self.value(name.lower()))
         words = number(size) if name.islower() else number(size).capitalize()
         return f"{words}{noun or ''}{'s' if noun and size != 1 else ''}"
@@ -114,8 +118,7 @@ class _Filling:
             if isinstance(value, (list, tuple)):
                 each = (replace(self, values={**self.values, name: v}) for v in value)
                 return enumeration([filling.repeated(mark, part) for filling in each])
-        text = _VALUE.sub(lambda match: self.notation.text(self.value(match[1])), part)
-        return f"{mark}{text}{mark}"
+        return f"{mark}{_INSERTION.sub(self.insertion, part)}{mark}"
 
     def listed(self, text: str) -> list[Any] | None:
         """The blocks or lines for which a name stands; None if it stands for something else."""
