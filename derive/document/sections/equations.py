@@ -230,6 +230,7 @@ def chain_section(view: View) -> list[Block]:
         ),
     )
     for index, link in enumerate(view.links, start=1):
+        reset = link.transition.reset
         blocks += compose(
             view,
             r"""
@@ -244,7 +245,7 @@ def chain_section(view: View) -> list[Block]:
             link=link,
             flow=view.notation.flow_number(link.configuration.name),
             lines=_lines(view, index),
-            rules=[_rule(view, s, e) for s, e in link.transition.reset.items()],
+            rules=[_rule(view, s, reset[s]) for s in view.notation.system.states if s in reset],
         )
     return blocks
 

@@ -42,7 +42,9 @@ def system_section(shown: Described) -> list[Block]:
         origins = zip(presentation.states, system.states, presentation.origin, strict=True)
         moved = [notation.relation(n, old - o, tidy=False) for n, old, o in origins if n != old]
         required = shown.equations.required if isinstance(shown, View) else {}
-        substituted = {s: e for s, e in presentation.substitution.items() if s not in required}
+        replaced = presentation.substitution
+        declared = (p.symbol for p in system.parameters if p.symbol in replaced)
+        substituted = {s: replaced[s] for s in declared if s not in required}
     if itinerary and itinerary.period:
         parameters.append(itinerary.period)
     return compose(
@@ -350,7 +352,8 @@ def _without_conditions(notation: Notation) -> list[Block]:
 
 def _reset(transition: Transition, notation: Notation) -> str:
     """Formulas for what a transition sets the states to."""
-    rules = transition.reset.items()
+    reset = transition.reset
+    rules = ((s, reset[s]) for s in notation.system.states if s in reset)  # Dict's order may change
     return ", ".join(f"${notation.symbol(s)} := {notation.text(e)}$" for s, e in rules)
 
 
